@@ -363,13 +363,13 @@ def read_geometry(wkb: bytes, number: int) -> ogr.Geometry:
 
 
 def simple_parts(geometry: ogr.Geometry) -> Iterator[ogr.Geometry]:
-    """Every line string and polygon in a geometry, however deep in collections."""
+    """Every line string and polygon in a geometry, however deep in collections; each outlives what it was a part of."""
     if is_line(geometry) or is_polygon(geometry):
         if not geometry.IsEmpty():
             yield geometry
     else:
         for index in range(geometry.GetGeometryCount()):
-            yield from simple_parts(geometry.GetGeometryRef(index))
+            yield from simple_parts(geometry.GetGeometryRef(index).Clone())
 
 
 def is_line(geometry: ogr.Geometry) -> bool:

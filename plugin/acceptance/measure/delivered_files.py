@@ -161,7 +161,7 @@ def _missing(sheet: OrderedSheet, raster: Raster) -> float | None:
             invalid, pixels = _invalid_pixels(opened, raster, None), raster.columns * raster.rows
             return invalid / pixels
         outline = ogr.CreateGeometryFromWkb(sheet.outline)
-        if outline is None:  # QGIS keeps rings of no area, GDAL has none
+        if outline is None:  # QGIS keeps rings that GDAL has none of
             return None
         if sheet.wkt and not same_system(sheet.wkt, raster.wkt):
             outline = geometry_on(outline, sheet.wkt, raster.wkt)

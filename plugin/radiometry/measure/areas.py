@@ -202,6 +202,8 @@ def grey_tones(source: OpenRaster, window: PixelWindow, areas: Sequence[GreyArea
 def _tone(source: OpenRaster, window: PixelWindow, area: GreyArea) -> GreyTone | None:
     grid = source.raster.grid
     geometry = ogr.CreateGeometryFromWkb(area.wkb)
+    if geometry is None:  # QGIS keeps rings that GDAL has none of
+        return None
     xmin, xmax, ymin, ymax = geometry.GetEnvelope()
     edges = grid.column_at(xmin), grid.column_at(xmax), grid.row_at(ymax), grid.row_at(ymin)
     if not all(map(math.isfinite, edges)):

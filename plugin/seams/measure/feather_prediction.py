@@ -22,7 +22,7 @@ from scipy import ndimage
 
 from ...imagery import limits as imagery_limits
 from ...imagery.grids import Extent, PixelWindow
-from ...imagery.lines import burnt
+from ...imagery.lines import burnt, read_geometry
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import geometry_on
 from ...imagery.wavelets import component_products, placed_components
@@ -160,9 +160,9 @@ class Seamlines:
     """Lines along which images are to be joined, or polygons with such borders, in the windows' reference system."""
 
     def __init__(self, geometries: Iterable[bytes]) -> None:
-        """``geometries``: WKB of each."""
+        """``geometries``: WKB of each. Raises SeamlineError for bytes that are none."""
         self._geometries = list(geometries)
-        boxes = [ogr.CreateGeometryFromWkb(wkb).GetEnvelope() for wkb in self._geometries]
+        boxes = [read_geometry(wkb, number).GetEnvelope() for number, wkb in enumerate(self._geometries, 1)]
         self._xmin, self._xmax, self._ymin, self._ymax = np.array(boxes, float).reshape(-1, 4).T
 
     def over(self, extent: Extent) -> tuple[bytes, ...]:

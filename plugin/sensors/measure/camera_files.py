@@ -316,7 +316,9 @@ def _pix4d_camera(numbers: Sequence[float]) -> FileCamera:
 
 def inpho_blocks(content: str, name: str) -> list[str]:
     """The parts ``$NAME ... $END`` of an Inpho project."""
-    return re.findall(rf"^\${name}\b(.*?)^\$END\b", content, re.DOTALL | re.MULTILINE)
+    ended = re.split(r"^\$END\b", content, flags=re.MULTILINE)[:-1]
+    found = (re.search(rf"^\${name}\b(.*)", part, re.DOTALL | re.MULTILINE) for part in ended)
+    return [one[1] for one in found if one]
 
 
 def inpho_value(block: str, name: str) -> str:

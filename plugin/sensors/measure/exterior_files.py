@@ -48,6 +48,7 @@ _NAMES = {alias: name for name, aliases in _ALIASES.items() for alias in aliases
 _PAIRS = r"(?i)(ellipsoid|orthometric|photo|image|file|camera)[ _](height|id|name)"
 _DIGITS = 1e-4  # how far from orthonormal axes in a text may be
 _SHOWN = 5
+_LONGEST_LINE = 10_000  # characters, of a table: patterns take the square of what they look through
 _LEAST_RADIANS = 1.4  # a photo flown to the north or back has 1.57 or 3.14; in degrees nobody flies just so
 _DOWN = np.diag([1.0, -1.0, -1.0])  # from x right, y up, z back to columns, rows and the view
 
@@ -338,6 +339,8 @@ def _number(word: str) -> float | None:
 def _table_photos(content: str, path: Path, angles: str) -> Named:
     """Values parted by semicolons, tabs, commas or blanks, with a header or in the order of ``_FIELDS``."""
     lines = [line for line in content.splitlines() if line.strip()]
+    if any(len(line) > _LONGEST_LINE for line in lines):
+        raise ValueError
     headers = ((number, _header(line)) for number, line in enumerate(lines))
     start, fields = next(((number + 1, found) for number, found in headers if found), (0, dict(zip(_FIELDS, range(7)))))
     if "filename" not in fields or (start == 0 and any(re.search("(?i)omega.*kappa", line) for line in lines)):

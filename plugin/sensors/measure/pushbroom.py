@@ -45,6 +45,7 @@ SIGMAS = np.array([
 """Prior standard deviations of the unknowns, in the order of ``Pushbroom.unknowns``."""
 
 
+@np.errstate(invalid="ignore", over="ignore")  # places that are none have none here either
 def geocentric(geographic: np.ndarray) -> np.ndarray:
     """(n, 3) longitude and latitude in degrees and height above the ellipsoid in m -> (n, 3) X, Y, Z in m."""
     longitude, latitude = np.radians(geographic[:, 0]), np.radians(geographic[:, 1])

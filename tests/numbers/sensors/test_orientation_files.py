@@ -144,6 +144,15 @@ def test_columns_are_not_guessed_where_a_header_names_others(tmp_path: Path) -> 
         exterior_of(path)
 
 
+@pytest.mark.parametrize("ending", ["(" * 3_000_000, "omega" * 600_000, "PROJCS[" * 400_000])
+def test_a_line_without_end_is_no_table(tmp_path: Path, ending: str) -> None:
+    """Patterns would look through it for hours."""
+    path = tmp_path / "places.txt"
+    path.write_text("filename x y z omega phi kappa " + ending)
+    with pytest.raises(SensorModelError, match="places.txt"):
+        exterior_of(path)
+
+
 @pytest.mark.parametrize("angles", ["auto", "gon"])
 def test_gon_are_asked_for_where_a_file_does_not_name_them(tmp_path: Path, angles: str) -> None:
     path, turn = tmp_path / "places.csv", (4.0, -7.0, -179.1)

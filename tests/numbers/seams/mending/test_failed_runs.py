@@ -30,6 +30,14 @@ def test_what_is_wanted(what: str, count: int) -> None:
     assert not any(one.is_wanted for one in given_pieces([feature(0, 10)], FIELDS, what, lambda vertices: False))
 
 
+def test_a_piece_in_a_collection_is_one_too() -> None:
+    row, wkb = feature(0, 10)
+    line = ogr.CreateGeometryFromWkb(wkb).ExportToWkt()
+    held = ogr.CreateGeometryFromWkt(f"GEOMETRYCOLLECTION ({line}, POINT (1 1))")
+    (piece,) = given_pieces([(row, bytes(held.ExportToWkb()))], FIELDS, ALL)
+    assert piece.piece.vertices.tolist() == [[0, 0], [10, 0]]
+
+
 def test_pieces_that_follow_each_other_are_one_run() -> None:
     pieces = given_pieces([feature(10, 30, kept_1=0.2), feature(0, 10), feature(40, 50)], FIELDS, FAILED)
     runs, unnamed = seam_runs(pieces, NUMBERS, 0.1)
