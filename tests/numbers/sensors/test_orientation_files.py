@@ -149,7 +149,7 @@ def test_a_line_without_end_is_no_table(tmp_path: Path, ending: str) -> None:
     """Patterns would look through it for hours."""
     path = tmp_path / "places.txt"
     path.write_text("filename x y z omega phi kappa " + ending)
-    with pytest.raises(SensorModelError, match="places.txt"):
+    with pytest.raises(SensorModelError, match=r"places\.txt"):
         exterior_of(path)
 
 
