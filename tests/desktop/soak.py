@@ -101,7 +101,7 @@ def main() -> int:
         run = desktop.play(SCENARIO, work / "run", parameters, seconds=SECONDS)
     rounds = run.report.get("rounds", [])
     if run.status != "passed" or run.raised or run.code != 0:
-        print("\n".join([run.status, *run.raised, run.output[-4000:], f"exit code {run.code}"]))
+        print("\n".join([run.status, *run.raised, run.output, f"exit code {run.code}"]))
         return 1
     print(table(rounds))
     for place, count in Counter(place for row in rounds for place in row["stalled_at"]).most_common(8):

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...imagery.errors import PhotoError
 from . import messages
+from .limits import MOST_SCANNED_PX
 from .transformations import PlaneModel, fit_transformation
 
 PICTURE_ENDINGS = ("tif", "tiff", "jpg", "jpeg", "png", "bmp", "jp2", "img", "vrt", "ecw", "sid", "pix", "gif")
@@ -100,6 +101,8 @@ def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> dict[MarkKey, Comp
         if key in made:
             where = f" ({one.photo_key})" if by_photo else ""
             raise PhotoError(messages.COMPARED_TWICE(mark=one.mark, where=where))
+        if not all(abs(part) < MOST_SCANNED_PX for part in one.place):
+            raise PhotoError(messages.COMPARED_NOWHERE(mark=one.mark, column=one.place[0], row=one.place[1]))
         made[key] = one
     return made
 

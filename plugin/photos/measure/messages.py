@@ -140,6 +140,10 @@ COMPARED_WITHOUT_MARK = Message("The layer {layer} has no field 'mark'; choose l
 COMPARED_TWICE = Message(
     "A measurement has the mark '{mark}' twice{where}; give both layers a field 'photo' that tells photos apart."
 )
+COMPARED_NOWHERE = Message(
+    "The mark '{mark}' was measured at column {column:g}, row {row:g}, where no scanned photo has pixels; correct or "
+    "remove it."
+)
 NOTHING_IN_COMMON = Message(
     "The two measurements have no mark in common ({first}; {second}); check their fields 'mark' and 'photo'."
 )

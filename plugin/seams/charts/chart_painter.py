@@ -10,6 +10,7 @@ from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
 from qgis.PyQt.QtSvg import QSvgGenerator
 
 from ...toolkit.charts.chart_style import ChartStyle
+from ...toolkit.painting import painting
 
 PT = 100 / 72
 """Widths of lines and sizes of points are given in points, of which a screen of 100 dpi shows so many pixels."""
@@ -78,10 +79,9 @@ def chart_image(paint: Callable[[QPainter], None], width: int, height: int, dots
     """What is painted on so many px, each of ``dots`` dots a side."""
     image = QImage(width * dots, height * dots, QImage.Format.Format_ARGB32)
     image.fill(Qt.GlobalColor.white)
-    painter = QPainter(image)
-    painter.scale(dots, dots)
-    paint(painter)
-    painter.end()
+    with painting(image) as painter:
+        painter.scale(dots, dots)
+        paint(painter)
     return image
 
 
@@ -96,9 +96,8 @@ def chart_svg(paint: Callable[[QPainter], None], width: int, height: int) -> str
     generator.setViewBox(QRectF(0, 0, width, height))
     generator.setTitle("")
     generator.setDescription("")
-    painter = QPainter(generator)
-    paint(painter)
-    painter.end()
+    with painting(generator) as painter:
+        paint(painter)
     svg = bytes(content).decode()
     svg = re.sub(r'(<g [^>]*?)( font-[a-z]+="[^"]*")+', r"\1", svg)  # each text has its own
     svg = re.sub(r"<(title|desc|defs)>\s*</\1>|<g [^>]*>\s*</g>| transform=\"matrix\(1,0,0,1,0,0\)\"", "", svg)

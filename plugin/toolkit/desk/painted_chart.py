@@ -12,11 +12,12 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties, fontManager
 from qgis.PyQt.QtCore import QPointF, QSize, QTimer
-from qgis.PyQt.QtGui import QFontInfo, QImage, QPainter, QPaintEvent, QPalette
+from qgis.PyQt.QtGui import QFontInfo, QImage, QPaintEvent, QPalette
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
 from ..background_tasks import interface_first
 from ..charts.figure_files import set_local_ticks
+from ..painting import painting
 from .theme import readable_palette
 
 ROOMY_LINES = 12  # a lower chart does without the axes' titles
@@ -141,10 +142,9 @@ class PaintedChart(QWidget):
         self._ask()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.fillRect(self.rect(), readable_palette(self).color(QPalette.ColorRole.Base))
-        if not self._image.isNull():
-            painter.setOpacity(1.0 if self.isEnabled() else _DIMMED)
-            painter.drawImage(QPointF(), self._image)
-        painter.end()
+        with painting(self) as painter:
+            painter.fillRect(self.rect(), readable_palette(self).color(QPalette.ColorRole.Base))
+            if not self._image.isNull():
+                painter.setOpacity(1.0 if self.isEnabled() else _DIMMED)
+                painter.drawImage(QPointF(), self._image)
         self._ask()  # size, font or screen may be others now

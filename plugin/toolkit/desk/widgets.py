@@ -7,7 +7,7 @@ from typing import Any
 
 from qgis.gui import QgsCollapsibleGroupBoxBasic
 from qgis.PyQt.QtCore import QEvent, QObject, QSize, Qt, QTimer, pyqtSignal
-from qgis.PyQt.QtGui import QFontMetrics, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
+from qgis.PyQt.QtGui import QFontMetrics, QMouseEvent, QPaintEvent, QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import (
     QAbstractSpinBox,
     QAction,
@@ -24,6 +24,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ..painting import painting
 from ..translation import tr
 from .theme import readable_palette
 
@@ -135,10 +136,9 @@ class ClippedLabel(QWidget):
             self.updateGeometry()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setPen(readable_palette(self).color(self.foregroundRole()))
-        painter.drawText(self.contentsRect(), _WRAPPED, self._fitting(self.fontMetrics()))
-        painter.end()
+        with painting(self) as painter:
+            painter.setPen(readable_palette(self).color(self.foregroundRole()))
+            painter.drawText(self.contentsRect(), _WRAPPED, self._fitting(self.fontMetrics()))
 
     def _fitting(self, metrics: QFontMetrics) -> str:
         """As much of the text as there are lines for."""

@@ -235,6 +235,8 @@ def test_comparison_by_hand() -> None:
     assert (of_one_photo.distance, alone) == (5, [])
     with pytest.raises(PhotoError, match="no mark in common"):
         mark_differences(first, [ComparedMark("d", "9", (0, 0))])
+    with pytest.raises(PhotoError, match="no scanned photo has pixels"):
+        mark_differences(first, [ComparedMark("d", "1", (1, 1e300))])
     with pytest.raises(PhotoError, match="twice"):
         mark_differences(first, [ComparedMark("", "1", (0, 0)), ComparedMark("", "1", (1, 0))])
 

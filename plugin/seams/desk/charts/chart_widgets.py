@@ -6,10 +6,11 @@ from math import hypot, inf
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QEvent, QPointF, QRectF, QSize, pyqtSignal
-from qgis.PyQt.QtGui import QMouseEvent, QPainter, QPaintEvent
+from qgis.PyQt.QtGui import QMouseEvent, QPaintEvent
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
 from ....toolkit.desk.theme import chart_style
+from ....toolkit.painting import painting
 from ...charts.chart_curves import Chart, Key, Point
 from ...charts.chart_painter import ChartPainter
 from ...charts.curves_painter import CurvesPainter
@@ -48,10 +49,9 @@ class ChartWidget(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         chart = self.painter()
         if chart is not None:
-            painter = QPainter(self)
-            painter.setOpacity(1.0 if self.isEnabled() else _DIMMED)
-            chart.paint(painter)
-            painter.end()
+            with painting(self) as painter:
+                painter.setOpacity(1.0 if self.isEnabled() else _DIMMED)
+                chart.paint(painter)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         self.point_at(QPointF(event.pos()))

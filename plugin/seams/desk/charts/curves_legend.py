@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from qgis.PyQt.QtCore import QEvent, QModelIndex, QPoint, QRectF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPainter, QPalette, QPixmap, QResizeEvent
+from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPalette, QPixmap, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -20,6 +20,7 @@ from qgis.PyQt.QtWidgets import (
 from ....toolkit.charts.chart_style import ChartStyle
 from ....toolkit.desk.theme import ReadableItems, blended, plain_icon
 from ....toolkit.desk.widgets import plain_tip
+from ....toolkit.painting import painting
 from ....toolkit.translation import tr
 from ...charts.chart_curves import ChartCurve, Key, numbered
 from ...charts.curves_painter import PenStyle, curve_look, paint_piece
@@ -180,9 +181,8 @@ class CurvesLegend(QListWidget):
         pixmap = QPixmap(size * ratio)
         pixmap.setDevicePixelRatio(ratio)
         pixmap.fill(Qt.GlobalColor.transparent)
-        painter = QPainter(pixmap)
-        paint_piece(painter, QRectF(0, 0, size.width(), size.height()), colour, line, width, radius)
-        painter.end()
+        with painting(pixmap) as painter:
+            paint_piece(painter, QRectF(0, 0, size.width(), size.height()), colour, line, width, radius)
         return plain_icon(pixmap)
 
     def _toggle(self, item: QListWidgetItem) -> None:

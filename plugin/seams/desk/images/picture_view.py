@@ -20,6 +20,7 @@ from qgis.PyQt.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from ....imagery.grids import PixelWindow
 from ....toolkit.desk.theme import readable_on, readable_palette
+from ....toolkit.painting import painting
 from ....toolkit.translation import filled, tr
 from ...clip_pictures import ClipPicture
 from ...measure.profile.window_detail import LossPicture
@@ -259,31 +260,31 @@ class PictureView(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         self._measure_screen()  # the desktop's scaling may have changed
-        painter = QPainter(self)
-        rect = self.image_rect()
-        palette = readable_palette(self)
-        painter.fillRect(self.rect(), palette.color(QPalette.ColorRole.Window))
-        painter.fillRect(rect, palette.color(QPalette.ColorRole.Dark))
-        images = self._shown()
-        if images is None:
-            return
-        if self._is_reading:
-            painter.setOpacity(_READING_OPACITY)
-        strip = QRect(0, 0, self.width(), self._title_height())
-        paint_title(painter, strip, palette, images.picture, self._title(), self.hint, self._is_flipped_now())
-        painter.setClipRect(rect)
-        self._paint_picture(painter, images)
-        if self._loss is not None and not self._is_reading:
-            corner, ratio = QPointF(self.image_rect().topLeft()), self.devicePixelRatioF()
-            self._loss.paint(painter, corner, self._viewport, ratio, images.picture.inside)
-        if images.picture.inside is not None:
-            self._paint_outline(painter, images.picture.inside)
-        if not self._is_reading:
-            self._paint_marker(painter)
-        if self._is_flipped_now():
-            paint_frame(painter, rect, palette.color(QPalette.ColorRole.Highlight))
-        elif self.hasFocus():
-            paint_frame(painter, rect, palette.color(QPalette.ColorRole.WindowText))
+        with painting(self) as painter:
+            rect = self.image_rect()
+            palette = readable_palette(self)
+            painter.fillRect(self.rect(), palette.color(QPalette.ColorRole.Window))
+            painter.fillRect(rect, palette.color(QPalette.ColorRole.Dark))
+            images = self._shown()
+            if images is None:
+                return
+            if self._is_reading:
+                painter.setOpacity(_READING_OPACITY)
+            strip = QRect(0, 0, self.width(), self._title_height())
+            paint_title(painter, strip, palette, images.picture, self._title(), self.hint, self._is_flipped_now())
+            painter.setClipRect(rect)
+            self._paint_picture(painter, images)
+            if self._loss is not None and not self._is_reading:
+                corner, ratio = QPointF(self.image_rect().topLeft()), self.devicePixelRatioF()
+                self._loss.paint(painter, corner, self._viewport, ratio, images.picture.inside)
+            if images.picture.inside is not None:
+                self._paint_outline(painter, images.picture.inside)
+            if not self._is_reading:
+                self._paint_marker(painter)
+            if self._is_flipped_now():
+                paint_frame(painter, rect, palette.color(QPalette.ColorRole.Highlight))
+            elif self.hasFocus():
+                paint_frame(painter, rect, palette.color(QPalette.ColorRole.WindowText))
 
     def _paint_picture(self, painter: QPainter, images: PictureImages) -> None:
         """The part that is seen, in the screen's own pixels, so that an image pixel is the same square everywhere."""

@@ -15,6 +15,7 @@ from qgis.PyQt.QtWidgets import QAction, QWidget
 from ....imagery.grids import Grid, PixelWindow
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.layers import transformed_point
+from ....toolkit.painting import painting
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
 from ...words import LOSS_OPACITY, loss_legend, loss_rgba
@@ -226,26 +227,25 @@ class LossLegend(QWidget):
         return False
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        line = self.fontMetrics().height()
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(_BACK)
-        painter.drawRoundedRect(QRectF(self.rect()), line / 4, line / 4)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(_TEXT)
-        title, *words = self.lines()
-        painter.drawText(QPointF(line / 2, 1.2 * line), title)
-        for number, text in enumerate(words, 1):
-            base = (1.2 + 1.15 * number) * line
-            if not self._is_empty:
-                colour = QColor(*loss_legend()[number - 1][1])
-                colour.setAlphaF(LOSS_OPACITY * colour.alphaF())
-                swatch = QRectF(line / 2, base - 0.75 * line, 1.4 * line, 0.85 * line)
-                painter.fillRect(swatch, _GROUND)
-                painter.fillRect(swatch, colour)
-            painter.drawText(QPointF(line / 2 + (0 if self._is_empty else 1.8 * line), base), text)
-        painter.end()
+        with painting(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            line = self.fontMetrics().height()
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(_BACK)
+            painter.drawRoundedRect(QRectF(self.rect()), line / 4, line / 4)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(_TEXT)
+            title, *words = self.lines()
+            painter.drawText(QPointF(line / 2, 1.2 * line), title)
+            for number, text in enumerate(words, 1):
+                base = (1.2 + 1.15 * number) * line
+                if not self._is_empty:
+                    colour = QColor(*loss_legend()[number - 1][1])
+                    colour.setAlphaF(LOSS_OPACITY * colour.alphaF())
+                    swatch = QRectF(line / 2, base - 0.75 * line, 1.4 * line, 0.85 * line)
+                    painter.fillRect(swatch, _GROUND)
+                    painter.fillRect(swatch, colour)
+                painter.drawText(QPointF(line / 2 + (0 if self._is_empty else 1.8 * line), base), text)
 
     def _place(self) -> None:
         self.resize(self.sizeHint())

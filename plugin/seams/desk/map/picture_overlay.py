@@ -13,6 +13,7 @@ from qgis.PyQt.QtGui import QImage, QPainter, QPainterPath, QPolygonF, QTransfor
 from qgis.PyQt.QtWidgets import QStyleOptionGraphicsItem, QWidget
 
 from ....imagery.grids import Extent
+from ....toolkit.painting import painting
 
 if TYPE_CHECKING:
     import numpy as np
@@ -103,9 +104,8 @@ class _PictureItem(QgsMapCanvasItem):
         together = QImage(self._canvas.size() * ratio, QImage.Format.Format_ARGB32_Premultiplied)
         together.setDevicePixelRatio(ratio)
         together.fill(Qt.GlobalColor.transparent)
-        on_image = QPainter(together)
-        self._paint_pictures(on_image)
-        on_image.end()
+        with painting(together) as on_image:
+            self._paint_pictures(on_image)
         painter.setOpacity(self._opacity)
         painter.drawImage(QPointF(), together)
 

@@ -11,6 +11,7 @@ from qgis.PyQt.QtGui import QColor, QImage, QMouseEvent, QPainter, QPaintEvent, 
 from qgis.PyQt.QtWidgets import QWidget
 
 from ....toolkit.desk.widgets import rich_tip
+from ....toolkit.painting import painting
 from ....toolkit.translation import tr
 
 _under_way: set[QgsMapRendererParallelJob] = set()
@@ -249,23 +250,23 @@ class SwipeHandle(QWidget):
         event.accept()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        middle = QRectF(self.rect()).center()
-        if not self._divider.is_upright:
-            painter.translate(middle)
-            painter.rotate(90)
-            painter.translate(-middle)
-        length, knob = max(self.width(), self.height()), self._thickness() / 2 - 1.5
-        for colour, width in ((_CASING, 4), (_LINE, 2)):
-            painter.setPen(QPen(colour, width))
-            painter.drawLine(QPointF(middle.x(), middle.y() - length), QPointF(middle.x(), middle.y() + length))
-        painter.setPen(QPen(_CASING, 1.5))
-        painter.setBrush(_LINE)
-        painter.drawEllipse(middle, knob, knob)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(_ARROW)
-        for way in (-1, 1):
-            tip, foot = way * 0.75 * knob, way * 0.2 * knob
-            corners = ((tip, 0.0), (foot, -0.5 * knob), (foot, 0.5 * knob))
-            painter.drawPolygon(QPolygonF([middle + QPointF(x, y) for x, y in corners]))
+        with painting(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            middle = QRectF(self.rect()).center()
+            if not self._divider.is_upright:
+                painter.translate(middle)
+                painter.rotate(90)
+                painter.translate(-middle)
+            length, knob = max(self.width(), self.height()), self._thickness() / 2 - 1.5
+            for colour, width in ((_CASING, 4), (_LINE, 2)):
+                painter.setPen(QPen(colour, width))
+                painter.drawLine(QPointF(middle.x(), middle.y() - length), QPointF(middle.x(), middle.y() + length))
+            painter.setPen(QPen(_CASING, 1.5))
+            painter.setBrush(_LINE)
+            painter.drawEllipse(middle, knob, knob)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(_ARROW)
+            for way in (-1, 1):
+                tip, foot = way * 0.75 * knob, way * 0.2 * knob
+                corners = ((tip, 0.0), (foot, -0.5 * knob), (foot, 0.5 * knob))
+                painter.drawPolygon(QPolygonF([middle + QPointF(x, y) for x, y in corners]))

@@ -12,6 +12,7 @@ from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
 from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.widgets import rich_tip
+from ....toolkit.painting import painting
 from ....toolkit.translation import filled, percent, shown_number, tr
 from ...measure.window.window_tables import MEASURED, PLACED, SAID, WindowField, in_filter
 from ...window_summary import cause_numbers, explanation_of, judged_kept, shown_area, window_sentence, window_why
@@ -49,32 +50,31 @@ def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
     colour = QColor(verdict_colour(verdict))
     pixmap = QPixmap(side, side)
     pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    margin, width = side / 12, max(side / 10, 1.0)
-    square = QRectF(margin, margin, side - 2 * margin, side - 2 * margin)
-    edge = colour.darker(130)
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(colour)
-    if stale:
-        painter.drawPolygon(QPolygonF([square.topLeft(), square.topRight(), square.bottomLeft()]))
-        edge = colour
-    elif verdict:
-        painter.drawRoundedRect(square, side / 6, side / 6)
-    else:  # nothing known: an empty box, to be seen on light and on dark rows
-        edge = QColor(verdict_colour("not_comparable"))
-        painter.setBrush(QColor(232, 232, 232, 90))
-        painter.drawRect(square)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    pen = QPen(edge, width)
-    if not verdict:
-        pen.setStyle(Qt.PenStyle.DotLine)
-    painter.setPen(pen)
-    inner = square.adjusted(width / 2, width / 2, -width / 2, -width / 2)
-    painter.drawRoundedRect(inner, side / 6, side / 6)
-    if stale:
-        painter.drawLine(QPointF(inner.left(), inner.bottom()), QPointF(inner.right(), inner.top()))
-    painter.end()
+    with painting(pixmap) as painter:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        margin, width = side / 12, max(side / 10, 1.0)
+        square = QRectF(margin, margin, side - 2 * margin, side - 2 * margin)
+        edge = colour.darker(130)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        if stale:
+            painter.drawPolygon(QPolygonF([square.topLeft(), square.topRight(), square.bottomLeft()]))
+            edge = colour
+        elif verdict:
+            painter.drawRoundedRect(square, side / 6, side / 6)
+        else:  # nothing known: an empty box, to be seen on light and on dark rows
+            edge = QColor(verdict_colour("not_comparable"))
+            painter.setBrush(QColor(232, 232, 232, 90))
+            painter.drawRect(square)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        pen = QPen(edge, width)
+        if not verdict:
+            pen.setStyle(Qt.PenStyle.DotLine)
+        painter.setPen(pen)
+        inner = square.adjusted(width / 2, width / 2, -width / 2, -width / 2)
+        painter.drawRoundedRect(inner, side / 6, side / 6)
+        if stale:
+            painter.drawLine(QPointF(inner.left(), inner.bottom()), QPointF(inner.right(), inner.top()))
     return pixmap
 
 

@@ -5,10 +5,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from qgis.PyQt.QtCore import QEvent, QItemSelection, QModelIndex, QPoint, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPalette, QResizeEvent
+from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPaintEvent, QPalette, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
 
 from ....toolkit.desk.theme import ReadableItems, readable_palette
+from ....toolkit.painting import painting
 from .column_room import (
     ColumnChoice,
     ColumnChoosing,
@@ -174,12 +175,11 @@ class WindowsTable(QTableView):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self.hint and self._windows.rowCount() == 0:
-            painter = QPainter(self.viewport())
-            painter.setPen(readable_palette(self).color(QPalette.ColorRole.PlaceholderText))
-            margin = self.fontMetrics().height()
-            room = self.viewport().rect().adjusted(margin, 0, -margin, 0)
-            painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
-            painter.end()
+            with painting(self.viewport()) as painter:
+                painter.setPen(readable_palette(self).color(QPalette.ColorRole.PlaceholderText))
+                margin = self.fontMetrics().height()
+                room = self.viewport().rect().adjusted(margin, 0, -margin, 0)
+                painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
 
     def show_sorting(self) -> None:
         """The arrow may stand on another column, or on none, after the order or the columns changed."""
