@@ -385,6 +385,8 @@ def polygon_rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
 
     Raises SeamlineError when the polygon is invalid beyond repair.
     """
+    if not all(np.isfinite(ring).all() for ring in _rings(polygon)):  # GEOS dies of them
+        raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number))
     gdal.PushErrorHandler("CPLQuietErrorHandler")  # IsValid warns on stderr about what is repaired here
     try:
         valid = polygon if polygon.IsValid() else polygon.MakeValid()
@@ -395,12 +397,18 @@ def polygon_rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
     if valid is None:
         raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number))
     for part in filter(is_polygon, simple_parts(valid)):
-        wkb, offset = part.ExportToWkb(ogr.wkbNDR), 9  # byte order, type, number of rings
-        for index in range(part.GetGeometryCount()):
-            count = int.from_bytes(wkb[offset : offset + 4], "little")
-            ring = np.frombuffer(wkb, dtype="<c16", count=count, offset=offset + 4)
-            offset += 4 + ring.nbytes
+        for index, ring in enumerate(_rings(part)):
             yield ring if (signed_area(ring) > 0) == (index == 0) else ring[::-1]
+
+
+def _rings(polygon: ogr.Geometry) -> Iterator[np.ndarray]:
+    """The vertices of a 2D polygon's rings, complex, the outer one first."""
+    wkb, offset = polygon.ExportToWkb(ogr.wkbNDR), 9  # byte order, type, number of rings
+    for _ in range(polygon.GetGeometryCount()):
+        count = int.from_bytes(wkb[offset : offset + 4], "little")
+        ring = np.frombuffer(wkb, dtype="<c16", count=count, offset=offset + 4)
+        offset += 4 + ring.nbytes
+        yield ring
 
 
 def line_points(line: ogr.Geometry) -> np.ndarray:

@@ -12,8 +12,6 @@ from .errors import RasterError
 from .gdal_calls import gdal_silenced
 from .grids import Extent
 
-_LARGEST_UNIT_M = 1e9  # an astronomical unit is more, but nobody maps in it
-
 
 def extent_on(extent: Extent, wkt: str, target_wkt: str) -> Extent:
     """The bounding box, in the target reference system, of an extent in another one.
@@ -85,8 +83,6 @@ def _system(wkt: str) -> osr.SpatialReference:
     system = osr.SpatialReference()
     with gdal_silenced(), suppress(RuntimeError):  # a text that means nothing leaves the system empty
         system.SetFromUserInput(wkt)
-        if not 1 / _LARGEST_UNIT_M < system.GetLinearUnits() < _LARGEST_UNIT_M:  # nor do its numbers mean anything
-            system.Clear()
     system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return system
 

@@ -4,6 +4,7 @@ It reads pixels and draws charts, so it belongs into a worker; no layer and no w
 """
 from __future__ import annotations
 
+import math
 import statistics
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -201,6 +202,8 @@ def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
     shapes = [_shape(one, one.window_id in detailed) for one in known]
     middle = (shapes[0].extent[1] + shapes[0].extent[3]) / 2
     metres = metres_per_unit(request.wkt, middle)
+    if not all(0 < one < math.inf for one in metres):
+        metres = 1.0, 1.0  # a system whose units have no length: drawn as the map shows it
     counts = Counter(one.verdict for one in known)
     return {
         "sketch": map_sketch(shapes, *metres, background=_background(request, shapes, metres)),

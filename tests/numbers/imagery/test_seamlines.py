@@ -1,6 +1,7 @@
 """Seams from whatever lines and polygons a production line leaves behind."""
 from __future__ import annotations
 
+import struct
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.errors import SeamlineError
-from seam_inspector.plugin.imagery.lines import Seam, find_seams
+from seam_inspector.plugin.imagery.lines import Seam, find_seams, polygon_rings, read_geometry
 
 ORIGIN = np.array([576000.0, 5188000.0])
 
@@ -327,6 +328,13 @@ def test_coordinates_that_are_no_numbers_are_refused() -> None:
 
 
 # --- real layers -----------------------------------------------------------------------------------------------
+
+
+def test_a_polygon_with_corners_that_are_no_numbers_is_refused_before_geos_dies_of_it() -> None:
+    corners = np.array([[-np.inf, 5e6], [5e6, np.inf], [5e6, np.nan], [np.inf, np.nan]])
+    wkb = struct.pack("<BIII", 1, ogr.wkbPolygon, 1, len(corners)) + corners.tobytes()
+    with pytest.raises(SeamlineError, match="feature 7"):
+        list(polygon_rings(read_geometry(wkb, 7), 7))
 
 
 def test_brighton_lines_and_polygons_tell_the_same(data_folder: Path) -> None:
