@@ -25,6 +25,7 @@ LEAST_ALIKE = 0.1
 _FAR = 32  # cells: what differs over more than that is tone
 _LENGTH = 0.2  # of the middle cost, for every cell: a way round has to be worth it
 _NEAR, _WIDE = 3, 9  # cells a side: what is beside a way, and what detail is coarser than
+_STRETCH = 64  # cells of a way that are compared by themselves: images may lie apart in a part of it
 _STRIP_PX = 40  # on either side of a way, in which images are compared
 
 
@@ -85,19 +86,25 @@ def cheapest_way(
 def fit_along(
     way: np.ndarray, first: np.ndarray, second: np.ndarray, valid: np.ndarray
 ) -> tuple[float | None, Message | None]:
-    """How far two planes lie from each other along a way (n, 2), rows and columns of cells, px, None where nothing in
-    common shows it; and why they can't be cut there."""
-    off = np.ones([length // CELL_PX for length in valid.shape], bool)
-    off[tuple(way.T)] = False
-    beside = CELL_PX * ndimage.distance_transform_edt(off) <= _STRIP_PX
-    shift = find_shift(first, second, enlarged(beside, CELL_PX) & valid)
-    if shift is not None:
-        misfit = shift.length
+    """How far two planes lie from each other along a way (n, 2), rows and columns of cells, px, where that is most, None
+    where nothing in common shows it; and why they can't be cut there."""
+    stretches = np.array_split(way, max(1, round(len(way) / _STRETCH)))
+    beside = [_beside(one, valid) for one in (way, *stretches * (len(stretches) > 1))]
+    found = [find_shift(first, second, enlarged(one, CELL_PX) & valid) for one in beside]
+    misfit = max((shift.length for shift in found if shift is not None), default=None)
+    if misfit is not None:
         return misfit, messages.IMAGES_MISFIT(misfit=misfit) if misfit > MOST_MISFIT_PX else None
-    beside &= in_squares(valid, CELL_PX).all(axis=(1, 3))
-    a, b = ((cells - ndimage.uniform_filter(cells, _WIDE))[beside] for cells in map(_by_cell, (first, second)))
+    near = beside[0] & in_squares(valid, CELL_PX).all(axis=(1, 3))
+    a, b = ((cells - ndimage.uniform_filter(cells, _WIDE))[near] for cells in map(_by_cell, (first, second)))
     alike = float(a @ b) >= LEAST_ALIKE * float(np.sqrt((a @ a) * (b @ b)))
     return None, None if alike else messages.IMAGES_UNLIKE()
+
+
+def _beside(way: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    """The cells of the strip along a way, (rows, columns) bool."""
+    off = np.ones([length // CELL_PX for length in valid.shape], bool)
+    off[tuple(way.T)] = False
+    return np.asarray(CELL_PX * ndimage.distance_transform_edt(off) <= _STRIP_PX)
 
 
 def _by_cell(plane: np.ndarray) -> np.ndarray:
