@@ -9,7 +9,7 @@ from osgeo import ogr
 from scipy import ndimage
 
 from ....imagery.clips import Clip
-from ....imagery.errors import Message, RasterError
+from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stations
 from ....imagery.raster_pool import open_raster
@@ -109,6 +109,8 @@ def mend_run(request: RunRequest) -> MendedRun:
     """Cut one run anew. One that can't be tells why; it never raises for that."""
     try:
         return _mended(request)
+    except NotCoveredError:
+        return MendedRun(request.key, messages.NOT_ON_MOSAIC())
     except RasterError as error:
         return MendedRun(request.key, error.message)
 

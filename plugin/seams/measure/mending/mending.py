@@ -239,7 +239,9 @@ class Mending:
         run = self.request.runs[0][number]
         if cut.window is None:
             return MendedSeam(run, cut, LEFT, reason=cut.reason)
-        if kept is None or kept <= (run.kept or 0.0):
+        if kept is None:
+            return MendedSeam(run, cut, LEFT, reason=messages.NOT_MEASURED())
+        if kept <= (run.kept or 0.0):
             return MendedSeam(run, cut, LEFT, kept, messages.NOT_BETTER())
         name = os.path.basename(self._single) or _patch_name(number)
         return MendedSeam(run, cut, MENDED if kept >= MENDED_KEPT else IMPROVED, kept, None, name)

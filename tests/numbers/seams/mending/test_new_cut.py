@@ -31,3 +31,14 @@ def test_images_that_fit_all_along_are_cut() -> None:
     misfit, reason = fit_along(WAY, *images(0), np.ones((ROWS, COLUMNS), bool))
     assert misfit == pytest.approx(0, abs=0.1)
     assert reason is None
+
+
+def test_a_roof_beside_the_way_is_no_misfit() -> None:
+    """What the images show in different places, and the way leads around."""
+    planes = images(0)
+    middle = COLUMNS // 2
+    for plane, by in zip(planes, (0, 9)):
+        plane[400:480, middle + 16 + by : middle + 60 + by] = 40 + 8 * (np.arange(80) // 8 % 2)[:, np.newaxis]
+    misfit, reason = fit_along(WAY, *planes, np.ones((ROWS, COLUMNS), bool))
+    assert misfit == pytest.approx(0, abs=0.3)
+    assert reason is None
