@@ -24,7 +24,7 @@ export PYTHONPATH := $(CURDIR)/build/plugins
 ifndef SIDE_BY_SIDE_TARGETS
 .NOTPARALLEL:
 endif
-.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz soak translate package icon clean
+.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -121,6 +121,9 @@ speed: link ## Measure the guide's table of speed, three runs on one core, and w
 
 benchmark-scan: link ## Measure the scan of a whole mosaic against the bare read of its files, on all cores, as a user runs it; SIDE=3000 for a try
 	$(PYTHON) -m benchmarks.scan $(if $(SIDE),--side $(SIDE))
+
+benchmark-mending: link ## Measure seams cut anew against the scan that found them, on all cores, as a user runs it; SIDE=3000 for a try
+	$(PYTHON) -m benchmarks.mending $(if $(SIDE),--side $(SIDE))
 
 benchmark-detection: link ## Measure how well lost contrast and its causes are found, on all cores: WINDOWS=1 SIDE=256 HALF=used for a try; real data by SEAM_INSPECTOR_DATA
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.detection $(if $(WINDOWS),--windows $(WINDOWS)) \

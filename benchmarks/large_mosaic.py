@@ -71,8 +71,8 @@ class LargeMosaic:
 class Layout:
     """Two seams across and two down, crooked; every seam changes over from one source to the other."""
 
-    def __init__(self, side: int, rng: np.random.Generator) -> None:
-        self.side = side
+    def __init__(self, side: int, rng: np.random.Generator, bands_px: Sequence[float] = BAND_PX) -> None:
+        self.side, self._bands_px = side, bands_px
         self._phases = rng.uniform(0, 2 * np.pi, (4, 3))
 
     def place(self, seam: int, along: np.ndarray) -> np.ndarray:
@@ -85,7 +85,7 @@ class Layout:
     def share(self, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
         """Of the second source, (rows, columns) float32."""
         share = np.zeros((len(rows), len(columns)), np.float32)
-        for seam, width in enumerate(BAND_PX):
+        for seam, width in enumerate(self._bands_px):
             beyond = (columns - self.place(seam, rows)[:, None] if seam < 2
                       else rows[:, None] - self.place(seam, columns))
             own = np.clip(beyond / np.float32(width) + np.float32(0.5), 0, 1).astype(np.float32)
@@ -139,12 +139,13 @@ def levelled(image: np.ndarray, like: np.ndarray) -> np.ndarray:
 
 
 def make_large_mosaic(folder: Path, side: int, formats: tuple[str, ...] = FORMATS_SCANNED,
-                      say: Say = lambda words: None) -> LargeMosaic:
-    """Write mosaic and sources of ``side`` px in all formats, telling what is under way."""
+                      say: Say = lambda words: None, bands_px: Sequence[float] = BAND_PX) -> LargeMosaic:
+    """Write mosaic and sources of ``side`` px in all formats, telling what is under way. ``bands_px``: widths of the
+    feathers along its four seams."""
     say("drawing the ground and photographing it twice")
     first, second = draw_ground()
     in_tone = levelled(second, first)  # the mosaic is levelled, the sources stay as they are
-    layout = Layout(side, np.random.default_rng(14))
+    layout = Layout(side, np.random.default_rng(14), bands_px)
     mirrored = np.arange(side) % (2 * GROUND_PX)
     mirrored = np.minimum(mirrored, 2 * GROUND_PX - 1 - mirrored)
     names = ("mosaic", "first", "second")

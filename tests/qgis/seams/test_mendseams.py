@@ -309,6 +309,39 @@ def test_an_image_that_ends_beside_the_seam_leaves_no_line(tmp_path: Path) -> No
     assert (after != 0).all()
 
 
+def test_seams_of_another_mosaic_are_left(scanned: Run, tmp_path: Path) -> None:
+    files = scene(tmp_path)
+    for path in (files.mosaic, *files.sources):
+        moved = gdal.Open(path, gdal.GA_Update)
+        left, *others = moved.GetGeoTransform()
+        moved.SetGeoTransform((left + 5000, *others))
+        moved = None
+    ended = mend(files, scanned, tmp_path)
+    assert ended.results["MENDED_METRES"] == 0
+    assert_sentence(ended.rows("CUTS")[0]["reason"], "does not lie on this mosaic")
+
+
+def test_holes_stay_and_what_cannot_be_measured_is_told(tmp_path: Path) -> None:
+    west, east = (in_type(one) for one in fitting_images())
+    made, hole = cut(west, east, FEATHER_PX), np.zeros((ROWS, COLUMNS), bool)
+    for row in range(30, ROWS, 90):
+        column = int(seam_columns(ROWS, COLUMNS)[row])
+        hole[row : row + 25, column - 30 : column + 5] = True
+    hole |= np.random.default_rng(3).random(hole.shape) < 0.002
+    made[:, hole], east[:, 200:260, 180:260] = 0, 0
+    files = Files(*(
+        write_raster(tmp_path / name, image, nodata=0)
+        for name, image in (("mosaic.tif", made), ("west.tif", west), ("east.tif", east))
+    ))
+    ended = mend(files, None, tmp_path)
+    after, before = pixels(ended.results["MENDED"]), pixels(files.mosaic)
+    assert ((after == 0).all(axis=0) == hole).all()
+    assert (after == before)[:, ~patched(ended)].all()
+    for row in ended.rows("CUTS"):
+        if row["outcome"] == "left" and row["kept_after"] is None:
+            assert_sentence(row["reason"], "can't be measured")
+
+
 def test_a_refusal_leaves_nothing(feathered: Files, scanned: Run, tmp_path: Path) -> None:
     given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "SEAMS": scanned.layer("SEAMS")}
     (tmp_path / "a file").touch()

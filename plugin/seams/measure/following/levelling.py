@@ -198,23 +198,23 @@ def _spread_out(bias: np.ndarray, share: np.ndarray) -> np.ndarray:
     return np.asarray((known + least * mean) / (weights + least), np.float32)
 
 
-def to_pixels(squares: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """Linear between the middles of the squares."""
-    down, across = (_interpolation(few * 2**LEVELS, few) for few in squares.shape)
+def to_pixels(squares: np.ndarray, shape: tuple[int, ...], side: int = SQUARE_PX) -> np.ndarray:
+    """Linear between the middles of the squares, (rows, columns) float32 of ``side`` px."""
+    down, across = (_interpolation(few * side, few) for few in squares.shape)
     rows = np.empty((len(down), squares.shape[1]), np.float32)
-    for pixels, needed in _parts(len(squares)):
+    for pixels, needed in _parts(len(squares), side):
         np.matmul(down[pixels, needed], squares[needed], out=rows[pixels])
     made = np.empty((len(down), len(across)), np.float32)
-    for pixels, needed in _parts(squares.shape[1]):
+    for pixels, needed in _parts(squares.shape[1], side):
         np.matmul(rows[:, needed], across[pixels, needed].T, out=made[:, pixels])
     return made[: shape[0], : shape[1]]
 
 
-def _parts(few: int) -> Iterator[tuple[slice, slice]]:
+def _parts(few: int, side: int) -> Iterator[tuple[slice, slice]]:
     """Of pixels that are interpolated at a time, and the squares that matter to them."""
     for start in range(0, few, _AT_A_TIME):
         end = start + _AT_A_TIME
-        yield slice(start * 2**LEVELS, end * 2**LEVELS), slice(max(start - 1, 0), end + 1)
+        yield slice(start * side, end * side), slice(max(start - 1, 0), end + 1)
 
 
 @lru_cache

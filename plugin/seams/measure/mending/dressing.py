@@ -2,6 +2,8 @@
 followed and beyond; and the tones of two of them eased into each other at a cut."""
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from scipy import ndimage
 
@@ -37,23 +39,24 @@ def _nearest(known: np.ndarray) -> tuple[np.ndarray, ...]:
     return tuple(ndimage.distance_transform_edt(~known, return_distances=False, return_indices=True))
 
 
-def dressed(ground: JudgedGround, source: int, band: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> np.ndarray:
-    """A band of a placed source as the mosaic's band shows it where it is followed, and would elsewhere; (rows,
-    columns) float32 each. ``own``: pixels, bool, on which the mosaic is of this source alone.
+def dress(ground: JudgedGround, source: int, bands: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> None:
+    """Bands of a placed source become what the mosaic's show of it where it is followed, and would elsewhere; (bands,
+    rows, columns), float32 of the source. ``own``: pixels, bool, on which the mosaic is of this source alone.
 
     Gain and filter are the estimator's; the bias is that of the nearest ground that tells it, at the scale of squares
     and wider, so that nothing finer is taken over from the mosaic.
     """
-    share, means, reference = square_means(own), square_means(mosaic), square_means(band)
-    where = share > _MIN_OWN
-    gains = gain_field(means, reference, where)
-    bias = _carried_on(means - gains * reference, where)
-    plane = to_pixels(gains, band.shape) * band + to_pixels(bias, band.shape)
-    filters = ground.expected.filters
-    if not filters.taps:
-        return plane
-    common = next(iter(filters.taps.values())) if filters.came_over_cuts else UNTOUCHED
-    return filtered(plane, filters.taps.get(_plane(ground, source), common))
+    where, filters = square_means(own) > _MIN_OWN, ground.expected.filters
+    common = next(iter(filters.taps.values()), UNTOUCHED) if filters.came_over_cuts else UNTOUCHED
+    taps = filters.taps.get(_plane(ground, source), common)
+    pairs = [(square_means(shown.astype(np.float32)), square_means(band)) for shown, band in zip(mosaic, bands)]
+    gains = [gain_field(shown, given, where) for shown, given in pairs]
+    biases = _carried_on(np.stack([shown - gain * given for gain, (shown, given) in zip(gains, pairs)]), where)
+    for band, gain, bias in zip(bands, gains, biases):
+        band *= to_pixels(gain, band.shape)
+        band += to_pixels(bias, band.shape)
+        if filters.taps:
+            band[...] = filtered(band, taps)
 
 
 def _plane(ground: JudgedGround, source: int) -> int:
@@ -71,31 +74,48 @@ def eased(
     first: np.ndarray, second: np.ndarray, weight: np.ndarray, mosaic: np.ndarray, inside: np.ndarray,
     valid: np.ndarray,
 ) -> np.ndarray:
-    """Two dressed bands cut where ``weight``, that of the first one, passes one half, all (rows, columns) float32.
+    """Dressed bands (bands, rows, columns) cut where ``weight``, that of the first ones, passes one half; float32 all.
 
     What is coarser than squares of 8 px is eased, each scale as far as it is wide, tones over ``EASED_PX``: what is
     finer is of one image alone, but for the few pixels in which the weight is neither 0 nor 1. Towards the edge of the
-    patch, ``inside`` 0 there and 1 within, tones are those of the mosaic, so that it shows no edge. ``valid``: bool,
-    pixels that all three have; beyond them tones are those of the nearest.
+    patch, ``inside`` 0 there and 1 within, tones are those of the mosaic, so that it shows no edge. ``weight`` and
+    ``inside``: (rows, columns); ``valid``: bool, pixels that all have; beyond them tones are those of the nearest.
     """
-    places = _nearest(square_means(valid) == 1)
+    places, share = _nearest(square_means(valid) == 1), square_means(weight)
+    spreads = [to_pixels(_smoothed(share, reach), weight.shape) - weight for reach in _EASED_SQUARES]
     made = weight * first + (1 - weight) * second
-    share, apart = square_means(weight), square_means(first - second)[places]
-    # Of every scale what is added differs across the cut by as much as the images do, and fades as far as it is wide.
-    for reach in _EASED_SQUARES:
-        wider = ndimage.gaussian_filter(apart, reach, mode="nearest") if reach < _EASED_SQUARES[-1] else 0
-        even = ndimage.gaussian_filter(share, reach, mode="nearest")
-        made += (to_pixels(even, made.shape) - weight) * to_pixels(apart - wider, made.shape)
-        apart = wider
-    rest = ndimage.gaussian_filter(square_means(mosaic - made)[places], _RIM_SQUARES, mode="nearest")
-    return np.asarray(made + (1 - inside) * to_pixels(rest, made.shape), np.float32)
+    for band, one, other, shown in zip(made, first, second, mosaic):
+        apart = square_means(one - other)[places]
+        # Of every scale what is added differs across the cut by as much as images do, and fades as far as it is wide.
+        for reach, spread in zip(_EASED_SQUARES, spreads):
+            wider = _smoothed(apart, reach) if reach < _EASED_SQUARES[-1] else np.zeros_like(apart)
+            band += spread * to_pixels(apart - wider, weight.shape)
+            apart = wider
+        rest = _smoothed(square_means(shown - band)[places], _RIM_SQUARES)
+        band += (1 - inside) * to_pixels(rest, weight.shape)
+    return made
 
 
-def _carried_on(bias: np.ndarray, known: np.ndarray) -> np.ndarray:
-    """Smoothed where it is known, and carried on from there."""
-    found = np.full(bias.shape, bias[known].mean(), np.float32)
+def _carried_on(biases: np.ndarray, known: np.ndarray) -> np.ndarray:
+    """Of all bands, smoothed where they are known, and carried on from there."""
+    found = np.broadcast_to(biases[:, known].mean(axis=1)[:, np.newaxis, np.newaxis], biases.shape)
     for reach in _REACHES:
-        weight = ndimage.gaussian_filter(known.astype(np.float32), reach, mode="nearest")
-        near = ndimage.gaussian_filter(np.where(known, bias, 0).astype(np.float32), reach, mode="nearest")
-        found = (near + _LEAST * found) / (weight + _LEAST)
-    return np.asarray(found, np.float32)
+        near = _smoothed(np.where(known, biases, np.float32(0)), reach)
+        found = (near + _LEAST * found) / (_smoothed(known.astype(np.float32), reach) + np.float32(_LEAST))
+    return found
+
+
+def _smoothed(values: np.ndarray, reach: float) -> np.ndarray:
+    """By a Gaussian along the last two axes, the edges repeated: filters much wider than an image cost as little."""
+    down, across = (_gaussian(length, reach) for length in values.shape[-2:])
+    return np.asarray(down @ values @ across.T)
+
+
+@lru_cache(64)
+def _gaussian(length: int, reach: float) -> np.ndarray:
+    """(length, length) float32 weights."""
+    by = np.arange(-int(4 * reach + 0.5), int(4 * reach + 0.5) + 1)
+    weights, rows = np.exp(-0.5 * np.square(by / reach)), np.arange(length)[:, np.newaxis]
+    places = length * rows + np.clip(rows + by, 0, length - 1)
+    sums = np.bincount(places.ravel(), np.tile(weights / weights.sum(), length), length**2)
+    return sums.reshape(length, length).astype(np.float32)

@@ -9,7 +9,7 @@ from osgeo import ogr
 from scipy import ndimage
 
 from ....imagery.clips import Clip
-from ....imagery.errors import Message, RasterError
+from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stations
 from ....imagery.raster_pool import open_raster
@@ -19,7 +19,7 @@ from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
 from ..following.followed_source import high_pass
 from ..following.hard_cut import JudgedGround, as_type, judged_ground
-from ..following.levelling import SQUARE_PX
+from ..following.levelling import SQUARE_PX, to_pixels
 from ..limits import MEND_BLEND_PX, MEND_WIDTH_M
 from ..scan.blocks.block_pixels import JUDGED, BlockPixels
 from ..scan.lines.piece_index import NearestPieces, PieceIndex
@@ -27,7 +27,7 @@ from ..seam_cells import UNKNOWN
 from ..source_images import Source
 from ..while_measuring import measuring
 from . import messages
-from .dressing import EASED_PX, dressed, eased, placed_bands, tells_tones
+from .dressing import EASED_PX, dress, eased, placed_bands, tells_tones
 from .failed_runs import SeamRun
 from .new_cut import CELL_PX, cheapest_way, cutting_cost, fit_along
 from .tone_steps import tone_step
@@ -109,6 +109,8 @@ def mend_run(request: RunRequest) -> MendedRun:
     """Cut one run anew. One that can't be tells why; it never raises for that."""
     try:
         return _mended(request)
+    except NotCoveredError:
+        return MendedRun(request.key, messages.NOT_ON_MOSAIC())
     except RasterError as error:
         return MendedRun(request.key, error.message)
 
@@ -140,12 +142,12 @@ def _mended(request: RunRequest) -> MendedRun:
     pixels = enlarged(inside, CELL_PX) & (valid[0] | (weight == 0)) & (valid[1] | (weight == 1))
     if not pixels.any():
         raise RasterError(messages.PART_NOT_COVERED())
-    fade, before, both = part.fade(inside), read.own.bands, valid[0] & valid[1]
+    before, both = read.own.bands, valid[0] & valid[1]
     images = [placed_bands(ground, side, _named(read.clip(side), names), valid[side]) for side in _SIDES]
-    made, middle = np.empty((2, *before.shape), np.float32)
-    for place, band in enumerate(before.astype(np.float32)):
-        first, second = (dressed(ground, side, images[side][place], band, own[side]) for side in _SIDES)
-        made[place], middle[place] = eased(first, second, weight, band, fade, both), (first + second) / 2
+    for side, image in zip(_SIDES, images):
+        dress(ground, side, image, before, own[side])
+    middle = (judged_plane(images[0], names) + judged_plane(images[1], names)) / 2
+    made = eased(*images, weight, before, part.fade(inside), both)
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
     was, is_now = (judged_plane(one.astype(np.float32), names) for one in (before, after))
@@ -154,8 +156,7 @@ def _mended(request: RunRequest) -> MendedRun:
         raise RasterError(messages.IMAGES_OF_OTHER_GROUND(share=otherwise))
     corner = read.window.column, read.window.row
     old_step, new_step = (
-        tone_step(judged_plane(bands - middle, names), points - corner, both)
-        for bands, points in ((before, line), (after, way))
+        tone_step(shown - middle, points - corner, both) for shown, points in ((was, line), (is_now, way))
     )
     rows, columns = (np.flatnonzero(pixels.any(axis=axis)) for axis in (1, 0))
     down, across = (slice(int(one[0]), int(one[-1]) + 1) for one in (rows, columns))
@@ -284,7 +285,7 @@ class _Part:
     def weight(self, blend_px: int) -> np.ndarray:
         """Of the left image, by pixels, (rows, columns) float32, 0 to 1."""
         sides = np.where(self.on_left, np.float32(1), np.float32(-1))
-        left = (_zoomed(ndimage.gaussian_filter(sides, _SMOOTH_CELLS, mode="nearest")) > 0).astype(np.float32)
+        left = (_by_pixel(ndimage.gaussian_filter(sides, _SMOOTH_CELLS, mode="nearest")) > 0).astype(np.float32)
         return np.clip(ndimage.uniform_filter(left, blend_px, mode="nearest"), 0, 1) if blend_px > 1 else left
 
     def patch(self, reach: float) -> np.ndarray:
@@ -295,7 +296,7 @@ class _Part:
 
     def fade(self, inside: np.ndarray) -> np.ndarray:
         """By pixels, (rows, columns) float32: from 0 at the rim of a patch to 1."""
-        return _zoomed(np.clip(ndimage.distance_transform_edt(inside) / _RIM_CELLS, 0, 1).astype(np.float32))
+        return _by_pixel(np.clip(ndimage.distance_transform_edt(inside) / _RIM_CELLS, 0, 1).astype(np.float32))
 
 
 def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.ndarray) -> _Part:
@@ -351,6 +352,6 @@ def _beside(index: PieceIndex, window: PixelWindow) -> NearestPieces:
     return NearestPieces(number, distance + CELL_PX * off, on_left, station)
 
 
-def _zoomed(cells: np.ndarray) -> np.ndarray:
-    """Linear between the middles of cells, by pixels."""
-    return np.asarray(ndimage.zoom(cells, CELL_PX, order=1, mode="nearest", grid_mode=True))
+def _by_pixel(cells: np.ndarray) -> np.ndarray:
+    """Linear between the middles of cells."""
+    return to_pixels(cells, tuple(CELL_PX * length for length in cells.shape), CELL_PX)

@@ -177,10 +177,12 @@ class Mending:
     def _result(self, goes_on: Callable[[float], bool], executor: Executor, ahead: int) -> list[MendedSeam]:
         place, mosaic = Path(self._mended), self.request.mosaic
         with tempfile.TemporaryDirectory(prefix=unfinished_name(place), dir=place.parent) as folder, rasters_kept():
-            tried = dict(self._tried(Path(folder)))
-            kept = self._measured(str(Path(folder) / "mended.vrt"), tried, goes_on, executor, ahead) if tried else {}
-            seams = [self._judged(number, number in tried, kept.get(number)) for number in range(len(self._cuts))]
-            better = [tried[number] for number, one in enumerate(seams) if one.outcome != LEFT]
+            tried = list(self._tried(Path(folder)))
+            cuts = {number: cut.vertices for number, (cut, patch) in enumerate(tried) if patch is not None}
+            write_mended(path := str(Path(folder) / "mended.vrt"), mosaic, [patch for _, patch in tried if patch])
+            kept = self._measured(path, cuts, goes_on, executor, ahead) if cuts else {}
+            seams = [self._judged(number, cut, kept.get(number)) for number, (cut, _) in enumerate(tried)]
+            better = [patch for (_, patch), one in zip(tried, seams) if patch is not None and one.outcome != LEFT]
             if self._single:
                 better = [joined_patches(self._single, mosaic, better)] if better else []
             else:
@@ -194,41 +196,31 @@ class Mending:
             shutil.copyfile(patch.path, unfinished)
         return replace(patch, path=path)
 
-    def _tried(self, folder: Path) -> Iterator[tuple[int, PlacedPatch]]:
-        for number, cut in enumerate(self._cuts):
-            if cut.window is not None:
-                whole = self._cut(number)
-                assert whole.pixels is not None
-                assert whole.inside is not None
+    def _tried(self, folder: Path) -> Iterator[tuple[MendedRun, PlacedPatch | None]]:
+        """All cuts, without their pixels, and their patches in this folder."""
+        for number in range(len(self.request.runs[0])):
+            cut: MendedRun | None = held(_LOOK, self._journal.files, (number, 0))
+            assert cut is not None
+            patch = None
+            if cut.window is not None and cut.pixels is not None and cut.inside is not None:
                 path = str(folder / _patch_name(number))
-                yield number, write_patch(path, self.request.mosaic, cut.window, whole.pixels, whole.inside)
-
-    @cached_property
-    def _cuts(self) -> list[MendedRun]:
-        """All of them without their pixels."""
-        every = (self._cut(number) for number in range(len(self.request.runs[0])))
-        return [replace(one, pixels=None, inside=None) for one in every]
-
-    def _cut(self, number: int) -> MendedRun:
-        found: MendedRun | None = held(_LOOK, self._journal.files, (number, 0))
-        assert found is not None
-        return found
+                patch = write_patch(path, self.request.mosaic, cut.window, cut.pixels, cut.inside)
+            yield replace(cut, pixels=None, inside=None), patch
 
     def _measured(
-        self, path: str, tried: dict[int, PlacedPatch], goes_on: Callable[[float], bool], executor: Executor, ahead: int
+        self, path: str, cuts: dict[int, np.ndarray | None], goes_on: Callable[[float], bool], executor: Executor,
+        ahead: int,
     ) -> dict[int, float]:
         """kept_1 of the mosaic with its patches, a VRT at ``path``, along the new cuts, by the run's number: a scan of
         given seams, those that stay among them."""
         request, runs = self.request, self.request.runs[0]
-        write_mended(path, request.mosaic, list(tried.values()))
-        numbers = list(tried)
-        near = {piece for number in numbers for piece in request.near(runs[number], _WIDEST_PX).numbers.tolist()}
-        near -= {piece for number in numbers for piece in runs[number].numbers}
-        lines = [(self._cuts[number].vertices, runs[number].piece) for number in numbers]
+        near = {piece for number in cuts for piece in request.near(runs[number], _WIDEST_PX).numbers.tolist()}
+        near -= {piece for number in cuts for piece in runs[number].numbers}
+        lines = [(vertices, runs[number].piece) for number, vertices in cuts.items()]
         lines += [(request.pieces[piece].piece.vertices, request.pieces[piece].piece) for piece in sorted(near)]
         seams = tuple(SidedSeam(vertices, piece.left, piece.right) for vertices, piece in lines if vertices is not None)
         corridor = _CORRIDOR_PX * request.mosaic.ground_sample_distance
-        settings = ScanSettings(piece_m=_ONE_PIECE_M, corridor_m=corridor, worst_count=0)
+        settings = ScanSettings(levels=1, piece_m=_ONE_PIECE_M, corridor_m=corridor, worst_count=0)
         mended = describe_mosaic(replace(request.mosaic.ref, path=path))
         with whole_scan(ScanRequest(mended, request.sources, settings, GivenSeams(seams, (), ())), Path(path)) as scan:
             for step in scan.steps(executor, ahead, lambda: not goes_on(PATCHED)):
@@ -237,16 +229,19 @@ class Mending:
         if found is None:
             raise CancelledError(messages.MENDING_STOPPED())
         kept: dict[int, float] = {}
+        numbers = list(cuts)
         for one in found.pieces:
             if one.piece.seam_id <= len(numbers) and one.least_kept is not None:
                 kept.setdefault(numbers[one.piece.seam_id - 1], one.least_kept)
         return kept
 
-    def _judged(self, number: int, was_tried: bool, kept: float | None) -> MendedSeam:
-        run, cut = self.request.runs[0][number], self._cuts[number]
-        if not was_tried:
+    def _judged(self, number: int, cut: MendedRun, kept: float | None) -> MendedSeam:
+        run = self.request.runs[0][number]
+        if cut.window is None:
             return MendedSeam(run, cut, LEFT, reason=cut.reason)
-        if kept is None or kept <= (run.kept or 0.0):
+        if kept is None:
+            return MendedSeam(run, cut, LEFT, reason=messages.NOT_MEASURED())
+        if kept <= (run.kept or 0.0):
             return MendedSeam(run, cut, LEFT, kept, messages.NOT_BETTER())
         name = os.path.basename(self._single) or _patch_name(number)
         return MendedSeam(run, cut, MENDED if kept >= MENDED_KEPT else IMPROVED, kept, None, name)

@@ -11,7 +11,7 @@ from scipy import ndimage, sparse
 from scipy.sparse import csgraph
 
 from ....imagery.errors import Message
-from ....imagery.shifts import find_shift
+from ....imagery.shifts import Shift, find_shift, shifted
 from ..following.boxes import box_means, enlarged, in_squares
 from ..following.levelling import gain_field, square_means, to_pixels
 from . import messages
@@ -25,6 +25,8 @@ LEAST_ALIKE = 0.1
 _FAR = 32  # cells: what differs over more than that is tone
 _LENGTH = 0.2  # of the middle cost, for every cell: a way round has to be worth it
 _NEAR, _WIDE = 3, 9  # cells a side: what is beside a way, and what detail is coarser than
+_STRETCH = 64  # cells of a way that are compared by themselves: images may lie apart in a part of it
+_CROSSED_PX = 12  # on either side of a way: what it crosses
 _STRIP_PX = 40  # on either side of a way, in which images are compared
 
 
@@ -85,19 +87,40 @@ def cheapest_way(
 def fit_along(
     way: np.ndarray, first: np.ndarray, second: np.ndarray, valid: np.ndarray
 ) -> tuple[float | None, Message | None]:
-    """How far two planes lie from each other along a way (n, 2), rows and columns of cells, px, None where nothing in
-    common shows it; and why they can't be cut there."""
+    """How far two planes lie from each other along a way (n, 2), rows and columns of cells, px, where that is most, None
+    where nothing in common shows it; and why they can't be cut there."""
     off = np.ones([length // CELL_PX for length in valid.shape], bool)
     off[tuple(way.T)] = False
     beside = CELL_PX * ndimage.distance_transform_edt(off) <= _STRIP_PX
     shift = find_shift(first, second, enlarged(beside, CELL_PX) & valid)
-    if shift is not None:
-        misfit = shift.length
+    apart = (_apart(one, first, second, valid) for one in np.array_split(way, max(1, round(len(way) / _STRETCH))))
+    misfit = max((one.length for one in (shift, *apart) if one is not None), default=None)
+    if misfit is not None:
         return misfit, messages.IMAGES_MISFIT(misfit=misfit) if misfit > MOST_MISFIT_PX else None
     beside &= in_squares(valid, CELL_PX).all(axis=(1, 3))
     a, b = ((cells - ndimage.uniform_filter(cells, _WIDE))[beside] for cells in map(_by_cell, (first, second)))
     alike = float(a @ b) >= LEAST_ALIKE * float(np.sqrt((a @ a) * (b @ b)))
     return None, None if alike else messages.IMAGES_UNLIKE()
+
+
+def _apart(way: np.ndarray, first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> Shift | None:
+    """How two planes lie in a stretch of a way, where the ground that it crosses shows it, and not just an object
+    beside it that it leads around."""
+    corner = np.maximum(way.min(axis=0) * CELL_PX - 2 * _STRIP_PX, 0)
+    place = tuple(map(slice, corner, (way.max(axis=0) + 1) * CELL_PX + 2 * _STRIP_PX))
+    first, second, valid = (one[place] for one in (first, second, valid))
+    off = np.ones(valid.shape, bool)
+    off[tuple((way * CELL_PX + CELL_PX // 2 - corner).T)] = False
+    from_way = ndimage.distance_transform_edt(off)
+    shift = find_shift(first, second, (from_way <= _STRIP_PX) & valid)
+    if shift is None or shift.length <= MOST_MISFIT_PX:
+        return shift
+    near = (from_way <= _CROSSED_PX) & valid
+    a, b, moved = (
+        (one - ndimage.uniform_filter(one, _WIDE * CELL_PX))[near]
+        for one in (first, second, shifted(second, shift.x, shift.y))
+    )
+    return shift if np.square(a - moved).sum() < np.square(a - b).sum() else None
 
 
 def _by_cell(plane: np.ndarray) -> np.ndarray:

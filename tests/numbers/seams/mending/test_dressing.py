@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.mending.dressing import eased
+from seam_inspector.plugin.seams.measure.mending import dressing
 
 from tests.numbers.synthetic import texture
 
@@ -12,6 +12,14 @@ SHAPE = (192, 320)
 BORDER = 160
 WHOLE = np.ones(SHAPE, bool)
 INSIDE = np.ones(SHAPE, np.float32)
+
+
+def eased(
+    first: np.ndarray, second: np.ndarray, weight: np.ndarray, mosaic: np.ndarray, inside: np.ndarray, valid: np.ndarray
+) -> np.ndarray:
+    """Of one band."""
+    made = dressing.eased(*(one[np.newaxis] for one in (first, second)), weight, mosaic[np.newaxis], inside, valid)
+    return np.asarray(made[0])
 
 
 def left_of_border() -> np.ndarray:
@@ -58,3 +66,10 @@ def test_the_rim_of_a_patch_has_the_mosaics_tones() -> None:
     first = image(6)
     made = eased(first, first, left_of_border(), first + 15, np.zeros(SHAPE, np.float32), WHOLE)
     assert np.abs(made - first - 15).max() < 0.1
+
+
+@pytest.mark.parametrize("reach", [0.8, 2.0, 54.0])
+def test_smoothing_is_that_of_a_gaussian_filter_with_repeated_edges(reach: float) -> None:
+    planes = np.stack([texture((23, 61), 1.0, seed) for seed in (7, 8)]).astype(np.float32)
+    expected = [ndimage.gaussian_filter(one, reach, mode="nearest") for one in planes]
+    np.testing.assert_allclose(dressing._smoothed(planes, reach), expected, atol=1e-5)

@@ -1,0 +1,44 @@
+"""Whether two images fit along a new cut, over all of it."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.seams.measure.mending.new_cut import CELL_PX, fit_along
+
+from tests.numbers.synthetic import texture
+
+ROWS, COLUMNS = 1024, 160
+WAY = np.column_stack([np.arange(ROWS // CELL_PX), np.full(ROWS // CELL_PX, COLUMNS // CELL_PX // 2)])
+
+
+def images(shift_px: int) -> list[np.ndarray]:
+    """Of one ground, the second one to the right in its lower quarter."""
+    ground = 120 + 20 * texture((ROWS, COLUMNS), 2.0, 1)
+    other = ground.copy()
+    other[3 * ROWS // 4 :] = np.roll(ground, shift_px, axis=1)[3 * ROWS // 4 :]
+    return [np.asarray(one + 3 * texture((ROWS, COLUMNS), 0.8, seed), np.float32)
+            for one, seed in ((ground, 2), (other, 3))]  # fmt: skip
+
+
+@pytest.mark.parametrize("shift_px", [3, 8])
+def test_a_misfit_in_a_part_of_the_way_counts(shift_px: int) -> None:
+    misfit, reason = fit_along(WAY, *images(shift_px), np.ones((ROWS, COLUMNS), bool))
+    assert misfit == pytest.approx(shift_px, abs=0.3)
+    assert reason is not None
+
+
+def test_images_that_fit_all_along_are_cut() -> None:
+    misfit, reason = fit_along(WAY, *images(0), np.ones((ROWS, COLUMNS), bool))
+    assert misfit == pytest.approx(0, abs=0.1)
+    assert reason is None
+
+
+def test_a_roof_beside_the_way_is_no_misfit() -> None:
+    """What the images show in different places, and the way leads around."""
+    planes = images(0)
+    middle = COLUMNS // 2
+    for plane, by in zip(planes, (0, 9)):
+        plane[400:480, middle + 16 + by : middle + 60 + by] = 40 + 8 * (np.arange(80) // 8 % 2)[:, np.newaxis]
+    misfit, reason = fit_along(WAY, *planes, np.ones((ROWS, COLUMNS), bool))
+    assert misfit == pytest.approx(0, abs=0.3)
+    assert reason is None
