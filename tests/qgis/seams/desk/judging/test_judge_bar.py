@@ -20,13 +20,10 @@ DESCENDING = Qt.SortOrder.DescendingOrder
     ("fids", "sentence"),
     [
         ([], "Select a window to judge it."),
-        ([1], "Reduced. 10.0 % of the finest detail is lost beside the seam (10.0 m²)."),
+        ([1], "Reduced. 10.0 % of fine detail lost beside the seam (10.0 m²)."),
         (
             [2],
-            (
-                "Significant loss. 44 % of the finest detail is lost beside the seam (44 m²): images are feathered. "
-                "Use a hard cut there, or a narrower feather."
-            ),
+            "Significant loss. 44 % of fine detail lost beside the seam (44 m²): feathered. Cut hard or feather less.",
         ),
         ([3], "Not inspected yet."),
         ([4], "No source covers <window> in west_12.tif."),
