@@ -182,8 +182,9 @@ def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
         return tr("mixed, but not by weights")
     misfit = tr("misfit") if apart is None else filled(tr("{apart} px misfit"), apart=shown_number(apart, 1))
     feather = tr("feathered over {width} m") if metres >= _LEAST_WIDTH_M and apart is None else tr("feathered")
-    words = {Cause.MISREGISTRATION: misfit, Cause.FEATHERING: filled(feather, width=shown_number(metres, 1))}
-    return ", ".join(words[cause] for cause in map(Cause, causes) if cause in words)
+    feathered = filled(feather, width=shown_number(metres, 1))
+    words = {Cause.MISREGISTRATION.value: misfit, Cause.FEATHERING.value: feathered}
+    return ", ".join(words[cause] for cause in causes if cause in words)
 
 
 def _mixing_alone(row: WindowRecord, found: Explanation | None) -> list[str]:
