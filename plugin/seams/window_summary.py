@@ -172,7 +172,6 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
 
 def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
     """What took detail there, in a few words."""
-    metres = row.feather_width or 0.0
     apart = row.misfit if Cause.MISREGISTRATION in causes else None
     if causes[0] == Cause.UNCLEAR:
         return tr("cause unclear")
@@ -181,9 +180,7 @@ def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
     if Cause.OTHER_MIXTURE in causes:
         return tr("mixed, but not by weights")
     misfit = tr("misfit") if apart is None else filled(tr("{apart} px misfit"), apart=shown_number(apart, 1))
-    feather = tr("feathered over {width} m") if metres >= _LEAST_WIDTH_M and apart is None else tr("feathered")
-    feathered = filled(feather, width=shown_number(metres, 1))
-    words = {Cause.MISREGISTRATION.value: misfit, Cause.FEATHERING.value: feathered}
+    words = {Cause.MISREGISTRATION.value: misfit, Cause.FEATHERING.value: tr("feathered")}
     return ", ".join(words[cause] for cause in causes if cause in words)
 
 
@@ -336,10 +333,10 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
     lost = 1 - (row.kept_1 or 0.0)
     if is_along and (row.verdict == "significant" or not is_whole or lost >= whole):
         said, causes = _lost_along(row, lost, is_whole), at_seam
-        clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(one, found) for one in in_whole[:1])
+        clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(one) for one in in_whole[:1])
     else:
         said, causes = _lost_in_whole(row, whole, lost if is_along else None), in_whole
-        clause = "".join(brief_words(one, found) for one in in_whole[:1])
+        clause = "".join(brief_words(one) for one in in_whole[:1])
     return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes or in_whole)]
 
 
@@ -354,9 +351,9 @@ def _is_whole_soft(row: WindowRecord, found: Explanation | None) -> bool:
 
 def _lost_along(row: WindowRecord, lost: float, is_whole: bool) -> str:
     """``is_whole``: there is more of the loss elsewhere."""
-    text, width = tr("{lost} % of fine detail lost beside the seam"), ""
+    text, width = tr("{lost} % of detail lost beside the seam"), ""
     if row.band_width:
-        text, width = tr("{lost} % of fine detail lost in {width} m along the seam"), shown_number(row.band_width, 1)
+        text, width = tr("{lost} % of detail lost in {width} m along the seam"), shown_number(row.band_width, 1)
     said = filled(text, lost=percent(lost), width=width)
     if row.loss is None:
         return said
@@ -366,7 +363,7 @@ def _lost_along(row: WindowRecord, lost: float, is_whole: bool) -> str:
 
 def _lost_in_whole(row: WindowRecord, lost: float, beside: float | None) -> str:
     """``beside``: lost along the seam, of the ground around it."""
-    said = filled(tr("{lost} % of fine detail lost in the whole window"), lost=percent(lost))
+    said = filled(tr("{lost} % of detail lost in the whole window"), lost=percent(lost))
     if row.loss is not None:
         said = f"{said} ({shown_area(row.loss)})"
     return said if beside is None else filled(tr("{said}, {lost} % along the seam"), said=said, lost=percent(beside))

@@ -99,7 +99,7 @@ class ShownCause(NamedTuple):
     took: str = ""
     """What it took all over a window, ``{value}`` per cent of the finest detail."""
     brief: str = ""
-    """What was done to the mosaic where it took detail, in a word or two; ``{value}`` as above."""
+    """What was done to all of the mosaic where it took detail, in a word or two."""
     to_do: str = ""
     """What whoever made the mosaic can do about what it took."""
 
@@ -178,7 +178,7 @@ CAUSES: dict[str, ShownCause] = {
         (QT_TR_NOOP("images lie {value} px apart where they meet"),),
         lambda found: found.misfit,
         _tenths,
-        to_do=QT_TR_NOOP("Register the images."),
+        to_do=QT_TR_NOOP("Register images."),
     ),
     Cause.MISSING_SOURCE.value: ShownCause(
         QT_TR_NOOP("missing source"),
@@ -202,8 +202,8 @@ CAUSES: dict[str, ShownCause] = {
         lambda found: found.evidence.off_pixel,
         _tenths,
         QT_TR_NOOP("resampling took {value} %"),
-        brief=QT_TR_NOOP("resampled {value} px off"),
-        to_do=QT_TR_NOOP("Keep the sources' pixel grid."),
+        brief=QT_TR_NOOP("resampled"),
+        to_do=QT_TR_NOOP("Keep the pixel grid."),
     ),
     Cause.SHARPENED.value: ShownCause(
         QT_TR_NOOP("sharpened"),
@@ -296,13 +296,9 @@ def cause_clause(cause: str, found: Explanation | None, is_loss: bool) -> str:
     return filled(tr(text), value=shown.shown(number)) if number else tr(text)
 
 
-def brief_words(cause: str, found: Explanation | None) -> str:
+def brief_words(cause: str) -> str:
     """What was done all over a window, in a word or two; empty for what took nothing there."""
-    text = CAUSES[cause].brief if cause in CAUSES else ""
-    if "{value}" not in text:
-        return tr(text) if text else ""
-    number = None if found is None else CAUSES[cause].number(found)
-    return filled(tr(text), value=CAUSES[cause].shown(number)) if number else cause_word(cause)
+    return tr(CAUSES[cause].brief) if cause in CAUSES and CAUSES[cause].brief else ""
 
 
 Rgba = tuple[int, int, int, int]

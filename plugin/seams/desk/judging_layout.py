@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 _HIDDEN = "seam_inspector/hidden"  # custom property of what was taken off the map
 _SHOWN = "seam_inspector/shown"  # of a mosaic that was not on it
-_CHARACTERS = 42  # of the sentence on a line: the dock's width then
+_CHARACTERS = 71  # of the sentence on a line: the dock's width then
 _SIDES = (Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea)
 
 

@@ -167,7 +167,7 @@ def test_numbers_that_say_nothing_are_left_out(qgis_app: QgsApplication) -> None
     assert "images do not fit where they meet" in window_sentence(row("misregistration"), found)
 
 
-STRIP = "44 % of fine detail lost in 2.0 m along the seam"
+STRIP = "44 % of detail lost in 2.0 m along the seam"
 CUT = "Cut hard or feather less."
 NO_SEAM = {"kept": (None,), "kept_low": None, "kept_high": None, "band_width": None}
 SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 1.07, "band_width": 0.0}
@@ -180,15 +180,15 @@ SHARP = "The window is as sharp as its sources."
         ({}, f"Significant loss. {STRIP}: feathered. {CUT}"),
         (
             {"visibility": 1.42, "feather_width": 1.53, "loss": 81.4},
-            f"Significant loss. {STRIP} (81 m²): feathered over 1.5 m. {CUT}",
+            f"Significant loss. {STRIP} (81 m²): feathered. {CUT}",
         ),
         (
             {"verdict": "reduced", "kept": (0.85,), "kept_low": 0.8, "kept_high": 0.88, "loss": 2.66},
-            f"Reduced. 15 % of fine detail lost in 2.0 m along the seam (2.7 m²): feathered. {CUT}",
+            f"Reduced. 15 % of detail lost in 2.0 m along the seam (2.7 m²): feathered. {CUT}",
         ),
         (
             {"band_width": 0.0},
-            f"Significant loss. 44 % of fine detail lost beside the seam: feathered. {CUT}",
+            f"Significant loss. 44 % of detail lost beside the seam: feathered. {CUT}",
         ),
         (
             {"causes": "feathering; misregistration", "misfit": 2.04, "feather_width": 1.5},
@@ -196,7 +196,7 @@ SHARP = "The window is as sharp as its sources."
         ),
         (
             {"causes": "misregistration; feathering", "misfit": 2.04, "feather_width": 1.5},
-            f"Significant loss. {STRIP}: 2.0 px misfit, feathered. Register the images.",
+            f"Significant loss. {STRIP}: 2.0 px misfit, feathered. Register images.",
         ),
         ({"misfit": 2.04}, f"Significant loss. {STRIP}: feathered. {CUT}"),  # it cost nothing
         (
@@ -214,13 +214,13 @@ SHARP = "The window is as sharp as its sources."
         (  # in all of the window more is gone than beside the seam
             {"verdict": "reduced", "kept": (0.84,), "kept_low": 0.78, "kept_high": 0.91, "sharpness": 0.81,
              "loss": 3634.3, "cause": "resampled", "causes": "resampled; unclear; feathering"},
-            ("Reduced. 34 % of fine detail lost in the whole window (3,634 m²), 16 % along the seam: resampled. Keep "
-             "the sources' pixel grid."),
+            ("Reduced. 34 % of detail lost in the whole window (3,634 m²), 16 % along the seam: resampled. Keep the "
+             "pixel grid."),
         ),
         (
             {"sharpness": 0.79, "loss": 3931.0, "cause": "resampled", "causes": "resampled; misregistration",
              "misfit": 2.2},
-            f"Significant loss. {STRIP}, 3,931 m² in all: 2.2 px misfit. Register the images.",
+            f"Significant loss. {STRIP}, 3,931 m² in all: 2.2 px misfit. Register images.",
         ),
         (
             {"verdict": "reduced", "cause": "unclear", "causes": "unclear; feathering", "feather_width": 1.9},
@@ -247,18 +247,18 @@ SHARP = "The window is as sharp as its sources."
         (  # by the sharpness: what is left along the seam is no reason
             {"verdict": "reduced", "kept": (1.07,), "kept_low": 0.88, "kept_high": 1.22, "band_width": 0.0,
              "sharpness": 0.97, "cause": "none", "causes": "none"},
-            "Reduced. 5.9 % of fine detail lost in the whole window.",
+            "Reduced. 5.9 % of detail lost in the whole window.",
         ),
         (  # by the sharpness, too: kept is not shown
             {"kept": (1.37,), "kept_low": 1.1, "kept_high": 1.6, "band_width": 0.0, "sharpness": 0.36,
              "causes": "blur", "loss": 8704.0},
-            ("Significant loss. 87 % of fine detail lost in the whole window (8,704 m²): blurred. Leave out that "
+            ("Significant loss. 87 % of detail lost in the whole window (8,704 m²): blurred. Leave out that "
              "filter."),
         ),
         (  # it may be more: what to do about it is to measure
             {"verdict": "reduced", "kept": (0.59,), "kept_low": 0.35, "kept_high": 0.94,
              "reason": sentence(MAY_BE_SIGNIFICANT(low=35.0, high=94.0))},
-            "Reduced. 41 % of fine detail lost in 2.0 m along the seam: feathered. It may be more: judge by eye.",
+            "Reduced. 41 % of detail lost in 2.0 m along the seam: feathered. It may be more: judge by eye.",
         ),
         (
             {**NO_SEAM, "verdict": "preserved", "reason": "One source covers it.", "explained": 0.83,
@@ -381,7 +381,7 @@ def test_what_the_whole_window_lost_is_told_apart_with_its_share(qgis_app: QgsAp
     said = told("resampled; misregistration; feathering; clipping; balanced", values=values, texture=texture,
                 off_pixel=0.31, sharpness=0.85)  # fmt: skip
     assert said == (
-        f"Significant loss. {STRIP}: 2.0 px misfit, feathered. Register the images. {LIES} It is 1.4 times what an eye "
+        f"Significant loss. {STRIP}: 2.0 px misfit, feathered. Register images. {LIES} It is 1.4 times what an eye "
         "just sees at 2x. Images 2.0 px apart are feathered over 1.5 m, and the misfit took most. In the whole window "
         "72 % of the finest detail is left (sharpness 85 %): resampling took 15 %, clipping took 3.0 %, the seam took "
         "10 %. Besides: balanced."
@@ -416,7 +416,7 @@ def test_what_is_blamed_and_what_mixing_takes_agree(qgis_app: QgsApplication) ->
                                            off_pixel=0.0, missing=0.0, clipped=0.0, sharpness=1.0)))  # fmt: skip
     assert causes == "unclear; feathering"
     said = told(causes, profile, values, sharpness=1.0, misfit=None, lost=0.01)
-    assert said.startswith("Reduced. 16 % of fine detail lost in 2.0 m along the seam: cause unclear.")
+    assert said.startswith("Reduced. 16 % of detail lost in 2.0 m along the seam: cause unclear.")
     assert "Mixing alone would have taken 2.2 % there; what took the rest is unclear." in said
     assert "feathered" not in said
 

@@ -271,8 +271,8 @@ def used_columns(rows: Iterable[WindowRecord]) -> frozenset[str]:
 
 
 def all_columns(levels: int, used: frozenset[str], by_ratio: bool = True) -> tuple[TableColumn, ...]:
-    """The standard ones, before their last one, the reasons, what is used, and after it what can be chosen: ratios, too,
-    where no verdict is taken ``by_ratio``."""
+    """The standard ones, before their last one, the reasons, what is used, and after it what can be chosen: ratios,
+    too, where no verdict is taken ``by_ratio``."""
     standard = columns_of(levels, by_ratio)
     judging = (column for column in JUDGING_COLUMNS if column.name in used)
     return *standard[:-1], *judging, standard[-1], *CHOSEN_COLUMNS, *ratio_columns(levels * (not by_ratio))
