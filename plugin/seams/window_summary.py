@@ -12,7 +12,16 @@ from .measure.causes import ALONG_THE_SEAM, Cause, causes_taken
 from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
 from .measure.window_records import SEAM
-from .words import cause_clause, causes_words, judged_change, to_do, took_words, verdict_sentence, verdict_word
+from .words import (
+    brief_words,
+    cause_clause,
+    causes_words,
+    judged_change,
+    to_do,
+    took_words,
+    verdict_sentence,
+    verdict_word,
+)
 
 if TYPE_CHECKING:
     from .measure.explanation import Explanation
@@ -73,9 +82,11 @@ class Happening(NamedTuple):
 
 def what_happened(row: WindowRecord, found: Explanation | None) -> Happening:
     """``found``: the explanation behind what the row holds; None where that is not at hand."""
-    left = [cause for cause in (row.causes or row.cause).split("; ") if cause not in _TOLD_BEFORE]
+    left = [cause for cause in _causes_of(row) if cause not in _TOLD_BEFORE]
     main = left[0] if left else ""
-    at_seam = [cause for cause in left if cause in ALONG_THE_SEAM or _is_softened_seam(cause, found)]
+    at_seam = [cause for cause in left if _took_along_the_seam(cause, found)]
+    if at_seam == [Cause.UNCLEAR] and row.kept_1 is None:
+        at_seam = []  # nothing at all is clear
     seam = _seam_clause(at_seam, row, _is_endless(found)) if at_seam else ""
     taken = {} if found is None else {cause.value: share for cause, share in causes_taken(found.evidence)}
     took = [
@@ -113,6 +124,10 @@ def _in_the_whole(took: list[str], by_seam: float, sharpness: float) -> str:
     return filled(text, left=percent(sharpness**2), sharpness=percent(sharpness), took=", ".join(took))
 
 
+def _took_along_the_seam(cause: str, found: Explanation | None) -> bool:
+    return cause in (*ALONG_THE_SEAM, Cause.UNCLEAR) or _is_softened_seam(cause, found)
+
+
 def _is_softened_seam(cause: str, found: Explanation | None) -> bool:
     return cause == Cause.BLUR and found is not None and found.evidence.is_smoothed_seam
 
@@ -130,6 +145,8 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
     if width and is_endless:
         width = filled(tr("more than {width}"), width=width)
     apart = shown_number(row.misfit, 1) if Cause.MISREGISTRATION in causes and row.misfit is not None else ""
+    if causes[0] == Cause.UNCLEAR:
+        return ""  # told with what the mixture took
     if Cause.BLUR in causes:
         text = tr("the mosaic is softened along the seam")
     elif Cause.OTHER_MIXTURE in causes:
@@ -153,12 +170,31 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
     return filled(text, width=width, apart=apart)
 
 
-def _mixing_alone(found: Explanation | None) -> list[str]:
-    """What the mixture would leave where the mosaic has less."""
+def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
+    """What took detail there, in a few words."""
+    apart = row.misfit if Cause.MISREGISTRATION in causes else None
+    if causes[0] == Cause.UNCLEAR:
+        return tr("cause unclear")
+    if Cause.BLUR in causes:
+        return tr("softened there")
+    if Cause.OTHER_MIXTURE in causes:
+        return tr("mixed, but not by weights")
+    misfit = tr("misfit") if apart is None else filled(tr("{apart} px misfit"), apart=shown_number(apart, 1))
+    words = {Cause.MISREGISTRATION.value: misfit, Cause.FEATHERING.value: tr("feathered")}
+    return ", ".join(words[cause] for cause in causes if cause in words)
+
+
+def _mixing_alone(row: WindowRecord, found: Explanation | None) -> list[str]:
+    """What the mixture would have taken where the mosaic lost more."""
     profile = None if found is None else found.profile
     if profile is None or profile.measure is not Measure.ENERGY or (profile.by_mixture or 0) <= profile.high:
-        return []
-    return [filled(tr("Mixing alone would leave {percent} % there."), percent=percent(profile.by_mixture or 0))]
+        return [tr("What took detail along the seam is unclear.")] * (
+            Cause.UNCLEAR in _causes_of(row) and is_lost_along_the_seam(row)
+        )
+    text = tr("Mixing alone would have taken {percent} % there.")
+    if Cause.UNCLEAR in _causes_of(row):
+        text = tr("Mixing alone would have taken {percent} % there; what took the rest is unclear.")
+    return [filled(text, percent=percent(max(1 - (profile.by_mixture or 0), 0.0)))]
 
 
 def _besides(causes: list[str], found: Explanation | None, has_main: bool) -> str:
@@ -208,10 +244,11 @@ def window_why(row: WindowRecord, result: WindowResult | None = None) -> list[st
     said = []
     if row.reference == SEAM and row.verdict:
         happened = what_happened(row, found)
-        said = [*_interval(row), *by_mixture(found), *_mixing_alone(found), *_sharpness(row.sharpness, happened)]
-        if row.verdict == _NOT_COMPARABLE:
-            said += as_sentence(happened.along_the_seam)
-        elif row.reason and row.reason not in window_sentence(row):
+        clause = as_sentence(happened.along_the_seam) if row.verdict != "preserved" else []
+        is_told = row.verdict == _NOT_COMPARABLE or is_lost_along_the_seam(row)
+        said = [*_interval(row), *(clause * is_told), *by_mixture(found), *_mixing_alone(row, found)]
+        said += _sharpness(row.sharpness, happened)
+        if row.verdict != _NOT_COMPARABLE and row.reason and row.reason not in window_sentence(row):
             said.append(row.reason)
         missing = 0.0 if row.explained is None else 1 - row.explained
         is_told = f"{100 * missing:.0f} %" in row.reason  # VERDICT_OF_THE_REST says how many, in whatever language
@@ -285,34 +322,71 @@ def is_lost_along_the_seam(row: WindowRecord) -> bool:
 
 
 def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
-    """Where how much was lost and by what, and what to do about it."""
-    happened, causes = what_happened(row, found), (row.causes or row.cause).split("; ")
+    """Where how much was lost and by what, and what to do about it: two lines at most, so of seam and whole window
+    only what took the more, or made the verdict, is told with its cause."""
     if row.verdict not in LOSSES:
-        return [_what_is_left(row, happened.along_the_seam)]
-    is_along, sharpness = is_lost_along_the_seam(row), 1.0 if row.sharpness is None else row.sharpness
-    is_whole = not is_along or (sharpness < 1 - SHARPNESS_TOLERANCE if found is None else found.ground_left < 1)
-    area = "" if row.loss is None else f" ({shown_area(row.loss)})"
-    if is_along:
-        where = tr("beside the seam")
-        if row.band_width:
-            where = filled(tr("in a strip of {width} m along the seam"), width=shown_number(row.band_width, 1))
-        text = tr("{lost} % of the finest detail is lost {where}")
-        if is_whole:
-            text = tr(
-                "{lost} % of the finest detail is lost {where}, {whole} % of the orthoimages' in the whole window"
-            )
-        said = filled(text, lost=percent(1 - (row.kept_1 or 0.0)), where=where, whole=percent(1 - sharpness**2))
+        return [_what_is_left(row, what_happened(row, found).along_the_seam)]
+    is_along, whole = is_lost_along_the_seam(row), 1 - (1.0 if row.sharpness is None else row.sharpness) ** 2
+    is_whole = not is_along or _is_whole_soft(row, found)
+    at_seam = [cause for cause in _causes_of(row) if _took_along_the_seam(cause, found)] * is_along
+    in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and took_words(cause, 0.0)] * is_whole
+    lost = 1 - (row.kept_1 or 0.0)
+    if is_along and (row.verdict == "significant" or not is_whole or lost >= whole):
+        said, causes = _lost_along(row, lost, is_whole), at_seam
+        clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(one) for one in in_whole[:1])
     else:
-        text = tr("{lost} % of the orthoimages' finest detail is lost in the whole window")
-        said = filled(text, lost=percent(1 - sharpness**2))
-    at_seam = [cause for cause in causes if cause in ALONG_THE_SEAM or _is_softened_seam(cause, found)] * is_along
-    in_whole = [cause for cause in causes if cause not in at_seam and took_words(cause, 0.0)] * is_whole
-    clauses = [happened.along_the_seam] * is_along + [
-        cause_clause(one, None if is_along else found, is_loss=False) for one in in_whole[:1]
-    ]
-    clause = "; ".join(filter(None, clauses))
-    done = [row.reason] if row.reason else [to_do(cause) for cause in (*at_seam, *in_whole) if to_do(cause)]
-    return [f"{said}{area}: {clause}." if clause else f"{said}{area}.", *done[:1]]
+        said, causes = _lost_in_whole(row, whole, lost if is_along else None), in_whole
+        clause = "".join(brief_words(one) for one in in_whole[:1])
+    return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes or in_whole)]
+
+
+def _causes_of(row: WindowRecord) -> list[str]:
+    return (row.causes or row.cause).split("; ")
+
+
+def _is_whole_soft(row: WindowRecord, found: Explanation | None) -> bool:
+    sharpness = 1.0 if row.sharpness is None else row.sharpness
+    return sharpness < 1 - SHARPNESS_TOLERANCE if found is None else found.ground_left < 1
+
+
+def _lost_along(row: WindowRecord, lost: float, is_whole: bool) -> str:
+    """``is_whole``: there is more of the loss elsewhere."""
+    text, width = tr("{lost} % of detail lost beside the seam"), ""
+    if row.band_width:
+        text, width = tr("{lost} % of detail lost in {width} m along the seam"), shown_number(row.band_width, 1)
+    said = filled(text, lost=percent(lost), width=width)
+    if row.loss is None:
+        return said
+    more = tr("{said}, {area} in all") if is_whole else "{said} ({area})"
+    return filled(more, said=said, area=shown_area(row.loss))
+
+
+def _lost_in_whole(row: WindowRecord, lost: float, beside: float | None) -> str:
+    """``beside``: lost along the seam, of the ground around it."""
+    said = filled(tr("{lost} % of detail lost in the whole window"), lost=percent(lost))
+    if row.loss is not None:
+        said = f"{said} ({shown_area(row.loss)})"
+    return said if beside is None else filled(tr("{said}, {lost} % along the seam"), said=said, lost=percent(beside))
+
+
+def _done_about(row: WindowRecord, causes: list[str]) -> list[str]:
+    """What to do, a few words."""
+    if row.stale:
+        return []  # to inspect it again
+    if _may_be_significant(row):
+        return [tr("It may be more: judge by eye.")]
+    if Cause.MISSING_SOURCE in _causes_of(row):
+        return [to_do(Cause.MISSING_SOURCE)]
+    if causes[:1] == [Cause.UNCLEAR]:
+        return [tr("Judge by eye.")]
+    return [words for words in map(to_do, causes) if words][:1]
+
+
+def _may_be_significant(row: WindowRecord) -> bool:
+    """By what its reason tells, in whatever language."""
+    if row.verdict != "reduced" or row.kept_low is None or row.kept_high is None:
+        return False
+    return all(f"{100 * end:.0f}" in row.reason for end in (row.kept_low, row.kept_high))
 
 
 def _what_is_left(row: WindowRecord, clause: str) -> str:

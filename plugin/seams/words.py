@@ -98,6 +98,8 @@ class ShownCause(NamedTuple):
     shown: Callable[[float], str] = shown_number
     took: str = ""
     """What it took all over a window, ``{value}`` per cent of the finest detail."""
+    brief: str = ""
+    """What was done to all of the mosaic where it took detail, in a word or two."""
     to_do: str = ""
     """What whoever made the mosaic can do about what it took."""
 
@@ -114,7 +116,8 @@ CAUSES: dict[str, ShownCause] = {
         lambda found: found.sharpness,
         percent,
         QT_TR_NOOP("blur took {value} %"),
-        to_do=QT_TR_NOOP("Leave out the filter that softened it."),
+        brief=QT_TR_NOOP("blurred"),
+        to_do=QT_TR_NOOP("Leave out that filter."),
     ),
     Cause.FEATHERING.value: ShownCause(
         QT_TR_NOOP("feathering"),
@@ -126,13 +129,13 @@ CAUSES: dict[str, ShownCause] = {
         ),
         lambda found: found.misfit if (found.misfit or 0) >= MIN_MISREGISTRATION_PX else None,
         _tenths,
-        to_do=QT_TR_NOOP("Use a hard cut there, or a narrower feather."),
+        to_do=QT_TR_NOOP("Cut hard or feather less."),
     ),
     Cause.OTHER_MIXTURE.value: ShownCause(
         QT_TR_NOOP("other mixture"),
         QT_TR_NOOP("Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand."),
         (QT_TR_NOOP("images are mixed by another rule than weights"),),
-        to_do=QT_TR_NOOP("Use a hard cut there."),
+        to_do=QT_TR_NOOP("Cut hard there."),
     ),
     Cause.NARROWED_HISTOGRAM.value: ShownCause(
         QT_TR_NOOP("narrowed histogram"),
@@ -158,7 +161,8 @@ CAUSES: dict[str, ShownCause] = {
         lambda found: judged_change(found).clipped,
         percent,
         QT_TR_NOOP("clipping took {value} %"),
-        to_do=QT_TR_NOOP("Stretch the grey values less."),
+        brief=QT_TR_NOOP("clipped"),
+        to_do=QT_TR_NOOP("Stretch it less."),
     ),
     Cause.COLOUR_SHIFT.value: ShownCause(
         QT_TR_NOOP("colour shift"),
@@ -174,7 +178,7 @@ CAUSES: dict[str, ShownCause] = {
         (QT_TR_NOOP("images lie {value} px apart where they meet"),),
         lambda found: found.misfit,
         _tenths,
-        to_do=QT_TR_NOOP("Register the images before blending."),
+        to_do=QT_TR_NOOP("Register images."),
     ),
     Cause.MISSING_SOURCE.value: ShownCause(
         QT_TR_NOOP("missing source"),
@@ -185,6 +189,7 @@ CAUSES: dict[str, ShownCause] = {
         (QT_TR_NOOP("{value} % of the mosaic match none of these sources"),),
         lambda found: found.evidence.missing,
         percent,
+        to_do=QT_TR_NOOP("Add the missing orthoimage."),
     ),
     Cause.RESAMPLED.value: ShownCause(
         QT_TR_NOOP("resampled"),
@@ -197,7 +202,8 @@ CAUSES: dict[str, ShownCause] = {
         lambda found: found.evidence.off_pixel,
         _tenths,
         QT_TR_NOOP("resampling took {value} %"),
-        to_do=QT_TR_NOOP("Keep the orthoimages on their own pixel grid."),
+        brief=QT_TR_NOOP("resampled"),
+        to_do=QT_TR_NOOP("Keep the pixel grid."),
     ),
     Cause.SHARPENED.value: ShownCause(
         QT_TR_NOOP("sharpened"),
@@ -215,6 +221,7 @@ CAUSES: dict[str, ShownCause] = {
         _noise,
         _tenths,
         QT_TR_NOOP("compression took {value} %"),
+        brief=QT_TR_NOOP("compressed with loss"),
         to_do=QT_TR_NOOP("Compress it less."),
     ),
     Cause.NOISE_ADDED.value: ShownCause(
@@ -287,6 +294,11 @@ def cause_clause(cause: str, found: Explanation | None, is_loss: bool) -> str:
     if not text:
         return ""
     return filled(tr(text), value=shown.shown(number)) if number else tr(text)
+
+
+def brief_words(cause: str) -> str:
+    """What was done all over a window, in a word or two; empty for what took nothing there."""
+    return tr(CAUSES[cause].brief) if cause in CAUSES and CAUSES[cause].brief else ""
 
 
 Rgba = tuple[int, int, int, int]

@@ -34,8 +34,7 @@ def test_operators_walk(
     assert {"significant", "reduced"} <= set(report["verdicts"])
     assert report["verdicts"][0] in ("significant", "reduced")  # on the field that was dodged too hard
     assert report["sentence"].startswith(("Significant loss.", "Reduced."))
-    told = "% of the finest detail is lost", "% of the orthoimages' finest detail is lost"
-    assert any(text in report["sentence"] for text in told)
+    assert "% of detail lost" in report["sentence"]
     assert "besides: " in report["why"].lower()  # and all causes
     assert len(report["table"]) == len(report["verdicts"])
     assert report["table"][0][1] == report["verdicts"][0]

@@ -139,14 +139,13 @@ def distance_error(reading: BarReading, grd_cm: float, target: Target) -> float 
     """Standard deviation of the distance at which the amplitude falls to the criterion, cm.
 
     The error of the amplitude's share, over how fast a blur takes that share from group to group there. None where the
-    share has none.
+    share has none, or no blur changes it.
     """
-    if reading.share_error is None:
-        return None
     criterion = target.criterion
     kept = criterion if target.full_amplitude == COARSEST else criterion / (2 - criterion)
     by_kept = 1.0 if target.full_amplitude == COARSEST else 2 / (1 + kept) ** 2  # share = 2 kept / (1 + kept)
-    return grd_cm * reading.share_error / (by_kept * kept_slope(kept))
+    slope = by_kept * kept_slope(kept)
+    return None if reading.share_error is None or not slope else grd_cm * reading.share_error / slope
 
 
 def _alike(measured: Sequence[MeasuredLine], bars: int) -> list[MeasuredLine]:

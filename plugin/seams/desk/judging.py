@@ -401,8 +401,9 @@ class Judging(QObject):
         return None
 
     def next_to_judge(self) -> int | None:
-        """The next compared window without the operator's word; after the last one the first."""
-        start = self._place + 1 if self._place >= 0 else max(self._last_place, 0)
+        """The next compared window without the operator's word; after the last one the first. Where none is selected,
+        the first in the chosen order; one that the filter took away once it was judged still has its place."""
+        start = self._place + 1 if self._place >= 0 else max(self._last_place, 0) if self._session.selected() else 0
         current = self._fids[self._place] if self._place >= 0 else None
         left = self._tally.left
         if left <= {current}:

@@ -11,6 +11,7 @@ from qgis.PyQt.QtCore import QObject, QSize, Qt
 from qgis.PyQt.QtWidgets import QAction, QDockWidget
 
 from ...toolkit.desk.tool_dock import ToolDock
+from ...toolkit.desk.widgets import single_shot
 from ...toolkit.translation import filled, tr
 from .judging_desk import covering, over_the_mosaic
 from .map.seam_ticks import SeamTicks
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
 _HIDDEN = "seam_inspector/hidden"  # custom property of what was taken off the map
 _SHOWN = "seam_inspector/shown"  # of a mosaic that was not on it
-_CHARACTERS = 42  # of the sentence on a line: the dock's width then
+_CHARACTERS = 71  # of the sentence on a line: the dock's width then
 _SIDES = (Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea)
 
 
@@ -34,6 +35,8 @@ class JudgingLayout(QObject):
         self._window, self._canvas = iface.mainWindow(), iface.mapCanvas()
         self._dock, self._session, self._fold = dock, session, fold
         self._sizes: list[tuple[QDockWidget, QSize]] = []  # of the docks around the map, ours among them
+        self._given: list[tuple[QDockWidget, QSize]] = []  # those that they have back
+        self._later = single_shot(self, self._resize_given)
         self._panels: list[tuple[QDockWidget, bool]] = []  # that made room, and whether each was in sight
         self._outline = WindowOutline(self._canvas)
         self.ticks = SeamTicks(self._canvas, session)
@@ -67,6 +70,7 @@ class JudgingLayout(QObject):
     def close(self) -> None:
         """Leave nothing behind."""
         self.leave()
+        self._later.stop()
         self._outline.close()
         self.ticks.close()
         self._dock.visibilityChanged.disconnect(self._follow_dock)
@@ -133,7 +137,7 @@ class JudgingLayout(QObject):
 
     def _give_room(self) -> None:
         panels, self._panels = self._panels, []
-        sizes, self._sizes = self._sizes, []
+        self._given, self._sizes = self._sizes, []
         _put_back(self._project)
         if sip.isdeleted(self._window):
             return
@@ -143,7 +147,12 @@ class JudgingLayout(QObject):
         for panel, was_seen in left:
             if was_seen:
                 panel.raise_()
-        self._resize([(one, size) for one, size in sizes if not sip.isdeleted(one)])
+        self._resize_given()
+        self._later.start()  # a dock that was wider meanwhile is asked again how narrow its bar may be
+
+    def _resize_given(self) -> None:
+        if not self.is_on and not sip.isdeleted(self._window):
+            self._resize([(one, size) for one, size in self._given if not sip.isdeleted(one)])
 
     def _resize(self, sizes: list[tuple[QDockWidget, QSize]]) -> None:
         """Docks beside the map in width, those above and below it in height."""

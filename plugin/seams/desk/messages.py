@@ -14,6 +14,9 @@ WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO
 WINDOWS_NOT_MOVED = Message(
     "The windows stay in {old}, as they can't be moved to {folder} ({error}); export them from there."
 )
+WINDOWS_IN_BOXES = Message(
+    "Windows that are no rectangles along the mosaic's axes are measured in the boxes around them: {count}.", INFO
+)
 WINDOWS_FOUND = Message(
     "QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.",
     WARNING,

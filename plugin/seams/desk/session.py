@@ -26,7 +26,7 @@ from ..measure.inspection import WindowRequest
 from ..measure.live_window import LiveWindow
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..tables import window_layer
-from ..tables.window_layer import style_if_plain
+from ..tables.window_layer import boxed_windows, style_if_plain
 from . import messages
 from .images.window_pictures import WindowPictures
 from .inputs.block_cache import BlockCache
@@ -297,8 +297,12 @@ class Session(QObject):
     def inspect(self, fids: Sequence[int]) -> None:
         """Inspect windows, those left out that are being inspected already."""
         with self._raised():
+            layer, mosaic = self.window_layer(), self.mosaic_layer()
+            count = 0 if layer is None or mosaic is None else boxed_windows(layer, fids, mosaic.crs())
             self._results.inspect(fids)
             self._mosaics.note()
+            if count:
+                self._tell(messages.WINDOWS_IN_BOXES(count=count))
 
     def inspect_pending(self) -> None:
         """Inspect all windows that are not inspected yet or have changed since."""

@@ -32,6 +32,7 @@ MAX_FEATHERED_KEPT = 0.97  # of the finest detail in the strip along the seam, a
 SURE_FEATHER_PX = 15.0  # wider than compression or a wrong border make a cut
 MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it mixed half and half; made ones kept 0.27
 MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
+MIN_MIXED_LOSS = 1 / 3  # of what a seam lost: a mixture that would take less of it is not what took it
 MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
 MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
 MOSTLY_MIXED_PX = 300.0  # of a feather: it does not end where it is looked for
@@ -165,6 +166,19 @@ class CauseEvidence:
         return found.measure is Measure.ENERGY and is_less
 
     @property
+    def mixed_loss(self) -> float:
+        """Of what a seam lost, the share that mixing its images took: all where nothing says otherwise, none where the
+        mixture explains little and is as narrow as a wrong border makes a cut."""
+        found = self.profile
+        kept = None if found is None else found.kept[0]
+        if found is None or found.measure is not Measure.ENERGY or found.by_mixture is None or kept is None:
+            return 1.0
+        share = max(1 - found.by_mixture, 0.0) / max(1 - kept, 1e-6)
+        if share >= MIN_MIXED_LOSS:
+            return 1.0
+        return share if self.feather_width_px >= NARROW_PX else 0.0
+
+    @property
     def is_other_mixture(self) -> bool:
         """Whether both images are there along the seam, and no weights explain it. Noise and compression explain
         nothing anywhere, so they must be known not to be there."""
@@ -261,16 +275,16 @@ def _missing(found: CauseEvidence) -> float | None:
 
 
 def _misregistration(found: CauseEvidence) -> float | None:
-    if found.has_seam_loss and not found.is_smoothed_seam:
-        return found.misfit_lost * found.lost if found.misfit_lost else None
+    if found.has_seam_loss and not found.is_smoothed_seam and found.mixed_loss:
+        return found.misfit_lost * found.mixed_loss * found.lost if found.misfit_lost else None
     # A cut of images that do not fit breaks lines and loses nothing.
     return 0.0 if found.misfit_lost >= MIN_CUT_MISFIT_SHARE else None
 
 
 def _feathering(found: CauseEvidence) -> float | None:
-    if not found.has_seam_loss or found.is_smoothed_seam or found.is_other_mixture:
+    if not found.has_seam_loss or found.is_smoothed_seam or found.is_other_mixture or not found.mixed_loss:
         return None
-    return (1 - found.misfit_lost) * found.lost
+    return (1 - found.misfit_lost) * found.mixed_loss * found.lost
 
 
 def _other_mixture(found: CauseEvidence) -> float | None:
@@ -337,6 +351,12 @@ def _nothing(found: CauseEvidence) -> float | None:
     return None
 
 
+def _unclear(found: CauseEvidence) -> float | None:
+    """What a seam lost, and neither its mixture nor a filter took."""
+    is_told = found.is_smoothed_seam or found.is_other_mixture or found.mixed_loss == 1
+    return (1 - found.mixed_loss) * found.lost if found.has_seam_loss and not is_told else None
+
+
 class Cause(str, Enum):
     """What took part in making the window what it is: the word that tables hold, and what it took. Those that took
     nothing are told in this order."""
@@ -365,7 +385,7 @@ class Cause(str, Enum):
     MISREGISTRATION = "misregistration", _misregistration
     BALANCED = "balanced", _balanced
     NONE = "none", _nothing
-    UNCLEAR = "unclear", _nothing
+    UNCLEAR = "unclear", _unclear
 
 
 ALONG_THE_SEAM = (Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION)

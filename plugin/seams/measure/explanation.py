@@ -87,6 +87,11 @@ class Explanation:
         return self.causes[0]
 
     @property
+    def is_unclear(self) -> bool:
+        """Whether nothing can be told of it, so that the sources' composite is none to be compared with."""
+        return self.cause is Cause.UNCLEAR and self.profile is None
+
+    @property
     def misfit(self) -> float | None:
         """How far the two images that the mosaic follows most lie from each other as they are placed in it, px; None
         where there are none, or nothing in common shows it."""

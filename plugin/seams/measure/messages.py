@@ -69,24 +69,22 @@ SOURCES_WITHOUT_DETAIL = Message(
 )
 BANDS_DIFFER = Message("{name} has no {band} (its bands: {bands}); choose sources with the mosaic's bands.")
 COMPOSITE_UNCLEAR = Message(
-    "No source explains the mosaic's fine detail here, so their composite can't be a reference; add the orthoimages "
-    "it was made from, or take the verdict against the sources.", INFO
+    "No source explains the mosaic's fine detail here; add the orthoimages that it was made from.", INFO
 )
 NO_SEAM = Message(
     "No change from one source to another is found in the window; the verdict is that of the sharpness alone.",
     INFO
 )
 MIXED_ALL_OVER = Message(
-    "Two images are mixed on {share:.0f} % of the window, so there is no seam in it, and no unmixed ground to compare "
-    "it with.", INFO
+    "Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.",
+    INFO
 )
 TOO_LITTLE_GROUND = Message(
-    "There is too little ground beside the seam to compare it with; take a larger window, or move it so that more "
-    "than the seam's surroundings are in it.", INFO
+    "There is too little ground beside the seam to compare it with; take a larger window, or move it.", INFO
 )
 SEAM_UNEXPLAINED = Message(
-    "{share:.0f} % of the window matches none of the given sources, so what its seam kept can't be measured. Check "
-    "their dates and add the orthoimage that is missing, unless the mosaic was altered there.", INFO
+    "{share:.0f} % of the window matches none of the given sources: check their dates, and add the one missing.",
+    INFO
 )
 VERDICT_OF_THE_REST = Message(
     "{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. "
@@ -96,8 +94,8 @@ OTHER_PIXEL_SIZE = Message(
     "{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic's pixel size. {more}", WARNING
 )
 MORE_ALONG_THE_SEAM = Message(
-    "Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, "
-    "more than any seam leaves; add the orthoimages that it was made from.", INFO
+    "Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources' detail: add those that it was made from.",
+    INFO
 )
 MAY_BE_SIGNIFICANT = Message(
     "Whether the loss is significant can't be told, as {low:.0f} to {high:.0f} % may be left; measure more of the "

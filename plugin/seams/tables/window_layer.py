@@ -20,6 +20,7 @@ from qgis.core import (
     QgsField,
     QgsGeometry,
     QgsMapLayer,
+    QgsProject,
     QgsSingleSymbolRenderer,
     QgsSymbol,
     QgsVectorFileWriter,
@@ -49,6 +50,7 @@ UNNUMBERED = -(2**31)
 TABLE = "windows"
 """In a file that the desk made."""
 _OURS = {"window_id", "verdict", "observer"}  # fields that every version has written
+_FULL_BOX = 0.9  # of its box: a rectangle of another system is turned a little
 _BUSY_S = 0.05  # at most, for one that another program is writing
 _SHAPEFILE = "ESRI Shapefile"
 _SHAPEFILE_NAME = 10  # letters at most, so it goes without background_ratio
@@ -103,6 +105,14 @@ def read_layer(layer: QgsVectorLayer, fids: Iterable[int] | None = None) -> list
     """Some windows, or all of them; where ``window_id`` is not filled in it is UNNUMBERED. None is stale yet."""
     request = QgsFeatureRequest() if fids is None else QgsFeatureRequest().setFilterFids(list(fids))
     return read_windows(layer.getFeatures(request), layer.fields().names(), unnumbered=UNNUMBERED)
+
+
+def boxed_windows(layer: QgsVectorLayer, fids: Iterable[int], crs: QgsCoordinateReferenceSystem) -> int:
+    """How many windows leave much of the box around them free, in the mosaic's system, which is what is measured."""
+    request = QgsFeatureRequest().setFilterFids(list(fids)).setNoAttributes()
+    request.setDestinationCrs(crs, QgsProject.instance().transformContext())
+    shapes = (feature.geometry() for feature in layer.getFeatures(request))
+    return sum(0 < shape.area() < _FULL_BOX * shape.boundingBox().area() for shape in shapes)
 
 
 def lacks_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str] = ()) -> bool:

@@ -1,6 +1,7 @@
 """Small widgets that docks share, and what widgets lack: timers, tooltips, reasons for being grey, a question."""
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from html import escape
 from typing import Any
@@ -138,7 +139,7 @@ class ClippedLabel(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         with painting(self) as painter:
             painter.setPen(readable_palette(self).color(self.foregroundRole()))
-            painter.drawText(self.contentsRect(), _WRAPPED, self._fitting(self.fontMetrics()))
+            painter.drawText(self.contentsRect(), _WRAPPED, with_units(self._fitting(self.fontMetrics())))
 
     def _fitting(self, metrics: QFontMetrics) -> str:
         """As much of the text as there are lines for."""
@@ -155,8 +156,13 @@ class ClippedLabel(QWidget):
 
     def _fits(self, metrics: QFontMetrics, text: str, lines: int) -> bool:
         width = self.contentsRect().width()
-        needed = metrics.boundingRect(0, 0, width, 10000, _WRAPPED, text)
+        needed = metrics.boundingRect(0, 0, width, 10000, _WRAPPED, with_units(text))
         return needed.height() <= _height(metrics, lines) and needed.width() <= width
+
+
+def with_units(text: str) -> str:
+    """No line breaks between a number and its unit."""
+    return re.sub(r"(?<=\d) (?=(?:%|m²|m|px)(?!\w))", "\u00a0", text)
 
 
 def _height(metrics: QFontMetrics, lines: int) -> int:

@@ -200,7 +200,7 @@ def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_p
     write_report(tmp_path / "report.html", ReportRequest((feathered, worse, by_paper)))
     page = outline((tmp_path / "report.html").read_text(encoding="utf-8"))
     assert page.anchors == ["window-2", "window-1", "window-3"]  # the greatest loss first
-    assert "44 % of the finest detail is lost in a strip of 2.0 m along the seam (44 m²): images" in page.words
+    assert "44 % of detail lost in 2.0 m along the seam (44 m²): feathered." in page.words
     assert "between 38 and 49 % (95 % interval). It is 1.4 times what an eye just sees at 2x." in page.words
     assert "just noticeable differences of contrast" in page.words
     assert "The window is as sharp as its sources. " in page.words

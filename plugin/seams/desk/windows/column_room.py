@@ -163,7 +163,7 @@ class ColumnMeter:
             option.sortIndicator = QStyleOptionHeader.SortIndicator.SortDown
         style, metrics = header.style(), header.fontMetrics()
         least = style.sizeFromContents(QStyle.ContentsType.CT_HeaderSection, option, QSize(), header).width()
-        needed = metrics.horizontalAdvance(title + "m") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
+        needed = metrics.horizontalAdvance(title + "mm") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
         if is_sorted:
             needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
         return max(int(least), int(needed))  # the style's own word is too little in Fusion

@@ -15,6 +15,7 @@ from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.painting import painting
 from ....toolkit.translation import filled, percent, shown_number, tr
 from ...measure.window.window_tables import MEASURED, PLACED, SAID, WindowField, in_filter
+from ...measure.window_records import SEAM
 from ...window_summary import cause_numbers, explanation_of, judged_kept, shown_area, window_sentence, window_why
 from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
@@ -127,9 +128,19 @@ class TableColumn(NamedTuple):
         return rich_tip(filled(tr("Ratio at level {level}: {ratio}"), level=self.level, ratio=value))
 
 
-def columns_of(levels: int) -> tuple[TableColumn, ...]:
-    """From left to right, for ratios at levels 1..R."""
-    return WINDOW_ID, _VERDICT, _LOSS, *map(_ratio_column, range(1, levels + 1)), PAPER, CAUSE, *_LAST
+def columns_of(levels: int, by_ratio: bool = True) -> tuple[TableColumn, ...]:
+    """From left to right, for ratios at levels 1..R; without them where no verdict is taken ``by_ratio``."""
+    return WINDOW_ID, _VERDICT, _LOSS, *ratio_columns(levels * by_ratio), PAPER, CAUSE, *_LAST
+
+
+def ratio_columns(levels: int) -> tuple[TableColumn, ...]:
+    """At levels 1..R."""
+    return tuple(map(_ratio_column, range(1, levels + 1)))
+
+
+def is_by_ratio(rows: Iterable[WindowRecord]) -> bool:
+    """Whether a verdict was taken by a ratio and not by the seam."""
+    return any(row.verdict and row.reference != SEAM for row in rows)
 
 
 def _verdict_text(row: WindowRecord) -> str:
@@ -259,7 +270,9 @@ def used_columns(rows: Iterable[WindowRecord]) -> frozenset[str]:
     return frozenset(name for values in said for name, value in zip(names, values) if value not in (None, ""))
 
 
-def all_columns(standard: tuple[TableColumn, ...], used: frozenset[str]) -> tuple[TableColumn, ...]:
-    """The standard ones, before their last one, the reasons, what is used, and after it what can be chosen."""
+def all_columns(levels: int, used: frozenset[str], by_ratio: bool = True) -> tuple[TableColumn, ...]:
+    """The standard ones, before their last one, the reasons, what is used, and after it what can be chosen: ratios,
+    too, where no verdict is taken ``by_ratio``."""
+    standard = columns_of(levels, by_ratio)
     judging = (column for column in JUDGING_COLUMNS if column.name in used)
-    return *standard[:-1], *judging, standard[-1], *CHOSEN_COLUMNS
+    return *standard[:-1], *judging, standard[-1], *CHOSEN_COLUMNS, *ratio_columns(levels * (not by_ratio))

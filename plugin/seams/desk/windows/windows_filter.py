@@ -26,7 +26,7 @@ from ...measure import messages
 from ...measure.causes import Cause
 from ...measure.window.window_tables import in_filter
 from ...words import VERDICTS, cause_word, observer_word, verdict_word
-from .window_columns import JUDGING_COLUMNS, all_columns, columns_of
+from .window_columns import JUDGING_COLUMNS, all_columns
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
@@ -159,7 +159,7 @@ def _is_share(name: str) -> bool:
 def _headings(levels: int) -> dict[str, str]:
     """The field behind each heading of the table, in small letters; a mere number is none."""
     judging = frozenset(column.name for column in JUDGING_COLUMNS)
-    columns = all_columns(columns_of(levels), judging)
+    columns = all_columns(levels, judging)
     shown = ((title, column.field) for column in columns for title in (column.title(), column.title(short=True)))
     return {
         name.lower(): field_name

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
 from qgis.PyQt.QtGui import QFont, QIcon
 
-from .window_columns import ALIGNED_LEFT, WINDOW_ID, TableColumn, all_columns, columns_of, used_columns, verdict_chip
+from .window_columns import ALIGNED_LEFT, WINDOW_ID, TableColumn, all_columns, is_by_ratio, used_columns, verdict_chip
 
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult
@@ -32,8 +32,8 @@ class WindowsModel(QAbstractTableModel):
     ) -> None:
         super().__init__(parent)
         self._result = result  # of a window, by its feature id: the numbers in tooltips
-        self._levels, self._used = 3, frozenset[str]()
-        self.columns = all_columns(columns_of(self._levels), self._used)
+        self._levels, self._used, self._by_ratio = 3, frozenset[str](), False
+        self.columns = all_columns(self._levels, self._used, self._by_ratio)
         self.is_blind = False
         """Whether tooltips keep to themselves what was found."""
         self._short_titles = False
@@ -101,9 +101,10 @@ class WindowsModel(QAbstractTableModel):
         ]
         rows = self._in_order(wanted)
         levels, used = max((len(row.ratios) for row in windows), default=0) or self._levels, used_columns(windows)
-        if (levels, used) != (self._levels, self._used):
-            self._levels, self._used = levels, used
-            self._reset(rows, all_columns(columns_of(levels), used))
+        by_ratio = is_by_ratio(windows)
+        if (levels, used, by_ratio) != (self._levels, self._used, self._by_ratio):
+            self._levels, self._used, self._by_ratio = levels, used, by_ratio
+            self._reset(rows, all_columns(levels, used, by_ratio))
         else:
             self._show(rows)
 
@@ -192,6 +193,7 @@ class WindowsModel(QAbstractTableModel):
             and self._key(old) == self._key(new)
             and len(old.ratios) == len(new.ratios)
             and used_columns([old]) == used_columns([new])
+            and is_by_ratio([old]) == is_by_ratio([new])
             and (old.fid in self._places) == self._passes(new)
         )
 

@@ -8,7 +8,6 @@ from enum import Enum
 
 from ....imagery.errors import Message
 from ....imagery.grids import Extent, extents_meet
-from ..causes import Cause
 from ..window.window_result import WindowResult
 from ..window_records import COMPOSITE
 from . import messages
@@ -168,7 +167,7 @@ def source_use(result: WindowResult) -> SourceUse:
     return SourceUse(
         tuple(name for name, is_resampled in pairs.items() if not is_resampled),
         tuple(name for name, is_resampled in pairs.items() if is_resampled),
-        None if found is None or found.cause is Cause.UNCLEAR else tuple(found.shares),
+        None if found is None or found.is_unclear else tuple(found.shares),
     )
 
 

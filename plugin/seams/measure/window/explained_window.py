@@ -130,7 +130,7 @@ def _judged(
         return replace(paper, verdict=verdict, reason=reason)
     if settings.reference == COMPOSITE:
         # What the mosaic does not follow is cut at random, unless the cells say how.
-        if found.cause is Cause.UNCLEAR and not request.cells:
+        if found.is_unclear and not request.cells:
             return replace(paper, verdict=Verdict.NOT_COMPARABLE, reason=messages.COMPOSITE_UNCLEAR())
         against = judge(mosaic, [found.curves[band]], settings.max_ratio)
         return replace(paper, verdict=against.verdict, reason=against.reason)

@@ -4,7 +4,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from qgis.core import Qgis, QgsVectorLayer
+from qgis.core import Qgis, QgsGeometry, QgsPointXY, QgsVectorLayer
 from seam_inspector.plugin.seams.desk.windows.window_watch import Version
 
 from tests.qgis.runs import assert_sentence
@@ -41,6 +41,24 @@ def test_bad_inputs_are_told_in_one_sentence(desk: Desk) -> None:
     desk.session.place_windows()
     desk.wait()
     assert_sentence(desk.messages.pop(), "seamline layer is empty")
+
+
+def test_a_window_that_is_no_rectangle_is_told_to_be_measured_as_one(desk: Desk) -> None:
+    drawn = windows(BLURRED, SHARP)
+    desk.use(drawn)
+    desk.session.inspect_pending()
+    desk.wait()
+    assert not [message for message in desk.messages if "boxes around them" in message]
+    box = drawn.getFeature(1).geometry().boundingBox()
+    corners = [(box.xMinimum(), box.yMinimum()), (box.xMinimum(), box.yMaximum()), (box.xMaximum(), box.yMinimum())]
+    triangle = QgsGeometry.fromPolygonXY([[QgsPointXY(*corner) for corner in corners]])
+    drawn.startEditing()
+    assert drawn.changeGeometry(1, triangle)
+    desk.session.inspect([1, 2])
+    desk.wait()
+    assert [message for message in desk.messages if "boxes around them" in message] == [
+        "Windows that are no rectangles along the mosaic's axes are measured in the boxes around them: 1."
+    ]
 
 
 def test_a_read_only_layer_is_told(desk: Desk) -> None:

@@ -152,6 +152,26 @@ def test_columns_fit_a_narrow_dock_and_a_wide_one(panel: WindowsPanel, session: 
     assert not panel.table.isColumnHidden(REASON)
 
 
+def test_ratios_stand_in_the_table_where_a_verdict_is_taken_by_them(
+    panel: WindowsPanel, session: WindowsSession
+) -> None:
+    panel.resize(1200, 400)
+    by_seam = [replace(row, reference="seam") for row in ROWS]
+
+    def shown() -> list[str]:
+        QApplication.processEvents()
+        return [column.field for column in panel.table.visible_columns()]
+
+    session.put(by_seam)
+    assert shown()[:3] == ["window_id", "verdict", "loss"]
+    assert not [field for field in shown() if field.startswith("ratio")]
+    assert "ratio_1" in [column.field for column in panel._windows.columns]  # to be chosen
+    session.put([replace(row, verdict="") for row in ROWS])  # placed, and nothing measured
+    assert "ratio_1" not in shown()
+    session.put([replace(by_seam[0], reference="sources"), *by_seam[1:]])  # of one more, in its place
+    assert "ratio_1" in shown()
+
+
 def test_a_loss_is_never_cut(panel: WindowsPanel, session: WindowsSession) -> None:
     font = panel.font()
     font.setPixelSize(12)

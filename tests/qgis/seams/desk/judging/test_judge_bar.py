@@ -8,6 +8,7 @@ from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
+from seam_inspector.plugin.toolkit.desk.widgets import with_units
 from seam_inspector.plugin.toolkit.translation import percent
 
 from tests.qgis.seams.desk.judging.conftest import Asked
@@ -20,13 +21,10 @@ DESCENDING = Qt.SortOrder.DescendingOrder
     ("fids", "sentence"),
     [
         ([], "Select a window to judge it."),
-        ([1], "Reduced. 10.0 % of the finest detail is lost beside the seam (10.0 m²)."),
+        ([1], "Reduced. 10.0 % of detail lost beside the seam (10.0 m²)."),
         (
             [2],
-            (
-                "Significant loss. 44 % of the finest detail is lost beside the seam (44 m²): images are feathered. "
-                "Use a hard cut there, or a narrower feather."
-            ),
+            "Significant loss. 44 % of detail lost beside the seam (44 m²): feathered. Cut hard or feather less.",
         ),
         ([3], "Not inspected yet."),
         ([4], "No source covers <window> in west_12.tif."),
@@ -265,3 +263,9 @@ def test_the_dock_need_not_grow_by_what_is_judged(bar: JudgeBar, session: Window
         right = bar._progress.geometry().left() + bar._progress.fontMetrics().horizontalAdvance(bar._progress.text())
         assert right <= min(one.geometry().left() for one in bar.notes.buttons)
     assert len(least) == 1
+
+
+def test_units_stay_with_their_numbers() -> None:
+    assert with_units("16 % of 3,634 m\u00b2, 1.9 m and 2.2 px in 7 places; 5 more") == (
+        "16\u00a0% of 3,634\u00a0m\u00b2, 1.9\u00a0m and 2.2\u00a0px in 7 places; 5 more"
+    )

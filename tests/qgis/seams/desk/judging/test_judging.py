@@ -132,6 +132,26 @@ def test_next_and_back_judge_nothing(judging: Judging, session: WindowsSession) 
     assert sum(bool(row.observer) for row in session.rows) == 1
 
 
+def test_judging_starts_with_the_first_of_the_order_where_no_window_is_selected(
+    judging: Judging, panel: WindowsPanel, session: WindowsSession
+) -> None:
+    """And not with the one that was looked at last."""
+    session.put([replace(row, loss=float(row.window_id)) for row in five()])
+    panel.show_order(order_named("worst"))
+    assert panel.ordered_fids() == [5, 4, 3, 2, 1]
+    session.select([2])
+    judging.follow()
+    session.select([])
+    judging.go_on()
+    assert session.selected() == [5]
+    judging.judge("visible")
+    session.select([1])
+    judging.follow()
+    session.select([])
+    judging.go_on()
+    assert session.selected() == [4]  # the worst that is not judged
+
+
 def test_the_last_verdict_is_taken_back_from_the_next_window(judging: Judging, session: WindowsSession) -> None:
     session.put(five())
     session.select([1])
