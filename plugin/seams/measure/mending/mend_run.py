@@ -147,7 +147,7 @@ def _mended(request: RunRequest) -> MendedRun:
     for side, image in zip(_SIDES, images):
         dress(ground, side, image, before, own[side])
     middle = (judged_plane(images[0], names) + judged_plane(images[1], names)) / 2
-    made = eased(*images, weight, before, part.fade(inside), both)
+    made = eased(images[0], images[1], weight, before, part.fade(inside), both)
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
     was, is_now = (judged_plane(one.astype(np.float32), names) for one in (before, after))

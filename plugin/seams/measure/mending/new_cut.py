@@ -87,7 +87,7 @@ def cheapest_way(
 def fit_along(
     way: np.ndarray, first: np.ndarray, second: np.ndarray, valid: np.ndarray
 ) -> tuple[float | None, Message | None]:
-    """How far two planes lie from each other along a way (n, 2), rows and columns of cells, px, where that is most, None
+    """How far two planes lie from each other along a way (n, 2), rows and columns of cells, px, where it is most, None
     where nothing in common shows it; and why they can't be cut there."""
     off = np.ones([length // CELL_PX for length in valid.shape], bool)
     off[tuple(way.T)] = False
