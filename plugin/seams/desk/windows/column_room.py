@@ -123,6 +123,8 @@ class ColumnMeter:
         style, em = table.style(), metrics.horizontalAdvance("m")
         margins = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, table) + 1) + em // 2
         title = self._heading(column.title(short), column == self._sorted_by)
+        if column.short_heading and not short:
+            title += em  # themes cut it before others, as its cells are narrow; the short one takes its place then
         chip = table.iconSize().width() + em // 2
 
         def width(*texts: str) -> int:
@@ -163,7 +165,7 @@ class ColumnMeter:
             option.sortIndicator = QStyleOptionHeader.SortIndicator.SortDown
         style, metrics = header.style(), header.fontMetrics()
         least = style.sizeFromContents(QStyle.ContentsType.CT_HeaderSection, option, QSize(), header).width()
-        needed = metrics.horizontalAdvance(title + "mm") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
+        needed = metrics.horizontalAdvance(title + "m") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
         if is_sorted:
             needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
         return max(int(least), int(needed))  # the style's own word is too little in Fusion
