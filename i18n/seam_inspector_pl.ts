@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="149"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="150"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -399,7 +399,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="125"/>
+        <location filename="../plugin/seams/measure/messages.py" line="123"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -489,22 +489,22 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="54"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="55"/>
         <source>Click an entry to hide its curve or to show it again; right click for more</source>
         <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą; prawy przycisk myszy: więcej opcji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="132"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="133"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="171"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="172"/>
         <source>Click to show this curve</source>
         <translation>Kliknij, aby pokazać tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="171"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="172"/>
         <source>Click to hide this curve</source>
         <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
@@ -519,7 +519,7 @@
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="104"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="105"/>
         <source>source</source>
         <translation>źródło</translation>
     </message>
@@ -569,17 +569,17 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="202"/>
+        <location filename="../plugin/seams/window_summary.py" line="238"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="39"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="41"/>
         <source>{count} changed since</source>
         <translation>zmienione od kontroli: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="40"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="42"/>
         <source>{count} windows selected: {verdicts}.</source>
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
@@ -694,7 +694,7 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="137"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="139"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
@@ -974,67 +974,67 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="128"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="148"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="159"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="164"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="157"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="196"/>
         <source>src.</source>
         <translation>źr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="193"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="188"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="199"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="193"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="204"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="87"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="88"/>
         <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="164"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="194"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="189"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="200"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="194"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="205"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
@@ -1074,7 +1074,7 @@
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="231"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="232"/>
         <source>{name} (resampled)</source>
         <translation>{name} (przepróbkowany)</translation>
     </message>
@@ -1264,7 +1264,7 @@
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="182"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="192"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
@@ -1274,7 +1274,7 @@
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="232"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="242"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -1364,7 +1364,7 @@
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="174"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="175"/>
         <source>What a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have</source>
         <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, z tonacją wyrównaną do ortofotomapy</translation>
     </message>
@@ -1409,12 +1409,12 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="187"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="188"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -2704,27 +2704,27 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="127"/>
+        <location filename="../plugin/seams/measure/messages.py" line="125"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="130"/>
+        <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/messages.py" line="129"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/messages.py" line="131"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="128"/>
+        <location filename="../plugin/seams/measure/messages.py" line="126"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
@@ -2739,67 +2739,67 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="137"/>
+        <location filename="../plugin/seams/measure/messages.py" line="135"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="140"/>
+        <location filename="../plugin/seams/measure/messages.py" line="138"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="150"/>
+        <location filename="../plugin/seams/measure/messages.py" line="148"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola „contrast_1”, więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="176"/>
+        <location filename="../plugin/seams/measure/messages.py" line="174"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="192"/>
+        <location filename="../plugin/seams/measure/messages.py" line="190"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="180"/>
+        <location filename="../plugin/seams/measure/messages.py" line="178"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="196"/>
+        <location filename="../plugin/seams/measure/messages.py" line="194"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="200"/>
+        <location filename="../plugin/seams/measure/messages.py" line="198"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="167"/>
+        <location filename="../plugin/seams/measure/messages.py" line="165"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="173"/>
+        <location filename="../plugin/seams/measure/messages.py" line="171"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="205"/>
+        <location filename="../plugin/seams/measure/messages.py" line="203"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="204"/>
+        <location filename="../plugin/seams/measure/messages.py" line="202"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -3384,7 +3384,7 @@
         <translation>Warstwa {layer} nie ma pola „mark”; wybierz warstwy ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="147"/>
+        <location filename="../plugin/photos/measure/messages.py" line="151"/>
         <source>The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the fields x_mm and y_mm.</source>
         <translation>Wielkość piksela nie jest znana, więc odległości podano tylko w pikselach; podaj wielkość piksela albo warstwy z polami x_mm i y_mm.</translation>
     </message>
@@ -3833,72 +3833,72 @@
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="107"/>
+        <location filename="../plugin/seams/words.py" line="109"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="120"/>
+        <location filename="../plugin/seams/words.py" line="123"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="138"/>
+        <location filename="../plugin/seams/words.py" line="141"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="145"/>
+        <location filename="../plugin/seams/words.py" line="148"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="154"/>
+        <location filename="../plugin/seams/words.py" line="157"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="164"/>
+        <location filename="../plugin/seams/words.py" line="168"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="171"/>
+        <location filename="../plugin/seams/words.py" line="175"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="246"/>
+        <location filename="../plugin/seams/words.py" line="253"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="108"/>
+        <location filename="../plugin/seams/words.py" line="110"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="139"/>
+        <location filename="../plugin/seams/words.py" line="142"/>
         <source>Grey values were pressed together by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="146"/>
+        <location filename="../plugin/seams/words.py" line="149"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="155"/>
+        <location filename="../plugin/seams/words.py" line="158"/>
         <source>Highlights or shadows were driven into the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="242"/>
+        <location filename="../plugin/seams/words.py" line="249"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="247"/>
+        <location filename="../plugin/seams/words.py" line="254"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -4385,47 +4385,47 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="236"/>
+        <location filename="../plugin/seams/window_summary.py" line="273"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="238"/>
+        <location filename="../plugin/seams/window_summary.py" line="275"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="242"/>
+        <location filename="../plugin/seams/window_summary.py" line="279"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="244"/>
+        <location filename="../plugin/seams/window_summary.py" line="281"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="245"/>
+        <location filename="../plugin/seams/window_summary.py" line="282"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="248"/>
+        <location filename="../plugin/seams/window_summary.py" line="285"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="250"/>
+        <location filename="../plugin/seams/window_summary.py" line="287"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="255"/>
+        <location filename="../plugin/seams/window_summary.py" line="292"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="257"/>
+        <location filename="../plugin/seams/window_summary.py" line="294"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
@@ -4435,102 +4435,102 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="269"/>
+        <location filename="../plugin/seams/window_summary.py" line="306"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="271"/>
+        <location filename="../plugin/seams/window_summary.py" line="308"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="273"/>
+        <location filename="../plugin/seams/window_summary.py" line="310"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="275"/>
+        <location filename="../plugin/seams/window_summary.py" line="312"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="111"/>
+        <location filename="../plugin/seams/words.py" line="113"/>
         <source>blur to {value} % of their sharpness explains it</source>
         <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="112"/>
+        <location filename="../plugin/seams/words.py" line="114"/>
         <source>the mosaic is blurred to {value} % of their sharpness</source>
         <translation>ortofotomapa jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="124"/>
+        <location filename="../plugin/seams/words.py" line="127"/>
         <source>feathering of images {value} px apart explains it</source>
         <translation>wyjaśnia to wtapianie obrazów odsuniętych o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="125"/>
+        <location filename="../plugin/seams/words.py" line="128"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="144"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="148"/>
+        <location filename="../plugin/seams/words.py" line="151"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="157"/>
+        <location filename="../plugin/seams/words.py" line="160"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="167"/>
+        <location filename="../plugin/seams/words.py" line="171"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="109"/>
+        <location filename="../plugin/seams/words.py" line="111"/>
         <source>blur explains it</source>
         <translation>wyjaśnia to rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="109"/>
+        <location filename="../plugin/seams/words.py" line="111"/>
         <source>the mosaic is blurred</source>
         <translation>ortofotomapa jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="122"/>
+        <location filename="../plugin/seams/words.py" line="125"/>
         <source>feathering explains it</source>
         <translation>wyjaśnia to wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="148"/>
+        <location filename="../plugin/seams/window_summary.py" line="165"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="140"/>
+        <location filename="../plugin/seams/words.py" line="143"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="147"/>
+        <location filename="../plugin/seams/words.py" line="150"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="156"/>
+        <location filename="../plugin/seams/words.py" line="159"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="166"/>
+        <location filename="../plugin/seams/words.py" line="170"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
@@ -4611,7 +4611,7 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="149"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="150"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -4634,7 +4634,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="215"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="218"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
@@ -4744,77 +4744,72 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="72"/>
-        <source>No source explains the mosaic&apos;s fine detail here, so their composite can&apos;t be a reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
-        <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
-    </message>
-    <message>
         <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="152"/>
+        <location filename="../plugin/photos/measure/messages.py" line="156"/>
         <source>affine</source>
         <translation>transformacji afinicznej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="152"/>
+        <location filename="../plugin/photos/measure/messages.py" line="156"/>
         <source>similarity</source>
         <translation>transformacji przez podobieństwo</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="152"/>
+        <location filename="../plugin/photos/measure/messages.py" line="156"/>
         <source>projective</source>
         <translation>transformacji rzutowej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="153"/>
+        <location filename="../plugin/photos/measure/messages.py" line="157"/>
         <source>Measured</source>
         <translation>Zmierzony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="153"/>
+        <location filename="../plugin/photos/measure/messages.py" line="157"/>
         <source>Given</source>
         <translation>Podany</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="153"/>
+        <location filename="../plugin/photos/measure/messages.py" line="157"/>
         <source>Failed</source>
         <translation>Odrzucony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="154"/>
+        <location filename="../plugin/photos/measure/messages.py" line="158"/>
         <source>positions</source>
         <translation>podanych położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="154"/>
+        <location filename="../plugin/photos/measure/messages.py" line="158"/>
         <source>dots</source>
         <translation>kropek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="154"/>
+        <location filename="../plugin/photos/measure/messages.py" line="158"/>
         <source>data strip</source>
         <translation>paska danych</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="154"/>
+        <location filename="../plugin/photos/measure/messages.py" line="158"/>
         <source>residuals</source>
         <translation>odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="155"/>
+        <location filename="../plugin/photos/measure/messages.py" line="159"/>
         <source>marks</source>
         <translation>układu znaczków</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="155"/>
+        <location filename="../plugin/photos/measure/messages.py" line="159"/>
         <source>assumed</source>
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="172"/>
+        <location filename="../plugin/seams/window_summary.py" line="208"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -4844,12 +4839,12 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="158"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="169"/>
         <source>What was found, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="173"/>
         <source>kept</source>
         <translation>zachow.</translation>
     </message>
@@ -4899,162 +4894,162 @@
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="33"/>
+        <location filename="../plugin/seams/window_summary.py" line="42"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="34"/>
+        <location filename="../plugin/seams/window_summary.py" line="43"/>
         <source>composite: {value:.2f}</source>
         <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="35"/>
+        <location filename="../plugin/seams/window_summary.py" line="44"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="47"/>
+        <location filename="../plugin/seams/window_summary.py" line="56"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="48"/>
+        <location filename="../plugin/seams/window_summary.py" line="57"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="180"/>
+        <location filename="../plugin/seams/words.py" line="184"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="190"/>
+        <location filename="../plugin/seams/words.py" line="195"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="191"/>
+        <location filename="../plugin/seams/words.py" line="196"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="192"/>
+        <location filename="../plugin/seams/words.py" line="197"/>
         <source>resampling explains it</source>
         <translation>wyjaśnia to przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="192"/>
+        <location filename="../plugin/seams/words.py" line="197"/>
         <source>the mosaic was resampled</source>
         <translation>ortofotomapa została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="194"/>
+        <location filename="../plugin/seams/words.py" line="199"/>
         <source>resampling, {value} px off the sources&apos; pixels, explains it</source>
         <translation>wyjaśnia to przepróbkowanie z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="195"/>
+        <location filename="../plugin/seams/words.py" line="200"/>
         <source>the mosaic was resampled, {value} px off the sources&apos; pixels</source>
         <translation>ortofotomapa została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="203"/>
+        <location filename="../plugin/seams/words.py" line="209"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="204"/>
+        <location filename="../plugin/seams/words.py" line="210"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="205"/>
+        <location filename="../plugin/seams/words.py" line="211"/>
         <source>the mosaic was sharpened</source>
         <translation>ortofotomapa została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="206"/>
+        <location filename="../plugin/seams/words.py" line="212"/>
         <source>the mosaic was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>ortofotomapa została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="211"/>
+        <location filename="../plugin/seams/words.py" line="217"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="212"/>
+        <location filename="../plugin/seams/words.py" line="218"/>
         <source>Compression with loss, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="213"/>
+        <location filename="../plugin/seams/words.py" line="219"/>
         <source>the mosaic was compressed with loss</source>
         <translation>ortofotomapa została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="214"/>
+        <location filename="../plugin/seams/words.py" line="220"/>
         <source>the mosaic was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>ortofotomapa została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="221"/>
+        <location filename="../plugin/seams/words.py" line="228"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="222"/>
+        <location filename="../plugin/seams/words.py" line="229"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="223"/>
+        <location filename="../plugin/seams/words.py" line="230"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="224"/>
+        <location filename="../plugin/seams/words.py" line="231"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="229"/>
+        <location filename="../plugin/seams/words.py" line="236"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="230"/>
+        <location filename="../plugin/seams/words.py" line="237"/>
         <source>Brightness was evened out by a tone that changes from place to place.</source>
         <translation>Jasność wyrównano tonacją, która zmienia się z miejsca na miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="231"/>
+        <location filename="../plugin/seams/words.py" line="238"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="234"/>
+        <location filename="../plugin/seams/words.py" line="241"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="235"/>
+        <location filename="../plugin/seams/words.py" line="242"/>
         <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="236"/>
+        <location filename="../plugin/seams/words.py" line="243"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="237"/>
+        <location filename="../plugin/seams/words.py" line="244"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="243"/>
+        <location filename="../plugin/seams/words.py" line="250"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -5064,37 +5059,27 @@
         <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="84"/>
-        <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
-        <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="99"/>
-        <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
-        <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="107"/>
+        <location filename="../plugin/seams/measure/messages.py" line="105"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="110"/>
+        <location filename="../plugin/seams/measure/messages.py" line="108"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/messages.py" line="110"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="122"/>
+        <location filename="../plugin/seams/measure/messages.py" line="120"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="207"/>
+        <location filename="../plugin/seams/measure/messages.py" line="205"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -5150,7 +5135,7 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="134"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="135"/>
         <source>On or below this line a loss is significant by curves: against the sources (paper), or their composite</source>
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
@@ -5740,47 +5725,47 @@
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="295"/>
+        <location filename="../plugin/seams/words.py" line="307"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="296"/>
+        <location filename="../plugin/seams/words.py" line="308"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="297"/>
+        <location filename="../plugin/seams/words.py" line="309"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="298"/>
+        <location filename="../plugin/seams/words.py" line="310"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="299"/>
+        <location filename="../plugin/seams/words.py" line="311"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="367"/>
+        <location filename="../plugin/seams/window_summary.py" line="441"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="370"/>
+        <location filename="../plugin/seams/window_summary.py" line="444"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="378"/>
+        <location filename="../plugin/seams/window_summary.py" line="452"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="382"/>
+        <location filename="../plugin/seams/window_summary.py" line="456"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -5860,7 +5845,7 @@
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_item.py" line="209"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_item.py" line="210"/>
         <source>Drag to compare the mosaic with the other image. X swaps them, Esc ends.</source>
         <translation>Przeciągnij, aby porównać ortofotomapę z drugim obrazem. X zamienia je stronami, Esc kończy.</translation>
     </message>
@@ -6130,22 +6115,22 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="217"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="218"/>
         <source>Space: {name}</source>
         <translation>Spacja: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="230"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="231"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="408"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="409"/>
         <source>Drag to move, turn the wheel to zoom.</source>
         <translation>Przeciągnij, aby przesunąć; obróć kółko, aby zmienić powiększenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="410"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="411"/>
         <source>Hold Space to see {name} here.</source>
         <translation>Przytrzymaj spację, aby zobaczyć tu {name}.</translation>
     </message>
@@ -6285,42 +6270,42 @@
         <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="101"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="108"/>
         <source>Seam profile</source>
         <translation>Profil linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="103"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="110"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="126"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="133"/>
         <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
         <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="157"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="164"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="163"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="170"/>
         <source>The profile is not at hand. Inspect again to see it.</source>
         <translation>Nie ma profilu pod ręką. Aby go zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="168"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="175"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="169"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="176"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="190"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="197"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -6360,12 +6345,12 @@
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="42"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="43"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="45"/>
         <source>Show where detail was lost, over the map and the images (L). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L). Jedna skala dla wszystkich okien</translation>
     </message>
@@ -6450,12 +6435,12 @@
         <translation>najbliższe miejsce, które można ocenić: {metres:.1f} m na {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="214"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="215"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="215"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="216"/>
         <source>Detail kept (L hides it)</source>
         <translation>Zachowane detale (L ukrywa)</translation>
     </message>
@@ -6475,7 +6460,7 @@
         <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="208"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="219"/>
         <source>{metres} m</source>
         <translation>{metres} m</translation>
     </message>
@@ -6660,12 +6645,12 @@
         <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="170"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict was taken by.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
@@ -6755,47 +6740,47 @@
         <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="18"/>
+        <location filename="../plugin/seams/desk/messages.py" line="21"/>
         <source>QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.</source>
         <translation>QGIS zakończył działanie, zanim zapisano projekt z oknami; są one w {path}. Otwórz jego rastry, a potem okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="25"/>
+        <location filename="../plugin/seams/desk/messages.py" line="28"/>
         <source>QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.</source>
         <translation>QGIS zakończył działanie bez zapisu; przywrócono zmiany {count} {count:okna|okien|okien} w {name}. Zapisz warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="28"/>
+        <location filename="../plugin/seams/desk/messages.py" line="31"/>
         <source>Your verdicts are safe only once you save the layer: it can&apos;t be kept in {path} meanwhile ({error}).</source>
         <translation>Opinie będą bezpieczne dopiero po zapisaniu warstwy: do tego czasu nie można ich przechować w {path} ({error}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="31"/>
+        <location filename="../plugin/seams/desk/messages.py" line="34"/>
         <source>Curves and pictures of the windows can&apos;t be kept in {path} ({error}); without them windows have to be measured again once the project was closed.</source>
         <translation>Krzywych i obrazów okien nie można przechować w {path} ({error}); bez nich po zamknięciu projektu okna są mierzone od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="42"/>
+        <location filename="../plugin/seams/desk/messages.py" line="45"/>
         <source>The windows in {name} are in no file: they and their verdicts are lost when QGIS ends. Export the layer to a GeoPackage to keep them.</source>
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="153"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/messages.py" line="152"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="163"/>
+        <location filename="../plugin/seams/measure/messages.py" line="161"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -6942,17 +6927,17 @@
         <translation>Nie ma takiej zmiany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="164"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="175"/>
         <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="375"/>
+        <location filename="../plugin/seams/window_summary.py" line="449"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="22"/>
+        <location filename="../plugin/seams/desk/messages.py" line="25"/>
         <source>{name} beside this project holds {count} windows that the project does not know.</source>
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
@@ -6972,22 +6957,22 @@
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="155"/>
+        <location filename="../plugin/seams/measure/messages.py" line="153"/>
         <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
         <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/messages.py" line="156"/>
         <source>The filter can&apos;t use geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
@@ -8197,22 +8182,22 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="122"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="123"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="123"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="124"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="127"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="128"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="143"/>
+        <location filename="../plugin/seams/measure/messages.py" line="141"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -9492,42 +9477,42 @@
         <translation>Pomiar zawiera znaczek „{mark}” dwa razy{where}; dodaj w obu warstwach pole „photo”, które rozróżnia zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="144"/>
+        <location filename="../plugin/photos/measure/messages.py" line="148"/>
         <source>The two measurements have no mark in common ({first}; {second}); check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
         <translation>Oba pomiary nie mają wspólnego znaczka ({first}; {second}); sprawdź ich pola „mark” i „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="155"/>
+        <location filename="../plugin/photos/measure/messages.py" line="159"/>
         <source>correlation</source>
         <translation>korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="155"/>
+        <location filename="../plugin/photos/measure/messages.py" line="159"/>
         <source>brightness</source>
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="156"/>
+        <location filename="../plugin/photos/measure/messages.py" line="160"/>
         <source>cross</source>
         <translation>krzyż</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="156"/>
+        <location filename="../plugin/photos/measure/messages.py" line="160"/>
         <source>dot</source>
         <translation>kropka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="156"/>
+        <location filename="../plugin/photos/measure/messages.py" line="160"/>
         <source>ring with dot</source>
         <translation>pierścień z kropką</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="156"/>
+        <location filename="../plugin/photos/measure/messages.py" line="160"/>
         <source>ring with cross</source>
         <translation>pierścień z krzyżem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="157"/>
+        <location filename="../plugin/photos/measure/messages.py" line="161"/>
         <source>wedge</source>
         <translation>klin</translation>
     </message>
@@ -10522,22 +10507,22 @@
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="182"/>
+        <location filename="../plugin/seams/words.py" line="186"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="184"/>
+        <location filename="../plugin/seams/words.py" line="188"/>
         <source>a part of the mosaic matches none of these sources</source>
         <translation>część ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="185"/>
+        <location filename="../plugin/seams/words.py" line="189"/>
         <source>{value} % of the mosaic match none of these sources</source>
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="219"/>
+        <location filename="../plugin/seams/window_summary.py" line="256"/>
         <source>{percent} % of the pixels match none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -10657,57 +10642,57 @@
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="116"/>
+        <location filename="../plugin/seams/words.py" line="118"/>
         <source>blur took {value} %</source>
         <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="132"/>
+        <location filename="../plugin/seams/words.py" line="135"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="133"/>
+        <location filename="../plugin/seams/words.py" line="136"/>
         <source>Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="160"/>
+        <location filename="../plugin/seams/words.py" line="163"/>
         <source>clipping took {value} %</source>
         <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="172"/>
+        <location filename="../plugin/seams/words.py" line="176"/>
         <source>Images that meet in the mosaic do not lie on each other there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="199"/>
+        <location filename="../plugin/seams/words.py" line="204"/>
         <source>resampling took {value} %</source>
         <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="217"/>
+        <location filename="../plugin/seams/words.py" line="223"/>
         <source>compression took {value} %</source>
         <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="136"/>
+        <location filename="../plugin/seams/window_summary.py" line="153"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="173"/>
+        <location filename="../plugin/seams/words.py" line="177"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="252"/>
+        <location filename="../plugin/seams/window_summary.py" line="289"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="248"/>
+        <location filename="../plugin/seams/words.py" line="255"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
@@ -10757,42 +10742,42 @@
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="219"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="230"/>
         <source>{length} px</source>
         <translation>{length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="103"/>
+        <location filename="../plugin/seams/measure/messages.py" line="101"/>
         <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="134"/>
+        <location filename="../plugin/seams/window_summary.py" line="151"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="169"/>
+        <location filename="../plugin/seams/window_summary.py" line="205"/>
         <source>Besides: {others}.</source>
         <translation>Poza tym: {others}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="142"/>
+        <location filename="../plugin/seams/window_summary.py" line="159"/>
         <source>images {apart} px apart are feathered over {width} m</source>
         <translation>na szerokości {width} m wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="143"/>
+        <location filename="../plugin/seams/window_summary.py" line="160"/>
         <source>images {apart} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="148"/>
+        <location filename="../plugin/seams/window_summary.py" line="165"/>
         <source>images are feathered over {width} m</source>
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="398"/>
+        <location filename="../plugin/seams/window_summary.py" line="472"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -10811,7 +10796,7 @@
         <translation>wtopione na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="121"/>
+        <location filename="../plugin/seams/words.py" line="124"/>
         <source>Two images that differ were mixed by weights along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
@@ -10821,32 +10806,27 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="112"/>
+        <location filename="../plugin/seams/window_summary.py" line="123"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="111"/>
+        <location filename="../plugin/seams/window_summary.py" line="122"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="80"/>
-        <source>Two images are mixed on {share:.0f} % of the window, so there is no seam in it, and no unmixed ground to compare it with.</source>
-        <translation>Na {share:.0f} % okna zmieszano dwa obrazy, więc nie ma w nim linii mozaikowania ani niezmieszanego terenu do porównania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="119"/>
+        <location filename="../plugin/seams/measure/messages.py" line="117"/>
         <source>{name} shows nothing in the window that the other sources don&apos;t; it takes no part there.</source>
         <translation>{name} nie pokazuje w oknie niczego, czego nie pokazywałyby pozostałe źródła; nie bierze tam udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="131"/>
+        <location filename="../plugin/seams/window_summary.py" line="146"/>
         <source>more than {width}</source>
         <translation>ponad {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="116"/>
+        <location filename="../plugin/seams/measure/messages.py" line="114"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
@@ -11431,7 +11411,7 @@
         <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je. Prawy przycisk na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="76"/>
+        <location filename="../plugin/seams/measure/messages.py" line="75"/>
         <source>No change from one source to another is found in the window; the verdict is that of the sharpness alone.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
@@ -11471,102 +11451,57 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="322"/>
+        <location filename="../plugin/seams/window_summary.py" line="396"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="40"/>
+        <location filename="../plugin/seams/window_summary.py" line="49"/>
         <source>{area} m²</source>
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="296"/>
-        <source>beside the seam</source>
-        <translation>przy linii mozaikowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="299"/>
-        <source>{lost} % of the finest detail is lost {where}</source>
-        <translation>{lost} % najdrobniejszych detali utracono {where}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="324"/>
+        <location filename="../plugin/seams/window_summary.py" line="398"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="334"/>
+        <location filename="../plugin/seams/window_summary.py" line="408"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="338"/>
+        <location filename="../plugin/seams/window_summary.py" line="412"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="161"/>
-        <source>Mixing alone would leave {percent} % there.</source>
-        <translation>Samo mieszanie zostawiłoby tam {percent} %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="321"/>
+        <location filename="../plugin/seams/window_summary.py" line="395"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="348"/>
+        <location filename="../plugin/seams/window_summary.py" line="422"/>
         <source>It is less than an eye just sees at 2x.</source>
         <translation>To mniej, niż oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="349"/>
+        <location filename="../plugin/seams/window_summary.py" line="423"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="397"/>
+        <location filename="../plugin/seams/window_summary.py" line="471"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="298"/>
-        <source>in a strip of {width} m along the seam</source>
-        <translation>w pasie szerokości {width} m wzdłuż linii mozaikowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="32"/>
+        <location filename="../plugin/seams/window_summary.py" line="41"/>
         <source>loss: {area}</source>
         <translation>strata: {area}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="117"/>
-        <source>Leave out the filter that softened it.</source>
-        <translation>Wykonaj ją bez filtru, który ją rozmył.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="129"/>
-        <source>Use a hard cut there, or a narrower feather.</source>
-        <translation>Połącz tam obrazy ostrą linią albo z węższym wtapianiem.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="135"/>
-        <source>Use a hard cut there.</source>
-        <translation>Połącz tam obrazy ostrą linią.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="161"/>
-        <source>Stretch the grey values less.</source>
-        <translation>Słabiej rozciągnij wartości szarości.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="200"/>
-        <source>Keep the orthoimages on their own pixel grid.</source>
-        <translation>Pozostaw piksele ortoobrazów na ich miejscu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="218"/>
+        <location filename="../plugin/seams/words.py" line="225"/>
         <source>Compress it less.</source>
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
@@ -12018,57 +11953,52 @@
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="29"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="32"/>
         <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
         <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="32"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="35"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="34"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
         <source>The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="35"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="38"/>
         <source>A patch would be written over {path}, which is an input; choose another folder.</source>
         <translation>Łata zastąpiłaby plik wejściowy {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="40"/>
         <source>Mending was stopped; start it again with the same outputs, and it goes on where it was.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="42"/>
         <source>Mending goes on where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="41"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="44"/>
         <source>{metres:.0f} m of the seams name no two orthoimages that are given, so they stay as they are.</source>
         <translation>{metres:.0f} m linii mozaikowania nie wymienia dwóch podanych ortoobrazów, więc pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="43"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="46"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="88"/>
-        <source>{share:.0f} % of the window matches none of the given sources, so what its seam kept can&apos;t be measured. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
-        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych, więc nie da się zmierzyć, ile zachowano wzdłuż linii mozaikowania. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="92"/>
+        <location filename="../plugin/seams/measure/messages.py" line="90"/>
         <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="96"/>
+        <location filename="../plugin/seams/measure/messages.py" line="94"/>
         <source>{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic&apos;s pixel size. {more}</source>
         <translation>{name} ma piksele {pixel:g} m, a ortofotomapa {own:g} m; podaj go z rozmiarem piksela ortofotomapy. {more}</translation>
     </message>
@@ -12129,12 +12059,12 @@
         <translation>Zostaw te okna bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="36"/>
+        <location filename="../plugin/seams/desk/messages.py" line="39"/>
         <source>The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.</source>
         <translation>Okna w {name} zmierzono i oceniono na {older}, a teraz ortofotomapą jest {newer}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="39"/>
+        <location filename="../plugin/seams/desk/messages.py" line="42"/>
         <source>{mosaic} has changed since the windows in {name} were measured and judged.</source>
         <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
     </message>
@@ -12429,16 +12359,6 @@
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="306"/>
-        <source>{lost} % of the orthoimages&apos; finest detail is lost in the whole window</source>
-        <translation>{lost} % najdrobniejszych detali ortoobrazów źródłowych utracono w całym oknie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="302"/>
-        <source>{lost} % of the finest detail is lost {where}, {whole} % of the orthoimages&apos; in the whole window</source>
-        <translation>{lost} % najdrobniejszych detali utracono {where}, a {whole} % detali ortoobrazów źródłowych w całym oknie</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="72"/>
         <source>To 1 %. Empty: that of most sheets.</source>
         <translation>Z dokładnością do 1 %. Puste: tak jak w większości arkuszy.</translation>
@@ -12634,12 +12554,12 @@
         <translation>Jeden z nich wyraził wszędzie tę samą opinię, więc zgodności nie da się odróżnić od przypadku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="40"/>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="43"/>
         <source>Judge</source>
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="42"/>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="45"/>
         <source>Judge window after window: the map takes the room, and what lies over the mosaic goes (J); again: all is as before</source>
         <translation>Ocena okno po oknie: mapa zajmuje cały ekran, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
@@ -12694,12 +12614,12 @@
         <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="184"/>
+        <location filename="../plugin/seams/measure/messages.py" line="182"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="188"/>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
@@ -12769,44 +12689,39 @@
         <translation>metry: {outcome}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="105"/>
+        <location filename="../plugin/seams/window_summary.py" line="116"/>
         <source>This follows from the mixture of the images, since the ground around is mixed too.</source>
         <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <location filename="../plugin/seams/window_summary.py" line="113"/>
         <source>This follows from the mixture of the images, since there is too little unmixed ground around.</source>
         <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="104"/>
+        <location filename="../plugin/seams/window_summary.py" line="115"/>
         <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="373"/>
+        <location filename="../plugin/seams/window_summary.py" line="447"/>
         <source>it measures detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="138"/>
+        <location filename="../plugin/seams/window_summary.py" line="155"/>
         <source>images are mixed over {width} m, but not by weights</source>
         <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="146"/>
+        <location filename="../plugin/seams/window_summary.py" line="163"/>
         <source>, and the misfit took most</source>
         <translation>, a najwięcej zabrało ich niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="165"/>
+        <location filename="../plugin/seams/words.py" line="169"/>
         <source>The channels were corrected one by one, so the colours shifted.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="177"/>
-        <source>Register the images before blending.</source>
-        <translation>Dopasuj obrazy do siebie przed ich mieszaniem.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
@@ -13016,7 +12931,7 @@
         <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków: wzdłuż jednej linii mozaikowania i dalej przez węzeł, w którym spotykają się tylko dwa niezgodne odcinki. Niezmierzony może być w niej najwyżej jeden typowy odcinek. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="140"/>
+        <location filename="../plugin/seams/window_summary.py" line="157"/>
         <source>images {apart} px apart are mixed by another rule than weights</source>
         <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
     </message>
@@ -13199,7 +13114,7 @@
         <translation>Radiometria: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="170"/>
+        <location filename="../plugin/seams/measure/messages.py" line="168"/>
         <source>{field} of {count} windows is a number that no measurement gives; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
@@ -13217,6 +13132,176 @@
         <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
         <source>{kept} % kept, ground {left} %</source>
         <translation>zach. {kept} %, teren {left} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="144"/>
+        <source>The mark &apos;{mark}&apos; was measured at column {column:g}, row {row:g}, where no scanned photo has pixels; correct or remove it.</source>
+        <translation>Znak &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="18"/>
+        <source>Windows that are no rectangles along the mosaic&apos;s axes are measured in the boxes around them: {count}.</source>
+        <translation>Okna, które nie są prostokątami wzdłuż osi ortofotomapy, są mierzone w opisanych na nich prostokątach: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="28"/>
+        <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="29"/>
+        <source>The seam does not lie on this mosaic; give the seams that a scan of it found.</source>
+        <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="72"/>
+        <source>No source explains the mosaic&apos;s fine detail here; add the orthoimages that it was made from.</source>
+        <translation>Żaden ortoobraz źródłowy nie wyjaśnia tu drobnych detali ortofotomapy; dodaj ortoobrazy, z których powstała.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="79"/>
+        <source>Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.</source>
+        <translation>Dwa obrazy są zmieszane na {share:.0f} % okna: nie ma linii ani niezmieszanego terenu do porównania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="83"/>
+        <source>There is too little ground beside the seam to compare it with; take a larger window, or move it.</source>
+        <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo je przesuń.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the one missing.</source>
+        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="97"/>
+        <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources&apos; detail: add those that it was made from.</source>
+        <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="194"/>
+        <source>Mixing alone would have taken {percent} % there.</source>
+        <translation>Samo mieszanie zabrałoby tam {percent} %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="177"/>
+        <source>cause unclear</source>
+        <translation>przyczyna niejasna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="179"/>
+        <source>softened there</source>
+        <translation>zmiękczono tam obraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="181"/>
+        <source>mixed, but not by weights</source>
+        <translation>zmieszano inaczej niż wagami</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="183"/>
+        <source>feathered</source>
+        <translation>wtapianie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="196"/>
+        <source>Mixing alone would have taken {percent} % there; what took the rest is unclear.</source>
+        <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="354"/>
+        <source>{lost} % of detail lost beside the seam</source>
+        <translation>{lost} % detali utracono przy linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="360"/>
+        <source>{said}, {area} in all</source>
+        <translation>{said}, łącznie {area}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="366"/>
+        <source>{lost} % of detail lost in the whole window</source>
+        <translation>{lost} % detali utracono w całym oknie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="182"/>
+        <source>{apart} px misfit</source>
+        <translation>niedopasowanie {apart} px</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="356"/>
+        <source>{lost} % of detail lost in {width} m along the seam</source>
+        <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="369"/>
+        <source>{said}, {lost} % along the seam</source>
+        <translation>{said}, {lost} % wzdłuż linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="377"/>
+        <source>It may be more: judge by eye.</source>
+        <translation>Może być większa: oceń wzrokiem.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="381"/>
+        <source>Judge by eye.</source>
+        <translation>Oceń wzrokiem.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="191"/>
+        <source>What took detail along the seam is unclear.</source>
+        <translation>Nie wiadomo, co zabrało detale wzdłuż linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="119"/>
+        <source>blurred</source>
+        <translation>rozmycie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="120"/>
+        <source>Leave out that filter.</source>
+        <translation>Pomiń ten filtr.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="132"/>
+        <source>Cut hard or feather less.</source>
+        <translation>Tnij ostro albo wtapiaj węziej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="138"/>
+        <source>Cut hard there.</source>
+        <translation>Tnij tam ostro.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="164"/>
+        <source>clipped</source>
+        <translation>obcięcie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="165"/>
+        <source>Stretch it less.</source>
+        <translation>Rozciągaj ją słabiej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="181"/>
+        <source>Register images.</source>
+        <translation>Dopasuj obrazy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="192"/>
+        <source>Add the missing orthoimage.</source>
+        <translation>Dodaj brakujący ortoobraz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="206"/>
+        <source>Keep the pixel grid.</source>
+        <translation>Zachowaj piksele ortoobrazów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="224"/>
+        <source>compressed with loss</source>
+        <translation>kompresja stratna</translation>
     </message>
 </context>
 </TS>

@@ -85,7 +85,8 @@ class MendRequest:
 
     def near(self, run: SeamRun, reach_px: float) -> PieceIndex:
         """Those near a run."""
-        return self.index.near(run.window(self.mosaic.grid), reach_px)
+        there = run.window(self.mosaic.grid).cut_to(self.mosaic.columns, self.mosaic.rows)
+        return self.index.near(there, reach_px)
 
     def run(self, key: tuple[int, int]) -> RunRequest:
         """One of the runs, by its number."""

@@ -37,6 +37,10 @@ def metres(line: np.ndarray) -> float:
     return float(np.hypot(*np.diff(line, axis=0).T).sum())
 
 
+def test_a_stretch_that_leads_out_of_all_mosaics_takes_no_memory() -> None:
+    assert len(PieceIndex([seam((0, 0), (10, 10), (10, 1e15))], GRID)) == 1
+
+
 def brute_force(pieces: list[SeamPiece], columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """Distance in pixels of each place to each piece, (pieces, places)."""
     out = np.full((len(pieces), len(columns)), np.inf)
