@@ -13146,7 +13146,7 @@
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="28"/>
         <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie można zmierzyć, ile zachowuje nowe cięcie, więc jego łata została pominięta.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="29"/>
