@@ -153,7 +153,7 @@ class CheckDelivery(SeamInspectorAlgorithm):
         found, homes = [], {Path(folder)}
         for name, path, outline, wkt in index_rows(run, SHEETS, self._index) if is_ordered else ():
             own = _of_stem(files, Path(path or name).stem) if folder else Path(path) if path else None
-            is_there = own is not None and own.is_file()
+            is_there = own is not None and os.path.isfile(own)
             found.append(OrderedSheet(name, str(own) if is_there else "", outline, wkt))
             if own is not None and own in files:
                 files.remove(own)

@@ -4,6 +4,7 @@ Layers are looked up in their own thread (``seam_layers``) and read in another (
 """
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -167,7 +168,7 @@ def _line_layer(value: object, context: QgsProcessingContext) -> QgsVectorLayer:
     if isinstance(value, str):
         vector = QgsProcessingUtils.LayerHint.Vector
         layer = QgsProcessingUtils.mapLayerFromString(value, context, True, vector)
-        if not _has_lines(layer) and "|" not in value and Path(value).is_file():
+        if not _has_lines(layer) and "|" not in value and os.path.isfile(value):
             layer = QgsVectorLayer(f"{value}|layername={_OF_SCAN_FILE}", Path(value).stem, "ogr")
             layer = layer if layer.isValid() else QgsVectorLayer(value, Path(value).stem, "ogr")
     if not isinstance(layer, QgsVectorLayer) or not layer.isValid():

@@ -1,6 +1,7 @@
 """Fiducial marks as QGIS's point layers: positions in, measured marks out."""
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -100,7 +101,7 @@ def folder_marks(folder: Path) -> list[ComparedMark]:
     A layer that does not say the photo is of the photo that its file is called like; what is no file is left alone.
     Raises PhotoError for a folder that is not there or holds no marks.
     """
-    if not folder.is_dir():
+    if not os.path.isdir(folder):
         raise PhotoError(messages.COMPARED_NO_FOLDER(path=folder))
     made: list[ComparedMark] = []
     for path in (one for one in sorted(folder.iterdir()) if not is_endless(str(one))):

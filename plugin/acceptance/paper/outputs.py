@@ -1,6 +1,7 @@
 """What acceptmosaic leaves on paper: the layer of failures with their pictures, the report, the XML."""
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -179,7 +180,7 @@ def _write_defects(
 def _file_of(destination: str) -> Path | None:
     """The file of a layer; None for one in memory or in a database."""
     path = Path(str(QgsProviderRegistry.instance().decodeUri("ogr", destination).get("path") or ""))
-    return path.absolute() if path.suffix and path.absolute().parent.is_dir() else None
+    return path.absolute() if path.suffix and os.path.isdir(path.absolute().parent) else None
 
 
 def _cut_pictures(

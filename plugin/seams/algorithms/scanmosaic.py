@@ -1,6 +1,7 @@
 """``seaminspector:scanmosaic``: the whole mosaic."""
 from __future__ import annotations
 
+import os
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -253,7 +254,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         """What the journal lies beside: the first output that is a file of a name."""
         for name in (LOSS, SEAMS, CELLS, WORST):
             output = output_text(run.parameters.get(name), run.context)
-            if Path(output).suffix and not output.startswith("/vsi") and Path(output).parent.is_dir():
+            if Path(output).suffix and not output.startswith("/vsi") and os.path.isdir(Path(output).parent):
                 yield Path(output)
                 return
         with tempfile.TemporaryDirectory() as folder:

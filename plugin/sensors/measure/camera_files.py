@@ -1,6 +1,7 @@
 """The cameras of aerial photos from the files of other programs."""
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -112,7 +113,7 @@ def read_cameras(content: Any, path: Path) -> Cameras:
 def orientation_file(path: Path) -> Path:
     """The file itself, or the reconstruction of an OpenDroneMap project's folder. Raises SensorModelError for another
     folder."""
-    if not path.is_dir():
+    if not os.path.isdir(path):
         return path
     inside = (path / "opensfm" / _RECONSTRUCTION, path / _RECONSTRUCTION)
     found = next((one for one in inside if one.is_file()), None)

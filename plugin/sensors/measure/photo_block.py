@@ -1,6 +1,7 @@
 """The files of a block: photos that its orientations name, and what an OpenDroneMap project has beside them."""
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,7 +28,7 @@ def project_photos(exterior: Path) -> Path:
 def project_terrain(exterior: Path) -> RasterRef:
     """The terrain model of a project. Raises SettingsError where there is none, or no file of that name at all."""
     path = orientation_file(exterior)
-    if not path.is_file():
+    if not os.path.isfile(path):
         raise SettingsError(imagery_messages.NOT_FOUND(path=path))
     project = path.parent.parent
     found = next((project / name for name in _TERRAINS if (project / name).is_file()), None)

@@ -193,6 +193,7 @@ def test_bad_input_is_refused(scene: Scene) -> None:
     for parameters, words in (
         ({"SEAMS": []}, "No layer of seams is given"),
         ({"SEAMS": ["/nowhere.gpkg"]}, "can't be read as a layer of lines"),
+        ({"SEAMS": ["x" * 5000]}, "can't be read as a layer of lines"),  # longer than any file's name
         ({"UNIT": "windows"}, "give MOSAIC, or take pieces"),
         ({"AQL": "7"}, "none of the standard's"),
         ({"PLAN": "risk", "GOOD_SHARE": 9}, "the first has to be smaller"),

@@ -141,7 +141,8 @@ def test_measurements_that_can_not_be_compared(folders: dict[str, Path], tmp_pat
     assert_refused("comparemarks", either, FIRST=layer, FIRST_FOLDER=layers, SECOND_FOLDER=micmac)
     empty = tmp_path / "empty"
     empty.mkdir()
-    for folder, words in ((empty, "holds no measured marks"), (tmp_path / "gone", "does not exist")):
+    not_there = ((tmp_path / "gone", "does not exist"), ("x" * 5000, "does not exist"))
+    for folder, words in ((empty, "holds no measured marks"), *not_there):
         assert_sentence(run("comparemarks", FIRST=layer, SECOND_FOLDER=str(folder)).complaint, words)
     no_numbers = re.sub("<PtIm>[^<]*", "<PtIm>a b", measures(1, True))
     for text, words in (("<a", "can't be read"), (no_numbers, "has no column and row")):
