@@ -5225,7 +5225,7 @@
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
@@ -5235,7 +5235,7 @@
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
@@ -5580,82 +5580,82 @@
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="50"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="51"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="67"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="68"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="73"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="74"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="78"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="84"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="84"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="85"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="90"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="95"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="95"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="96"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="105"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="106"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="107"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="117"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="118"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="133"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
@@ -5665,7 +5665,7 @@
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="142"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
@@ -10617,7 +10617,7 @@
         <translation>Prostokąty w zmierzonych granicach, z oceną, z tym, co zachowano wzdłuż linii mozaikowania, z tym, na ile oko widzi stratę w powiększeniu 2× („visibility”, 1 to strata ledwie widoczna), i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="126"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="127"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees the loss at 2x, and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
@@ -11256,17 +11256,17 @@
         <translation>arkusz: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="90"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="91"/>
         <source>Digests of the files</source>
         <translation>Skróty kryptograficzne plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="96"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="97"/>
         <source>rows of {layer}</source>
         <translation>wiersze warstwy {layer}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="99"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="100"/>
         <source>list of orthoimages</source>
         <translation>lista ortoobrazów</translation>
     </message>
@@ -11361,7 +11361,7 @@
         <translation>Ocenione arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
         <source>Length of the pieces that keep less than 70 % (metres)</source>
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
@@ -11898,12 +11898,12 @@
         <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="52"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="53"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the desk. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="137"/>
         <source>Windows where least was kept, the worst first, ready for the desk and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
@@ -13136,7 +13136,7 @@
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="144"/>
         <source>The mark &apos;{mark}&apos; was measured at column {column:g}, row {row:g}, where no scanned photo has pixels; correct or remove it.</source>
-        <translation>Znak &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
+        <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="18"/>

@@ -184,7 +184,7 @@ def test_where_a_source_of_other_pixels_is_missed_its_pixel_size_is_said_first(
     assert str(both.reason) == (
         f"coarse.tif has pixels of 0.2 m and the mosaic of 0.1 m; give it at the mosaic's pixel size. {alone.reason}"
     )
-    assert "Check their dates and add the orthoimage that is missing" in str(alone.reason)
+    assert "check their dates, and add the one missing" in str(alone.reason)
 
 
 def test_where_all_are_resampled_the_verdict_says_so(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:

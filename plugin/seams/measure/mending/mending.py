@@ -241,7 +241,7 @@ class Mending:
         if cut.window is None:
             return MendedSeam(run, cut, LEFT, reason=cut.reason)
         if kept is None:
-            return MendedSeam(run, cut, LEFT, reason=messages.NOT_MEASURED())
+            return MendedSeam(run, cut, LEFT, reason=messages.CUT_NOT_MEASURED())
         if kept <= (run.kept or 0.0):
             return MendedSeam(run, cut, LEFT, kept, messages.NOT_BETTER())
         name = os.path.basename(self._single) or _patch_name(number)

@@ -25,7 +25,7 @@ PART_NOT_COVERED = Message("One of the two orthoimages has no pixels along the n
 BANDS_LACK = Message("{name} lacks bands of the mosaic: {bands}.")
 NOT_BETTER = Message("The new cut keeps no more detail than the old seam, so its patch is left out.")
 
-NOT_MEASURED = Message("What the new cut keeps can't be measured, so its patch is left out.")
+CUT_NOT_MEASURED = Message("What the new cut keeps can't be measured, so its patch is left out.")
 NOT_ON_MOSAIC = Message("The seam does not lie on this mosaic; give the seams that a scan of it found.")
 
 # settings

@@ -16,7 +16,7 @@ STEP_PX = 0.5
 _SHORTEST_PX = 1e-6  # of a stretch, to divide by: some have no length
 TILE_PX = 2048
 """Side of the tiles by which stretches of line are found, and places are looked up together."""
-_LONGEST_PX = 1e6  # of a straight stretch: no scan makes one, and its box would meet millions of tiles
+_MOST_TILES = 1e6  # that the box of a straight stretch meets: it would span a continent
 
 _STRETCH = np.dtype(
     [("start", complex), ("step", complex), ("number", np.int64), ("station", float), ("metres", float)]
@@ -57,7 +57,8 @@ class PieceIndex:
         within = number[1:] == number[:-1]
         x, y = places.T
         line = grid.column_at(x) + 1j * grid.row_at(y)
-        within &= abs(np.diff(line)) < _LONGEST_PX
+        tiles = abs(as_xy(np.diff(line))) / TILE_PX + 1
+        within &= tiles.prod(axis=1) < _MOST_TILES
         metres = np.where(within, np.hypot(np.diff(x) * grid.metres_x, np.diff(y) * grid.metres_y), 0)
         # Metres since the first vertex of all, less those up to the piece's own first vertex.
         passed = np.append(0, np.cumsum(metres))
