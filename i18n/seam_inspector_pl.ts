@@ -629,7 +629,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="89"/>
+        <location filename="../plugin/radiometry/report.py" line="95"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
@@ -8167,17 +8167,17 @@
         <translation>{name}: {share:.2%} pikseli leży poza podanym zakresem od {low:g} do {high:g} i liczy się jako obcięte; sprawdź zakres.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="66"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="69"/>
         <source>seam {number}</source>
         <translation>linia mozaikowania {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="67"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="70"/>
         <source>seam {number} (feature {features} of {layer})</source>
         <translation>linia mozaikowania {number} (obiekt {features} warstwy {layer})</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="68"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="71"/>
         <source>grey area {area} with {share:.1%}, the most of all</source>
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
@@ -13302,6 +13302,11 @@
         <location filename="../plugin/seams/words.py" line="224"/>
         <source>compressed with loss</source>
         <translation>kompresja stratna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="66"/>
+        <source>Histograms of {drawn} of the {count} images are drawn, those of images that are not accepted first.</source>
+        <translation>Narysowano histogramy {drawn} z {count} obrazów, najpierw tych, które nie zostały przyjęte.</translation>
     </message>
 </context>
 </TS>

@@ -10,7 +10,7 @@ from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.templates import HowMeasured, each_raster, save_page, sentences_once
 from ..toolkit.translation import filled, paper_sentence, shown_number, tr
 from .charts import balance_figure, histogram_figure, step_and_contrast
-from .measure import limits
+from .measure import limits, messages
 from .measure import rules as checks
 from .measure.assessment import Assessment, CheckedFigure, ImageDecision, RadiometricDecision, RadiometricOutcome
 from .measure.rules import RuleSet
@@ -34,6 +34,7 @@ _STATES = {
     RadiometricOutcome.REJECTED: "bad",
     RadiometricOutcome.UNDECIDED: "open",
 }
+_MOST_HISTOGRAMS = 100  # a tenth of a second each
 
 
 def save_radiometry_report(
@@ -45,6 +46,11 @@ def save_radiometry_report(
     figure = balance_figure(results) if pairs else None
     sources = list(dict.fromkeys(rule.source for rule in rules.rules))
     told = [*notices, *(notice for result in results for notice in result.notices)]
+    doubtful_first = sorted(decision.images, key=lambda image: image.outcome is RadiometricOutcome.ACCEPTED)
+    drawn = doubtful_first[:_MOST_HISTOGRAMS]
+    if len(drawn) < len(results):
+        told.append(messages.HISTOGRAMS_OF_SOME(drawn=len(drawn), count=len(results)))
+    shown = set(map(id, drawn))
     save_page(
         path,
         "radiometry",
@@ -55,7 +61,7 @@ def save_radiometry_report(
         notices=sentences_once(told),
         balance=[[number, *_balance_row(result, *pair)] for number, (result, pair) in enumerate(pairs, 1)],
         balance_chart=None if figure is None else svg_text(figure),
-        images=(_section(image, sources) for image in decision.images),
+        images=(_section(image, sources, id(image) in shown) for image in decision.images),
         area_side=limits.AREA_PX,
         seam_near=limits.SEAM_NEAR_PX,
         seam_far=limits.SEAM_FAR_PX,
@@ -91,14 +97,14 @@ def _overview(image: ImageDecision) -> list[object]:
     ]  # fmt: skip
 
 
-def _section(image: ImageDecision, sources: Sequence[str]) -> dict[str, object]:
+def _section(image: ImageDecision, sources: Sequence[str], is_drawn: bool) -> dict[str, object]:
     """What the page shows of one image: a row for each check, a column for each band."""
     result = image.result
     by_check: dict[str, dict[str, CheckedFigure]] = {}
     for checked in result.checked_figures:
         by_check.setdefault(checked.rule.check, {})[checked.band] = checked
     bands = list(dict.fromkeys(one.band for one in result.checked_figures if one.value is not None))
-    figure = histogram_figure(result)
+    figure = histogram_figure(result) if is_drawn else None
     return {
         "title": title(result),
         "outcome": tr(OUTCOME_WORDS[image.outcome]).capitalize(),

@@ -62,6 +62,9 @@ BEYOND_RANGE = Message(
     "{name}: {share:.2%} of the pixels lie beyond the range of {low:g} to {high:g} that was given, and count as "
     "clipped; check the range.", WARNING
 )
+HISTOGRAMS_OF_SOME = Message(
+    "Histograms of {drawn} of the {count} images are drawn, those of images that are not accepted first.", INFO
+)
 # where a figure comes from
 SEAM = Message("seam {number}", INFO)
 SEAM_OF_FEATURES = Message("seam {number} (feature {features} of {layer})", INFO)

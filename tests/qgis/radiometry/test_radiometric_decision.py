@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from seam_inspector.plugin.radiometry import report as radiometry_report
 
 from tests.numbers.synthetic import ORIGIN, texture, write_raster
 from tests.qgis.runs import Log, assert_sentence, run
@@ -59,6 +60,20 @@ def test_one_bad_sheet_rejects_and_is_named(sheets: dict[str, str], tmp_path: Pa
     page = report.read_text(encoding="utf-8")
     assert "<b>'&.tif" not in page
     assert 'class="decision bad"' in page
+
+
+def test_of_very_many_images_the_doubtful_ones_have_their_histogram(
+    sheets: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(radiometry_report, "_MOST_HISTOGRAMS", 1)
+    pages = []
+    for rasters in ([sheets["good"], sheets["twelve"]], [sheets["twelve"]]):
+        decided(rasters, REPORT=str(tmp_path / "r.html"))
+        pages.append((tmp_path / "r.html").read_text(encoding="utf-8"))
+    some, alone = pages
+    assert "Histograms of 1 of the 2 images are drawn" in some
+    assert "are drawn" not in alone
+    assert some.count("The available range is not known.") == alone.count("The available range is not known.") > 0
 
 
 def test_a_name_that_turns_or_breaks_lines_is_made_plain(tmp_path: Path) -> None:
