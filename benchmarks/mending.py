@@ -38,7 +38,7 @@ WIDTH_M = 10.0
 MOST_OF_SCAN, LEAST_MENDED = 3.0, 0.9
 
 
-def mend_once(made: LargeMosaic, found: ScanResult, threads: int, folder: Path) -> tuple[MendRequest, list[MendedSeam]]:
+def mend_once(made: LargeMosaic, found: ScanResult, threads: int, folder: Path) -> list[MendedSeam]:
     """All pieces of a scan as if they had failed, from its result to the patches and the mended mosaic."""
     whole = scan_request(made, FORMAT, SEAMS)
     rows = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in seam_rows(found)]
@@ -51,7 +51,7 @@ def mend_once(made: LargeMosaic, found: ScanResult, threads: int, folder: Path) 
         say("cut anew")
         seams = job.result(lambda share: True, executor, AHEAD * threads)
     say(f"{metres(seams, MENDED):,.0f} of {metres(seams):,.0f} m mended, {metres(seams, LEFT):,.0f} m left")
-    return request, seams
+    return seams
 
 
 def main() -> int:
@@ -67,7 +67,7 @@ def main() -> int:
         found: list[ScanResult] = []
         seams: list[MendedSeam] = []
         scan = timed(lambda: found.append(scan_once(made, FORMAT, SEAMS, given.threads, folder)))
-        mend = timed(lambda: seams.extend(mend_once(made, found[0], given.threads, folder)[1]))
+        mend = timed(lambda: seams.extend(mend_once(made, found[0], given.threads, folder)))
     goals = print_figures(made, scan, mend, seams, given.threads)
     print(f"\n{sum(goal.met for goal in goals)} of {len(goals)} goals met, {seconds_so_far():.0f} s")
     return 0

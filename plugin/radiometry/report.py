@@ -46,11 +46,10 @@ def save_radiometry_report(
     figure = balance_figure(results) if pairs else None
     sources = list(dict.fromkeys(rule.source for rule in rules.rules))
     told = [*notices, *(notice for result in results for notice in result.notices)]
-    doubtful_first = sorted(decision.images, key=lambda image: image.outcome is RadiometricOutcome.ACCEPTED)
-    drawn = doubtful_first[:_MOST_HISTOGRAMS]
+    accepted = [image.outcome is RadiometricOutcome.ACCEPTED for image in decision.images]
+    drawn = sorted(range(len(results)), key=accepted.__getitem__)[:_MOST_HISTOGRAMS]
     if len(drawn) < len(results):
         told.append(messages.HISTOGRAMS_OF_SOME(drawn=len(drawn), count=len(results)))
-    shown = set(map(id, drawn))
     save_page(
         path,
         "radiometry",
@@ -61,7 +60,7 @@ def save_radiometry_report(
         notices=sentences_once(told),
         balance=[[number, *_balance_row(result, *pair)] for number, (result, pair) in enumerate(pairs, 1)],
         balance_chart=None if figure is None else svg_text(figure),
-        images=(_section(image, sources, id(image) in shown) for image in decision.images),
+        images=(_section(image, sources, number in drawn) for number, image in enumerate(decision.images)),
         area_side=limits.AREA_PX,
         seam_near=limits.SEAM_NEAR_PX,
         seam_far=limits.SEAM_FAR_PX,
