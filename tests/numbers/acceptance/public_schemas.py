@@ -5,7 +5,6 @@ it leaves to the network, W3C's of XLink, is written out below as far as these s
 """
 from __future__ import annotations
 
-from functools import cache
 from importlib.metadata import distribution
 from pathlib import Path
 
@@ -53,8 +52,8 @@ def _folder() -> Path:
     return Path(str(distribution("ckanext-iso19115").locate_file("ckanext/iso19115/namespaces")))
 
 
-@cache
 def _schema() -> etree.XMLSchema:
+    """Read anew each time: SpatiaLite frees the types of all schemas in a shared libxml2 as it ends."""
     parser = etree.XMLParser(no_network=True)
     parser.resolvers.add(_Resolver())
     imports = "".join(
