@@ -10,21 +10,20 @@ from qgis.core import (
     QgsLayerTreeNode,
     QgsPalLayerSettings,
     QgsProject,
+    QgsProperty,
     QgsRasterLayer,
     QgsRuleBasedRenderer,
     QgsSimpleLineSymbolLayer,
-    QgsTextBufferSettings,
-    QgsTextFormat,
     QgsVectorLayer,
     QgsVectorLayerSimpleLabeling,
 )
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject
-from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QMessageBox, QWidget
 
 from ...imagery.statistics import Agreement, Operator, agreement
 from ...toolkit.desk.widgets import is_confirmed
+from ...toolkit.layer_styles import label_settings
 from ...toolkit.translation import filled, percent, shown_number, tr
 from .judge_bar import JudgeBar
 from .judging import Judging
@@ -184,17 +183,13 @@ def _outline(*lines: tuple[str, float]) -> QgsFillSymbol:
 
 
 def _labels() -> QgsVectorLayerSimpleLabeling:
-    halo = QgsTextBufferSettings()
-    halo.setEnabled(True)
-    halo.setSize(0.8)
-    halo.setColor(QColor(0, 0, 0, 180))
-    text = QgsTextFormat()
-    text.setSize(9)
-    text.setColor(QColor("#ffffff"))
-    text.setBuffer(halo)
-    settings = QgsPalLayerSettings()
-    settings.fieldName = "window_id"
-    settings.setFormat(text)
+    """Numbers alone, where the plugin's own style has its labels: in a corner, off the seam."""
+    settings = label_settings("windows")
+    settings.fieldName, settings.isExpression = _NUMBER, False
+    properties = settings.dataDefinedProperties()
+    for telling in (QgsPalLayerSettings.Property.Show, QgsPalLayerSettings.Property.Priority):
+        properties.setProperty(telling, QgsProperty())
+    settings.setDataDefinedProperties(properties)
     return QgsVectorLayerSimpleLabeling(settings)
 
 

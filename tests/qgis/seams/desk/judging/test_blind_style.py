@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import pytest
-from qgis.core import QgsProject, QgsRenderContext, QgsVectorLayer
+from qgis.core import QgsPalLayerSettings, QgsProject, QgsRenderContext, QgsVectorLayer
 from seam_inspector.plugin.imagery.statistics import FIRST, SECOND
 from seam_inspector.plugin.seams.desk.judging_desk import hide_verdicts, show_verdicts
 from seam_inspector.plugin.toolkit.resources import style_path
@@ -35,6 +35,11 @@ def looks(layer: QgsVectorLayer) -> list[tuple[object, ...]]:
     return found
 
 
+def _expressions(labels: QgsPalLayerSettings) -> list[str]:
+    properties = labels.dataDefinedProperties()
+    return [properties.property(key).expressionString() for key in properties.propertyKeys()]
+
+
 def test_nothing_on_the_map_tells_what_was_found(judged: QgsVectorLayer) -> None:
     before = judged.renderer().dump(), judged.mapTipTemplate()
     hide_verdicts(judged, SECOND)
@@ -45,7 +50,10 @@ def test_nothing_on_the_map_tells_what_was_found(judged: QgsVectorLayer) -> None
     assert first == second  # the first operator's word is hidden, too
     assert "verdict" not in judged.renderer().dump()
     assert judged.mapTipTemplate() == ""
-    assert judged.labeling().settings().fieldName == "window_id"
+    labels = judged.labeling().settings()
+    assert labels.fieldName == "window_id"
+    assert not any(word in told for told in _expressions(labels) for word in ("verdict", "kept", "ratio"))
+    assert "y_max(@seen)" in labels.geometryGenerator  # in a corner, not on the seam that is judged
     hide_verdicts(judged, FIRST)
     first, second = looks(judged)
     assert first != second  # his own, which he knows
