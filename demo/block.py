@@ -315,6 +315,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=2010)
     parser.add_argument("--extent", type=float, nargs=2, default=(500.0, 400.0), metavar=("WIDTH", "DEPTH"), help="m")
     arguments = parser.parse_args()
+    gdal.UseExceptions()  # GDAL 3.7 warns whoever leaves it open
     make_block(arguments.folder, tuple(arguments.extent), arguments.seed, print)
 
 

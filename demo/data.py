@@ -70,6 +70,7 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--small", action="store_true", help="a block of 250 x 200 m instead of 500 x 400 m")
     arguments = parser.parse_args()
+    gdal.UseExceptions()  # GDAL 3.7 warns whoever leaves it open
     make_data(arguments.folder, arguments.small)
 
 

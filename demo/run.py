@@ -76,6 +76,7 @@ def main() -> int:
     parser.add_argument("--side", type=float, help="window side in metres (100)")
     parser.add_argument("--spacing", type=float, help="metres along the seam (twice the side)")
     arguments = parser.parse_args()
+    gdal.UseExceptions()  # GDAL 3.7 warns whoever leaves it open
     application = QgsApplication([], False)
     application.initQgis()
     provider = SeamInspectorProvider()
