@@ -372,6 +372,7 @@ def _table_exterior(
 def _header(line: str) -> dict[str, int]:
     """Where each column stands; {} for a line that names too few."""
     line = re.sub(_PAIRS, r"\1\2", re.sub(r"(?i)#\s*event", "event", line)).strip().lstrip("#")
+    line = re.sub(r" +([(\[])", r"\1", line)  # a unit is no column of its own
     for parted in (";", "\t", ",", None):
         names = [re.sub(r"\(.*?\)|\[.*?\]|[^a-z0-9]", "", re.sub(_ANGLE_WORDS, "", word.lower()))
                  for word in line.split(parted)]  # fmt: skip

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Callable, NamedTuple
+from typing import Any, Callable
 
 import numpy as np
 from osgeo import gdal
@@ -205,31 +205,13 @@ def rpc_domain(rpc: Rational, image: Raster) -> Domain:
 # --- the plan --------------------------------------------------------------------------------------------------
 
 
-class _Sight(NamedTuple):
-    """How an image and the ground see each other, by longitude, latitude and height."""
-
-    on_ground: Map
-    """(n,) heights of the plan's places in the image -> (n, 3) ground."""
-    project: Map
-    """(n, 3) ground -> (n, 2) column, row."""
-    rpc: RpcOfModel | None
-
-
-def _sight_of_camera(camera: FrameCamera, wkt: str, places: np.ndarray) -> _Sight:
-    views = camera.views(places)
-    return _Sight(
-        lambda heights: reprojected(np.column_stack([camera.places_at(views, heights), heights]), wkt, WGS84),
-        lambda ground: camera.project(reprojected(ground, WGS84, wkt)),
-        None,
-    )
-
-
-def _sight_of_rpc(rpc: RpcOfModel, wkt: str, domain: Domain, places: np.ndarray) -> _Sight:
-    ((longitude, latitude),) = transform_points(np.array([domain.middle]), wkt, WGS84).tolist()
-    geographic = replace(domain, middle=(longitude, latitude))
-    return _Sight(
-        lambda heights: located(rpc.rpc, WGS84, np.column_stack([places, heights]), geographic), rpc.rpc.project, rpc
-    )
+def _seen_by(request: OrthoRequest, domain: Domain) -> tuple[SensorModel, str, Domain, RpcOfModel | None]:
+    """What sees the image, its system, where it is used, and that as RPC, which no photo has."""
+    if isinstance(request.model, FrameCamera):
+        return request.model, request.wkt, domain, None
+    rpc = rpc_of(request.model, request.wkt, domain)
+    ((longitude, latitude),) = transform_points(np.array([domain.middle]), request.wkt, WGS84).tolist()
+    return rpc.rpc, WGS84, replace(domain, middle=(longitude, latitude)), rpc
 
 
 def _plan(request: OrthoRequest) -> _Plan:
@@ -237,13 +219,14 @@ def _plan(request: OrthoRequest) -> _Plan:
     domain = replace(request.domain, columns=(0.0, float(image.columns)), rows=(0.0, float(image.rows)))
     side = np.linspace(0, 1, ORTHO_GRID)
     places = np.stack(np.meshgrid(side * image.columns, side * image.rows), axis=-1).reshape(-1, 2)
-    if isinstance(model, FrameCamera):
-        sight = _sight_of_camera(model, request.wkt, places)
-    else:
-        sight = _sight_of_rpc(rpc_of(model, request.wkt, domain), request.wkt, domain, places)
+    seen_by, wkt, used, rpc = _seen_by(request, domain)
+
+    def on_ground(heights: np.ndarray) -> np.ndarray:
+        return located(seen_by, wkt, np.column_stack([places, heights]), used)
+
     if request.height is not None:
         domain = replace(domain, heights=(request.height, request.height))
-    around = np.concatenate([sight.on_ground(np.full(len(places), height)) for height in domain.heights])[:, :2]
+    around = np.concatenate([on_ground(np.full(len(places), height)) for height in domain.heights])[:, :2]
     margin = 0.02 * np.ptp(around, axis=0) + 1e-4
     extent = bounding_box(np.concatenate([around - margin, around + margin]))
     if request.dem is None:
@@ -253,7 +236,7 @@ def _plan(request: OrthoRequest) -> _Plan:
         terrain = load_terrain(request.dem, extent, request.datum)
     heights = np.full(len(places), float(np.nanmean(terrain.heights)))
     for _ in range(limits.MAX_NEWTON_ITERATIONS):
-        ground = sight.on_ground(heights)
+        ground = on_ground(heights)
         found = terrain.at(ground)
         missing = ~np.isfinite(found)
         change = np.abs(found - heights)[~missing].max(initial=0)
@@ -263,11 +246,14 @@ def _plan(request: OrthoRequest) -> _Plan:
     if missing.all():
         west, south, east, north = extent
         raise RasterError(messages.DEM_NOT_COVERING(name=terrain.name, west=west, east=east, south=south, north=north))
-    rpc = sight.rpc
     if rpc is not None and rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
         rpc = rpc_of(model, request.wkt, replace(domain, heights=(float(heights.min()), float(heights.max()))))
     footprint = np.column_stack([ground[:, :2], heights])
-    return _Plan(image, rpc, terrain, footprint, uncovered_share(image, sight.project, terrain, footprint))
+
+    def project(ground: np.ndarray) -> np.ndarray:
+        return seen_by.project(reprojected(ground, WGS84, wkt))
+
+    return _Plan(image, rpc, terrain, footprint, uncovered_share(image, project, terrain, footprint))
 
 
 def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:

@@ -117,6 +117,8 @@ TABLES = {
     + rows("{n}\t3\t564155.65\t{x}\t{y}\t{z}\t{o}\t{p}\t{k}\t27.98\t-82.36"),
     "applanix aligned": "ID     # EVENT  TIME(s)   EASTING   NORTHING   ELLIPSOID HEIGHT  OMEGA  PHI   KAPPA\n"
     "               (s)  (m)  (m)\n" + rows("{n}  3  564155.65  {x}   {y}  {z}   {o}  {p}  {k}"),
+    "applanix with units": "  ID  # EVENT   TIME (s)   EASTING (m)  NORTHING [m]   ELLIPSOID HEIGHT   OMEGA   PHI"
+    "   KAPPA   LAT   LONG\n" + rows("  {n}  3  564155.65  {x}  {y}  {z}  {o}  {p}  {k}  27.98  -82.36"),
     "gon and decimal commas": "Photo;Easting;Northing;Altitude;Omega [gon];Phi [gon];Kappa [gon]\n" + COMMAS,
     "commas and blanks": "Image E N H Omega(deg) Phi(deg) Kappa(deg)\n"
     + rows("{n} {x} {y} {z} {o} {p} {k}").replace(".", ",").replace(",jpg", ".jpg"),
