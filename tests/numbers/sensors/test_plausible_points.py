@@ -132,7 +132,7 @@ def test_heights_in_feet_are_found_by_what_the_rpc_misses() -> None:
 
 
 def test_heights_in_feet_on_flat_ground_are_told_as_they_look_like_a_shift() -> None:
-    ground = sensor_scenes.MIDDLE + (sensor_scenes.places(25, 4) - sensor_scenes.MIDDLE) * [0.003, 0.003, 0]
+    ground = sensor_scenes.MIDDLE + (sensor_scenes.places(25, 4) - sensor_scenes.MIDDLE) * [0.001, 0.001, 0]
     image = RPC.project(ground) + [7, -4]
     assert not check_against_rpc(seen_points(image=image, ground=ground), RPC)
     notice, *_ = check_against_rpc(seen_points(image=image, ground=ground / [1, 1, 0.3048]), RPC)
