@@ -42,8 +42,8 @@ _ORDER = (NoiseAmount.LITTLE, NoiseAmount.SOME, NoiseAmount.MUCH)
 
 
 def white_noise(ground: Sequence[QuietGround | None], sigma: float) -> float:
-    """Standard deviation of white noise, DN: what level 1 of the quiet ground has beyond texture, which rises to level 2
-    as from there to level 3, within ``TEXTURE_RISE``.
+    """Standard deviation of white noise, DN: what level 1 of the quiet ground has beyond texture, which rises to level
+    2 as from there to level 3, within ``TEXTURE_RISE``.
 
     ``sigma``, that of the finest diagonal component, is the most that it can be, and the answer where a level is
     unknown.

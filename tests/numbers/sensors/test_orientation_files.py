@@ -146,6 +146,14 @@ def test_columns_are_not_guessed_where_a_header_names_others(tmp_path: Path) -> 
         exterior_of(path)
 
 
+@pytest.mark.parametrize("header", ["Photo Label X Y Z Omega Phi Kappa r11 r12", "Photo X Y Z Omega Phi Kappa r11"])
+def test_columns_are_not_read_one_off_where_blanks_part_other_words(tmp_path: Path, header: str) -> None:
+    path = tmp_path / "places.txt"
+    path.write_text(header + "\nIMG_2 500300.25 5540700.5 1850.75 4 -7 125 0.1 0.2\n")
+    with pytest.raises(SensorModelError, match="choose a table with the columns"):
+        exterior_of(path)
+
+
 @pytest.mark.parametrize("ending", ["(" * 3_000_000, "omega" * 600_000, "PROJCS[" * 400_000])
 def test_a_line_without_end_is_no_table(tmp_path: Path, ending: str) -> None:
     """Patterns would look through it for hours."""
