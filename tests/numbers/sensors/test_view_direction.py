@@ -1,6 +1,8 @@
 """The angle an image was taken at, and what errors of the terrain make of it."""
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from osgeo import gdal
@@ -57,6 +59,12 @@ def test_an_oblique_photo_has_a_view() -> None:
     assert view.angle == pytest.approx(30, abs=0.3)
     assert view.azimuth == pytest.approx(180, abs=1)
     assert 65 < view.largest < 75
+
+
+def test_a_model_that_can_t_be_inverted_has_no_view() -> None:
+    """So that an orthoimage which is made already does not fail for it."""
+    bent = replace(made_rational(1, 2), numerators=np.zeros((4, 2)))
+    assert view_direction(bent, WGS84, DOMAIN) is None
 
 
 def test_a_plane_model_has_no_view() -> None:
