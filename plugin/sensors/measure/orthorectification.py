@@ -14,7 +14,7 @@ import numpy as np
 from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
-from ...imagery.errors import CancelledError, Message, RasterError, SensorModelError, SettingsError
+from ...imagery.errors import CancelledError, Message, RasterError, SettingsError
 from ...imagery.gdal_calls import RASTERS, drop_from_memory, gdal_silenced, gdal_writing, open_dataset, vrt_parts
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.limits import COLOURS
@@ -31,8 +31,8 @@ from .polynomials import Rational
 from .rpc import Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
 from .sensor_model import WGS84, Map, SensorModel, bounding_box, reprojected
 
-ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
-TOLERATED_PX = 0.5  # how far GDAL may be from the exact model without a warning
+ORTHO_GRID = 21  # places a side of the image that are looked for on the ground
+TOLERATED_PX = 0.5  # how far an RPC may be from the model that it stands for without a warning
 _NO_HEIGHT = -32768.0
 _COMPRESSED = ("COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
 _CREATION = {"GTiff": [*_COMPRESSED, "TILED=YES"], "COG": [*_COMPRESSED]}
@@ -133,7 +133,7 @@ class Ortho:
     rows: int
     """Number of rows, px."""
     rms_px: float
-    """Of what GDAL does against the exact model, in pixels of the image, on a grid over the orthoimage."""
+    """Of the RPC that stands for the model, in pixels of the image; 0 for an RPC itself, and for a photo."""
     max_px: float
     """The largest of the same."""
     uncovered: float
@@ -174,21 +174,16 @@ def orthorectify(
     name, notices, uncovered = plan.terrain.name, [*plan.terrain.notices, *meshes], plan.uncovered
     if uncovered > 0:
         notices.append(messages.DEM_PARTLY_COVERING(name=name, share=uncovered))
-    rms = most = 0.0
+    rms, most = (plan.rpc.rms_px, plan.rpc.max_px) if plan.rpc is not None else (0.0, 0.0)
+    if most > TOLERATED_PX:
+        notices.append(messages.ORTHO_APPROXIMATE(most=most))
     with _heights(plan.terrain) as heights:
-        if plan.rpc is None:
-            del plan  # GDAL has the terrain now
+        source = image_with_rpc(plan.image, plan.rpc.rpc) if plan.rpc is not None else None
+        del plan  # GDAL has the terrain now
+        if source is None:
             _warp_photo(request, heights, grid, progress, cancelled)
         else:
-            source = image_with_rpc(plan.image, plan.rpc.rpc)
-            options = [
-                "METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO",
-            ]  # fmt: skip
-            rms, most = _error(request, plan, source, options, grid)
-            if most > TOLERATED_PX:
-                notices.append(messages.ORTHO_APPROXIMATE(most=most))
-            del plan
-            _warp(request, source, options, grid, progress, cancelled)
+            _warp(request, source, heights, grid, progress, cancelled)
     size = grid.columns, grid.rows
     return Ortho(
         request.output, grid.wkt, grid.extent, grid.pixel_width, *size, rms, most, uncovered, tuple(notices)
@@ -305,41 +300,11 @@ def _heights(terrain: Terrain) -> Iterator[str]:
         drop_from_memory(path)
 
 
-def _error(
-    request: OrthoRequest, plan: _Plan, source: gdal.Dataset, options: list[str], grid: MapGrid
-) -> tuple[float, float]:
-    """Root mean square and largest distance, px, between where GDAL and where the exact model see the orthoimage."""
-    side = (np.arange(ORTHO_GRID) + 0.5) / ORTHO_GRID
-    pixels = np.stack(np.meshgrid(side * grid.columns, side * grid.rows), axis=-1).reshape(-1, 2)
-    geographic = transform_points(grid.places(*pixels.T), grid.wkt, WGS84)
-    ground = np.column_stack([geographic, plan.terrain.at(geographic)])
-    with gdal_silenced():
-        target = gdal.GetDriverByName("VRT").Create("", grid.columns, grid.rows, 1)
-        target.SetGeoTransform(grid.geotransform)
-        target.SetProjection(horizontal_wkt(grid.wkt))
-        try:
-            transformer = gdal.Transformer(source, target, options)
-        except RuntimeError:  # where GDAL's exceptions are on
-            transformer = None
-        if transformer is None:
-            raise SensorModelError(messages.NOT_INVERTED())
-        seen, sound = transformer.TransformPoints(1, [(float(x), float(y), 0.0) for x, y in pixels])
-    by_gdal = np.array(seen)[:, :2]
-    valid = np.array(sound, bool) & np.isfinite(ground[:, 2])
-    if not valid.any():
-        raise SensorModelError(messages.NOT_INVERTED())
-    exact = request.model.project(reprojected(ground[valid], WGS84, request.model.ground_system(request.wkt)))
-    image = plan.image
-    within = (exact >= 0).all(axis=1) & (exact[:, 0] <= image.columns) & (exact[:, 1] <= image.rows)
-    misses = np.linalg.norm(by_gdal[valid] - exact, axis=1)
-    misses = misses[within] if within.any() else misses
-    return float(np.sqrt(np.mean(misses**2))), float(misses.max())
-
-
 def _warp(
-    request: OrthoRequest, source: gdal.Dataset, options: list[str], grid: MapGrid, progress: Callable[[float], None],
+    request: OrthoRequest, source: gdal.Dataset, heights: str, grid: MapGrid, progress: Callable[[float], None],
     cancelled: Callable[[], bool],
 ) -> None:
+    options = ["METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO"]
     nodata = source.GetRasterBand(1).GetNoDataValue()
     is_virtual = bool(vrt_parts(request.image.path))  # in another thread GDAL would print which of its files lacks
 
