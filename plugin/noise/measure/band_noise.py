@@ -7,6 +7,7 @@ spectrum of the quiet ground (``grain``). Everything here is plain arrays and nu
 """
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -200,8 +201,8 @@ def noisiest_band(measured: Mapping[str, BandNoise]) -> str:
 def judged(own: BandNoise, wavelet: str, alike: Sequence[BandNoise] = ()) -> BandNoise:
     """A band with its verdicts: by the curve, and by the noise that the quiet ground has, or has room for.
 
-    ``alike``: the same band in other windows, where noise is as strong; noise is no stronger than the quietest of all
-    leaves room for. Nothing is judged where there is no sigma.
+    ``alike``: the same band in other windows, where noise is as strong; so it is that of the quietest of all, and no
+    stronger than that leaves room for. Nothing is judged where there is no sigma.
     """
     if own.sigma is None:
         return own
@@ -224,11 +225,19 @@ def judged(own: BandNoise, wavelet: str, alike: Sequence[BandNoise] = ()) -> Ban
         verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_UNKNOWN()
     elif verdict is NoiseVerdict.LOW and any(if_white(one) is not NoiseVerdict.LOW for one in possible or ()):
         verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_MAY_HIDE()
-    noise = max(white_noise(own.ground, own.sigma), grain.sigma if grain else 0.0)
+    quietest = min((own, *alike), key=_unquiet)
+    noise = max(white_noise(quietest.ground, quietest.sigma or own.sigma), grain.sigma if grain else 0.0)
     amount = noise_amount(noise, own.signal or 0.0, least, wavelet, own.are_whole)
     return replace(
         own, verdict=verdict, note=note, largest_sigma=largest, grain=grain, noise=noise, amount=amount
     )
+
+
+def _unquiet(one: BandNoise) -> float:
+    """How much the quiet ground varies at level 2, where texture shows and white noise does not grow; without end where
+    it is not known."""
+    second = one.ground[1] if len(one.ground) > 1 else None
+    return math.inf if second is None else second.quiet
 
 
 def _kurtosis(details: np.ndarray) -> float | None:

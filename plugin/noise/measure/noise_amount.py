@@ -1,8 +1,8 @@
 """How much noise there is, whatever the scene: in DN, and as the ratio of the signal to it.
 
 The paper's rule compares noise with the scene's own detail, so 5 DN of it are low among leaves and strong on water.
-Here noise is told from texture by the spectrum of the quietest ground: white noise is as strong at level 2 as at level
-1, texture grows from level to level.
+Here noise is told from texture by the spectrum of the quietest ground: white noise is as strong at every level, texture
+grows from level to level.
 """
 from __future__ import annotations
 
@@ -10,13 +10,15 @@ import math
 from collections.abc import Sequence
 from enum import Enum
 
-from .grain import Grain, QuietGround, possible_grains
+from .grain import QuietGround, possible_grains
 
-TEXTURE_RISE = 2.5  # of texture's coefficients from level 1 to 2: f^-2.6 in power; photographs have 2.4 to 4
+TEXTURE_RISE = 2.0, 2.5  # of texture's coefficients from level to level: photographs have 2 and more
+_QUIET_BIAS = 1.02  # quiet ground of pure noise reads as much too high
 EXCELLENT_RATIO, ACCEPTABLE_RATIO = 40.0, 10.0  # signal to noise, ISO 12232: first excellent, first acceptable image
 ROUNDING_SIGMA = 0.5  # DN of whole numbers: rounding alone makes 0.29
 MAX_COARSE_PX = 2.0  # grain up to here is looked for before noise is called little
 _BY_CHANCE = 1.15  # the bound lies above noise that is really there by as much
+_CLEAR = 0.5  # of the bound: noise found that strong is all of it; grain beside it would be two noises
 
 
 class NoiseAmount(str, Enum):
@@ -40,16 +42,23 @@ _ORDER = (NoiseAmount.LITTLE, NoiseAmount.SOME, NoiseAmount.MUCH)
 
 
 def white_noise(ground: Sequence[QuietGround | None], sigma: float) -> float:
-    """Standard deviation of white noise, DN: what level 1 of the quiet ground has beyond texture that rises to level 2.
+    """Standard deviation of white noise, DN: what level 1 of the quiet ground has beyond texture, which rises to level
+    2 as from there to level 3, within ``TEXTURE_RISE``.
 
     ``sigma``, that of the finest diagonal component, is the most that it can be, and the answer where a level is
     unknown.
     """
     if len(ground) < 2 or ground[0] is None or ground[1] is None:
         return sigma
-    rise = TEXTURE_RISE**2
-    variance = (rise * ground[0].quiet ** 2 - ground[1].quiet ** 2) / (rise - 1)
-    return min(math.sqrt(max(variance, 0.0)), sigma)
+    first, second = ground[0].quiet ** 2, ground[1].quiet ** 2
+    least, most = ((rise**2 * first - second) / (rise**2 - 1) for rise in TEXTURE_RISE)
+    variance = most
+    if len(ground) > 2 and ground[2] is not None:
+        third = ground[2].quiet ** 2
+        bend = first + third - 2 * second
+        alike = (first * third - second**2) / bend if bend > 0 else least  # where both rises are the same
+        variance = sorted((least, alike, most))[1]
+    return min(math.sqrt(max(variance, 0.0)) / _QUIET_BIAS, sigma)
 
 
 def noise_amount(
@@ -66,8 +75,10 @@ def noise_amount(
     possible = possible_grains(least, wavelet, MAX_COARSE_PX)
     if possible is None:
         return found if found is NoiseAmount.MUCH else NoiseAmount.UNCERTAIN
-    most = _amount(max(map(_sigma, possible)) / _BY_CHANCE, signal, are_whole)
-    if _ORDER.index(most) <= _ORDER.index(found):
+    bound = max(grain.sigma for grain in possible) / _BY_CHANCE
+    most = _amount(bound, signal, are_whole)
+    is_clear = found is not NoiseAmount.LITTLE and noise >= _CLEAR * bound
+    if is_clear or _ORDER.index(most) <= _ORDER.index(found):
         return found
     return NoiseAmount.AT_MOST_SOME if most is NoiseAmount.SOME else NoiseAmount.UNCERTAIN
 
@@ -76,7 +87,3 @@ def _amount(noise: float, signal: float, are_whole: bool) -> NoiseAmount:
     if signal >= EXCELLENT_RATIO * noise or (are_whole and noise <= ROUNDING_SIGMA):
         return NoiseAmount.LITTLE
     return NoiseAmount.SOME if signal >= ACCEPTABLE_RATIO * noise else NoiseAmount.MUCH
-
-
-def _sigma(grain: Grain) -> float:
-    return grain.sigma

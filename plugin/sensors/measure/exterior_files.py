@@ -341,11 +341,13 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
     lines = [line for line in content.splitlines() if line.strip()]
     if any(len(line) > _LONGEST_LINE for line in lines):
         raise ValueError
-    headers = ((number, _header(line)) for number, line in enumerate(lines))
-    start, fields = next(((number + 1, found) for number, found in headers if found), (0, dict(zip(_FIELDS, range(7)))))
+    headers = ((number, *_header(line)) for number, line in enumerate(lines))
+    start, fields, count = next(
+        ((number + 1, found, count) for number, found, count in headers if found), (0, dict(zip(_FIELDS, range(7))), 0)
+    )
     if "filename" not in fields or (start == 0 and any(re.search("(?i)omega.*kappa", line) for line in lines)):
         raise ValueError  # nor are columns guessed where a header names others
-    rows = _rows([line for line in lines[start:] if not line.lstrip().startswith("#")], fields)
+    rows = _rows([line for line in lines[start:] if not line.lstrip().startswith("#")], fields, count)
     turned = np.array([row[1] for row in rows])[:, 3:]
     unit = angles if angles != AUTO else _angle_unit(lines[:start] + lines[start : start + 1])
     notices: tuple[Message, ...] = ()
@@ -369,16 +371,18 @@ def _table_exterior(
     return FrameExterior(np.array(position), camera_axes(*degrees.tolist()), camera, system, notices=notices)
 
 
-def _header(line: str) -> dict[str, int]:
-    """Where each column stands; {} for a line that names too few."""
+def _header(line: str) -> tuple[dict[str, int], int]:
+    """Where each column stands, {} for a line that names too few; and how many there are where blanks part them, which
+    a name may hold as well: then rows have to have as many."""
     line = re.sub(_PAIRS, r"\1\2", re.sub(r"(?i)#\s*event", "event", line)).strip().lstrip("#")
+    line = re.sub(r" +([(\[])", r"\1", line)  # a unit is no column of its own
     for parted in (";", "\t", ",", None):
         names = [re.sub(r"\(.*?\)|\[.*?\]|[^a-z0-9]", "", re.sub(_ANGLE_WORDS, "", word.lower()))
                  for word in line.split(parted)]  # fmt: skip
         found = {_NAMES[name]: place for place, name in reversed(list(enumerate(names))) if name in _NAMES}
         if set(_FIELDS[1:]) <= set(found):
-            return found
-    return {}
+            return found, 0 if parted else len(names)
+    return {}, 0
 
 
 def _angle_unit(lines: Iterable[str]) -> str:
@@ -394,21 +398,22 @@ def _named_system(lines: Iterable[str]) -> str:
     return found[0] if found else ""
 
 
-def _rows(lines: Sequence[str], fields: dict[str, int]) -> list[tuple[list[str], list[float]]]:
+def _rows(lines: Sequence[str], fields: dict[str, int], count: int) -> list[tuple[list[str], list[float]]]:
     """The cells of each row with its six numbers, parted as its first row asks. Raises ValueError without rows."""
     places = [fields[name] for name in _FIELDS[1:]]
     for line in lines[:3]:  # one of units may come first
         for parted in (";", "\t", ",", " "):
-            found = [_row(one, parted, places) for one in lines]
-            if _row(line, parted, places) is not None:
+            found = [_row(one, parted, places, count) for one in lines]
+            if _row(line, parted, places, count) is not None:
                 return [one for one in found if one is not None]
     raise ValueError
 
 
-def _row(line: str, parted: str, places: Sequence[int]) -> tuple[list[str], list[float]] | None:
+def _row(line: str, parted: str, places: Sequence[int], count: int) -> tuple[list[str], list[float]] | None:
     quote = "'" if line.lstrip().startswith("'") else '"'
     cells = [cell.strip() for cell in next(csv.reader([line.strip()], delimiter=parted, quotechar=quote))]
     cells = [cell for cell in cells if cell] if parted == " " else cells
-    numbers = [_number(cells[place]) for place in places] if len(cells) > max(places) else [None]
+    is_whole = len(cells) > max(places) and count in (0, len(cells))
+    numbers = [_number(cells[place]) for place in places] if is_whole else [None]
     values = [one for one in numbers if one is not None and math.isfinite(one)]
     return (cells, values) if len(values) == len(places) else None

@@ -130,16 +130,18 @@ class ViewDirection:
 
 
 def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirection | None:
-    """Of a model fitted to points of the system ``wkt``; None for a plane one. Raises SensorModelError if not
-    invertible."""
+    """Of a model fitted to points of the system ``wkt``; None for a plane one, or one too bent to be inverted."""
     if not model.SPATIAL:
         return None
     image = domain.middle_and_corners
     height = float(np.mean(domain.heights))
-    low, high = (
-        located(model, wkt, np.column_stack([image, np.full(len(image), level)]), domain)
-        for level in (height - _RISE_M / 2, height + _RISE_M / 2)
-    )
+    try:
+        low, high = (
+            located(model, wkt, np.column_stack([image, np.full(len(image), level)]), domain)
+            for level in (height - _RISE_M / 2, height + _RISE_M / 2)
+        )
+    except SensorModelError:
+        return None
     towards = (high - low)[:, :2] * metres_per_unit(WGS84, float(low[0, 1]))
     angles = np.degrees(np.arctan(np.linalg.norm(towards, axis=1) / _RISE_M))
     azimuth = float(np.degrees(np.arctan2(towards[0, 0], towards[0, 1])) % 360)
@@ -172,11 +174,8 @@ class FitFiles:
 
     @property
     def view(self) -> ViewDirection | None:
-        """The line of sight; None for a model that knows none, or that is too bent to be inverted."""
-        try:
-            return view_direction(self.done.fitted.model, self.done.points.wkt, self.domain)
-        except SensorModelError:
-            return None
+        """The line of sight."""
+        return view_direction(self.done.fitted.model, self.done.points.wkt, self.domain)
 
     @property
     def rpc_bias(self) -> np.ndarray | None:

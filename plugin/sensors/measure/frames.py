@@ -90,6 +90,11 @@ class FrameCamera(SensorModel):
             ideal.append(along)
         return self.interior.shown(*ideal)
 
+    def places(
+        self, image: np.ndarray, heights: np.ndarray, middle: np.ndarray, metres: tuple[float, float]
+    ) -> np.ndarray:
+        return self.places_at(self.views(image), heights)  # exact, however oblique
+
     def views(self, image: np.ndarray) -> np.ndarray:
         """(n, 3) unit vectors on the ground towards (n, 2) column, row. Raises SensorModelError for what the lens can't
         show."""

@@ -244,12 +244,9 @@ def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
     y = terrain.origin[1] + (row.ravel() + 0.5) * terrain.step[1]
     places = transform_points(np.column_stack([x, y]), terrain.wkt, WGS84)
     coarse = above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
-    along = np.array([np.interp(np.arange(columns), knots[1], line) for line in coarse], np.float32)
-    for number in range(rows):
-        upper = max(int(np.searchsorted(knots[0], number, "right")) - 1, 0)
-        lower = min(upper + 1, len(knots[0]) - 1)
-        share = (number - knots[0][upper]) / max(knots[0][lower] - knots[0][upper], 1)
-        terrain.heights[number] += along[upper] + np.float32(share) * (along[lower] - along[upper])
+    down, across = (np.interp(np.arange(one[-1] + 1), one, np.arange(len(one))) for one in knots)
+    for heights, place in zip(terrain.heights, down):
+        heights += bilinear(coarse, across, np.full(columns, place))
     return coarse
 
 

@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Callable, NamedTuple
+from typing import Any, Callable
 
 import numpy as np
 from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
-from ...imagery.errors import CancelledError, Message, RasterError, SensorModelError, SettingsError
+from ...imagery.errors import CancelledError, Message, RasterError, SettingsError
 from ...imagery.gdal_calls import RASTERS, drop_from_memory, gdal_silenced, gdal_writing, open_dataset, vrt_parts
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.limits import COLOURS
@@ -31,8 +31,8 @@ from .polynomials import Rational
 from .rpc import Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
 from .sensor_model import WGS84, Map, SensorModel, bounding_box, reprojected
 
-ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
-TOLERATED_PX = 0.5  # how far GDAL may be from the exact model without a warning
+ORTHO_GRID = 21  # places a side of the image that are looked for on the ground
+TOLERATED_PX = 0.5  # how far an RPC may be from the model that it stands for without a warning
 _NO_HEIGHT = -32768.0
 _COMPRESSED = ("COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
 _CREATION = {"GTiff": [*_COMPRESSED, "TILED=YES"], "COG": [*_COMPRESSED]}
@@ -133,7 +133,7 @@ class Ortho:
     rows: int
     """Number of rows, px."""
     rms_px: float
-    """Of what GDAL does against the exact model, in pixels of the image, on a grid over the orthoimage."""
+    """Of the RPC that stands for the model, in pixels of the image; 0 for an RPC itself, and for a photo."""
     max_px: float
     """The largest of the same."""
     uncovered: float
@@ -174,21 +174,16 @@ def orthorectify(
     name, notices, uncovered = plan.terrain.name, [*plan.terrain.notices, *meshes], plan.uncovered
     if uncovered > 0:
         notices.append(messages.DEM_PARTLY_COVERING(name=name, share=uncovered))
-    rms = most = 0.0
+    rms, most = (plan.rpc.rms_px, plan.rpc.max_px) if plan.rpc is not None else (0.0, 0.0)
+    if most > TOLERATED_PX:
+        notices.append(messages.ORTHO_APPROXIMATE(most=most))
     with _heights(plan.terrain) as heights:
-        if plan.rpc is None:
-            del plan  # GDAL has the terrain now
+        source = image_with_rpc(plan.image, plan.rpc.rpc) if plan.rpc is not None else None
+        del plan  # GDAL has the terrain now
+        if source is None:
             _warp_photo(request, heights, grid, progress, cancelled)
         else:
-            source = image_with_rpc(plan.image, plan.rpc.rpc)
-            options = [
-                "METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO",
-            ]  # fmt: skip
-            rms, most = _error(request, plan, source, options, grid)
-            if most > TOLERATED_PX:
-                notices.append(messages.ORTHO_APPROXIMATE(most=most))
-            del plan
-            _warp(request, source, options, grid, progress, cancelled)
+            _warp(request, source, heights, grid, progress, cancelled)
     size = grid.columns, grid.rows
     return Ortho(
         request.output, grid.wkt, grid.extent, grid.pixel_width, *size, rms, most, uncovered, tuple(notices)
@@ -205,31 +200,13 @@ def rpc_domain(rpc: Rational, image: Raster) -> Domain:
 # --- the plan --------------------------------------------------------------------------------------------------
 
 
-class _Sight(NamedTuple):
-    """How an image and the ground see each other, by longitude, latitude and height."""
-
-    on_ground: Map
-    """(n,) heights of the plan's places in the image -> (n, 3) ground."""
-    project: Map
-    """(n, 3) ground -> (n, 2) column, row."""
-    rpc: RpcOfModel | None
-
-
-def _sight_of_camera(camera: FrameCamera, wkt: str, places: np.ndarray) -> _Sight:
-    views = camera.views(places)
-    return _Sight(
-        lambda heights: reprojected(np.column_stack([camera.places_at(views, heights), heights]), wkt, WGS84),
-        lambda ground: camera.project(reprojected(ground, WGS84, wkt)),
-        None,
-    )
-
-
-def _sight_of_rpc(rpc: RpcOfModel, wkt: str, domain: Domain, places: np.ndarray) -> _Sight:
-    ((longitude, latitude),) = transform_points(np.array([domain.middle]), wkt, WGS84).tolist()
-    geographic = replace(domain, middle=(longitude, latitude))
-    return _Sight(
-        lambda heights: located(rpc.rpc, WGS84, np.column_stack([places, heights]), geographic), rpc.rpc.project, rpc
-    )
+def _seen_by(request: OrthoRequest, domain: Domain) -> tuple[SensorModel, str, Domain, RpcOfModel | None]:
+    """What sees the image, its system, where it is used, and that as RPC, which no photo has."""
+    if isinstance(request.model, FrameCamera):
+        return request.model, request.wkt, domain, None
+    rpc = rpc_of(request.model, request.wkt, domain)
+    ((longitude, latitude),) = transform_points(np.array([domain.middle]), request.wkt, WGS84).tolist()
+    return rpc.rpc, WGS84, replace(domain, middle=(longitude, latitude)), rpc
 
 
 def _plan(request: OrthoRequest) -> _Plan:
@@ -237,13 +214,14 @@ def _plan(request: OrthoRequest) -> _Plan:
     domain = replace(request.domain, columns=(0.0, float(image.columns)), rows=(0.0, float(image.rows)))
     side = np.linspace(0, 1, ORTHO_GRID)
     places = np.stack(np.meshgrid(side * image.columns, side * image.rows), axis=-1).reshape(-1, 2)
-    if isinstance(model, FrameCamera):
-        sight = _sight_of_camera(model, request.wkt, places)
-    else:
-        sight = _sight_of_rpc(rpc_of(model, request.wkt, domain), request.wkt, domain, places)
+    seen_by, wkt, used, rpc = _seen_by(request, domain)
+
+    def on_ground(heights: np.ndarray) -> np.ndarray:
+        return located(seen_by, wkt, np.column_stack([places, heights]), used)
+
     if request.height is not None:
         domain = replace(domain, heights=(request.height, request.height))
-    around = np.concatenate([sight.on_ground(np.full(len(places), height)) for height in domain.heights])[:, :2]
+    around = np.concatenate([on_ground(np.full(len(places), height)) for height in domain.heights])[:, :2]
     margin = 0.02 * np.ptp(around, axis=0) + 1e-4
     extent = bounding_box(np.concatenate([around - margin, around + margin]))
     if request.dem is None:
@@ -253,7 +231,7 @@ def _plan(request: OrthoRequest) -> _Plan:
         terrain = load_terrain(request.dem, extent, request.datum)
     heights = np.full(len(places), float(np.nanmean(terrain.heights)))
     for _ in range(limits.MAX_NEWTON_ITERATIONS):
-        ground = sight.on_ground(heights)
+        ground = on_ground(heights)
         found = terrain.at(ground)
         missing = ~np.isfinite(found)
         change = np.abs(found - heights)[~missing].max(initial=0)
@@ -263,11 +241,14 @@ def _plan(request: OrthoRequest) -> _Plan:
     if missing.all():
         west, south, east, north = extent
         raise RasterError(messages.DEM_NOT_COVERING(name=terrain.name, west=west, east=east, south=south, north=north))
-    rpc = sight.rpc
     if rpc is not None and rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
         rpc = rpc_of(model, request.wkt, replace(domain, heights=(float(heights.min()), float(heights.max()))))
     footprint = np.column_stack([ground[:, :2], heights])
-    return _Plan(image, rpc, terrain, footprint, uncovered_share(image, sight.project, terrain, footprint))
+
+    def project(ground: np.ndarray) -> np.ndarray:
+        return seen_by.project(reprojected(ground, WGS84, wkt))
+
+    return _Plan(image, rpc, terrain, footprint, uncovered_share(image, project, terrain, footprint))
 
 
 def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
@@ -306,7 +287,8 @@ def _heights(terrain: Terrain) -> Iterator[str]:
         file = gdal.GetDriverByName("GTiff").Create(path, columns, rows, 1, gdal.GDT_Float32, ["BIGTIFF=IF_SAFER"])
         file.SetGeoTransform((terrain.origin[0], terrain.step[0], 0.0, terrain.origin[1], 0.0, terrain.step[1]))
         file.SetProjection(horizontal_wkt(terrain.wkt))
-        file.GetRasterBand(1).SetNoDataValue(_NO_HEIGHT)
+        if not np.isfinite(terrain.heights).all():  # GDAL interpolates in half the time without
+            file.GetRasterBand(1).SetNoDataValue(_NO_HEIGHT)
         for first in range(0, rows, _STRIP_ROWS):  # strips: a second copy of the whole costs as much as GDAL's own
             strip = terrain.heights[first : first + _STRIP_ROWS]
             file.GetRasterBand(1).WriteArray(np.where(np.isfinite(strip), strip, np.float32(_NO_HEIGHT)), 0, first)
@@ -318,41 +300,11 @@ def _heights(terrain: Terrain) -> Iterator[str]:
         drop_from_memory(path)
 
 
-def _error(
-    request: OrthoRequest, plan: _Plan, source: gdal.Dataset, options: list[str], grid: MapGrid
-) -> tuple[float, float]:
-    """Root mean square and largest distance, px, between where GDAL and where the exact model see the orthoimage."""
-    side = (np.arange(ORTHO_GRID) + 0.5) / ORTHO_GRID
-    pixels = np.stack(np.meshgrid(side * grid.columns, side * grid.rows), axis=-1).reshape(-1, 2)
-    geographic = transform_points(grid.places(*pixels.T), grid.wkt, WGS84)
-    ground = np.column_stack([geographic, plan.terrain.at(geographic)])
-    with gdal_silenced():
-        target = gdal.GetDriverByName("VRT").Create("", grid.columns, grid.rows, 1)
-        target.SetGeoTransform(grid.geotransform)
-        target.SetProjection(horizontal_wkt(grid.wkt))
-        try:
-            transformer = gdal.Transformer(source, target, options)
-        except RuntimeError:  # where GDAL's exceptions are on
-            transformer = None
-        if transformer is None:
-            raise SensorModelError(messages.NOT_INVERTED())
-        seen, sound = transformer.TransformPoints(1, [(float(x), float(y), 0.0) for x, y in pixels])
-    by_gdal = np.array(seen)[:, :2]
-    valid = np.array(sound, bool) & np.isfinite(ground[:, 2])
-    if not valid.any():
-        raise SensorModelError(messages.NOT_INVERTED())
-    exact = request.model.project(reprojected(ground[valid], WGS84, request.model.ground_system(request.wkt)))
-    image = plan.image
-    within = (exact >= 0).all(axis=1) & (exact[:, 0] <= image.columns) & (exact[:, 1] <= image.rows)
-    misses = np.linalg.norm(by_gdal[valid] - exact, axis=1)
-    misses = misses[within] if within.any() else misses
-    return float(np.sqrt(np.mean(misses**2))), float(misses.max())
-
-
 def _warp(
-    request: OrthoRequest, source: gdal.Dataset, options: list[str], grid: MapGrid, progress: Callable[[float], None],
+    request: OrthoRequest, source: gdal.Dataset, heights: str, grid: MapGrid, progress: Callable[[float], None],
     cancelled: Callable[[], bool],
 ) -> None:
+    options = ["METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO"]
     nodata = source.GetRasterBand(1).GetNoDataValue()
     is_virtual = bool(vrt_parts(request.image.path))  # in another thread GDAL would print which of its files lacks
 

@@ -24,11 +24,12 @@ RPC_HEIGHTS = 2.0  # of the range of heights that an RPC is made for: as far fro
 UNDULATION_M = 100.0  # what heights above sea level may miss the ellipsoid by, and so an RPC's range
 RPC_FAR, RPC_FAR_PX = 3.0, 2000.0  # half images, and pixels, from the image's middle: no vendor's RPC is so far off
 TURNED_LEAVES = 0.1  # of what points miss the RPC by, once they are read in a turned image: then they are of such
-TURNED_MISS = 0.02  # half images: what they miss it by at least for that to be asked
+TURNED_MISS, TURNED_MISS_PX = 0.02, 3.0  # of what they cover, and px: what they miss it by for that to be asked
 _FEWEST_TURNED = 3  # fewer follow a turned reading by chance
 FOOT_M = 0.3048
 IN_FEET_PX = 3.0  # what points miss the RPC by at least, by a half of them or, where most lie at one height, by a fifth
 IN_FEET_LEAVES = ((0.5, 0.15), (0.8, 0.05))  # of what such a share of them misses it by, once heights are feet
+FLAT_FEET_PX, FLAT_FEET_LEAVES = 20.0, 0.1  # the same of points at one height, which miss it by a shift
 _FEWEST_IN_FEET = 4
 
 
@@ -97,14 +98,23 @@ def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
         beyond = (away - half).max(axis=1)
         beyond[np.isnan(beyond)] = np.inf
         raise SensorModelError(messages.RPC_SEES_NO_POINTS(distance=float(np.median(beyond))))
-    _check_turned((points.image - rpc.image.offset)[~far], (seen - rpc.image.offset)[~far], half)
-    if np.count_nonzero(~far) >= _FEWEST_IN_FEET:
-        as_feet = _seen(points, rpc, FOOT_M)
-        for share, leaves in IN_FEET_LEAVES:
-            missed, left = (_scatter((points.image - places)[~far], share) for places in (seen, as_feet))
-            if missed > IN_FEET_PX and left < leaves * missed:
-                raise SensorModelError(messages.HEIGHTS_IN_FEET(missed=missed, left=left))
-    return _beyond_rpc_heights(points, rpc, _scatter((points.image - seen)[~far]))
+    _check_turned((points.image - rpc.image.offset)[~far], (seen - rpc.image.offset)[~far])
+    in_metres, in_feet = ((points.image - places)[~far] for places in (seen, _seen(points, rpc, FOOT_M)))
+    notices = _feet_told(in_metres, in_feet) if len(in_metres) >= _FEWEST_IN_FEET else []
+    return notices + _beyond_rpc_heights(points, rpc, _scatter(in_metres))
+
+
+def _feet_told(in_metres: np.ndarray, in_feet: np.ndarray) -> list[Message]:
+    """What to say of misses (n, 2) px of heights in metres that are much smaller in feet; a shift may have another
+    cause. Raises SensorModelError where they tell more than a shift."""
+    for share, leaves in IN_FEET_LEAVES:
+        missed, left = (_scatter(misses, share) for misses in (in_metres, in_feet))
+        if missed > IN_FEET_PX and left < leaves * missed:
+            raise SensorModelError(messages.HEIGHTS_IN_FEET(missed=missed, left=left))
+    missed, left = (float(np.median(np.linalg.norm(misses, axis=1))) for misses in (in_metres, in_feet))
+    if missed > FLAT_FEET_PX and left < FLAT_FEET_LEAVES * missed:
+        return [messages.HEIGHTS_IN_FEET(missed=missed, left=left).as_warning()]
+    return []
 
 
 def _seen(points: Points, rpc: Rational, unit: float = 1.0) -> np.ndarray:
@@ -129,12 +139,12 @@ def _beyond_rpc_heights(points: Points, rpc: Rational, missed: float) -> list[Me
     ]
 
 
-def _check_turned(image: np.ndarray, seen: np.ndarray, half: np.ndarray) -> None:
+def _check_turned(image: np.ndarray, seen: np.ndarray) -> None:
     """Of the ways to mirror and turn an image, that which brings points to where the RPC sees them but for a shift."""
     if len(image) < _FEWEST_TURNED:
         return
     as_given = _scatter(image - seen)
-    if as_given < TURNED_MISS * half.min():
+    if as_given < max(TURNED_MISS * float(np.ptp(seen, axis=0).min()), TURNED_MISS_PX):
         return
     for axes in ([0, 1], [1, 0]):
         for signs in ([1, 1], [-1, 1], [1, -1], [-1, -1]):

@@ -12,16 +12,6 @@ _SMALLEST_WEIGHT = 1e-6
 _AT_ONCE = 16384  # places whose sums stay in a processor's own memory
 
 
-@dataclass(frozen=True)
-class Kernel:
-    """How much pixels weigh."""
-
-    radius: float
-    """As far as pixels have a weight, in pixels or steps, whichever are wider."""
-    weight: Callable[[np.ndarray, float], np.ndarray]
-    """By their distance from the place, px, and by the wider of a pixel and a step, px."""
-
-
 def _catmull_rom(distance: np.ndarray) -> np.ndarray:
     near = (1.5 * distance - 2.5) * distance**2 + 1
     return np.where(distance < 1, near, ((2.5 - 0.5 * distance) * distance - 4) * distance + 2)
@@ -32,14 +22,16 @@ def _b_spline(distance: np.ndarray) -> np.ndarray:
 
 
 _NEAREST = "nearest"
-KERNELS = {
-    _NEAREST: Kernel(1.0, lambda distance, wide: np.ones_like(distance)),
-    "bilinear": Kernel(1.0, lambda distance, wide: 1 - distance / wide),
-    "cubic": Kernel(2.0, lambda distance, wide: _catmull_rom(distance / wide)),
-    "cubicspline": Kernel(2.0, lambda distance, wide: _b_spline(distance / wide)),
-    "lanczos": Kernel(3.0, lambda distance, wide: np.sinc(distance / wide) * np.sinc(distance / wide / 3)),
-    "average": Kernel(1.0, lambda distance, wide: np.clip(wide / 2 + 0.5 - distance, 0, 1)),
+KERNELS: dict[str, tuple[float, Callable[[np.ndarray, float], np.ndarray]]] = {
+    _NEAREST: (1.0, lambda distance, wide: np.ones_like(distance)),
+    "bilinear": (1.0, lambda distance, wide: 1 - distance / wide),
+    "cubic": (2.0, lambda distance, wide: _catmull_rom(distance / wide)),
+    "cubicspline": (2.0, lambda distance, wide: _b_spline(distance / wide)),
+    "lanczos": (3.0, lambda distance, wide: np.sinc(distance / wide) * np.sinc(distance / wide / 3)),
+    "average": (1.0, lambda distance, wide: np.clip(wide / 2 + 0.5 - distance, 0, 1)),
 }
+"""How far pixels have a weight, in pixels or steps, whichever are wider; and how much, by their distance from the place
+and by the wider of a pixel and a step, px."""
 
 
 @dataclass(frozen=True)
@@ -54,13 +46,13 @@ class Resampler:
     @classmethod
     def of(cls, name: str, step_px: tuple[float, float]) -> Resampler:
         """``name``: one of ``KERNELS``; ``step_px``: between neighbouring places, along columns and rows."""
-        kernel = KERNELS[name]
+        radius, weight = KERNELS[name]
         tables = []
         for step in step_px:
             wide = max(step, 1.0)
-            half = math.ceil(kernel.radius * wide)
+            half = math.ceil(radius * wide)
             distance = np.abs(np.arange(1 - half, half + 1)[:, None] - np.arange(_PHASES + 1) / _PHASES)
-            weights = np.where(distance < kernel.radius * wide, kernel.weight(distance, wide), 0.0)
+            weights = np.where(distance < radius * wide, weight(distance, wide), 0.0)
             tables.append((weights / weights.sum(axis=0)).astype(np.float32))
         return cls((tables[0], tables[1]), name == _NEAREST)
 

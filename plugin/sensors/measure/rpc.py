@@ -22,7 +22,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import metres_per_unit, same_system, transform_points
 from . import messages
 from .polynomials import EXPONENTS_3D, Rational, fit_rational
-from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares, locate, yaml_document
+from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares, yaml_document
 
 RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
 MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
@@ -135,7 +135,7 @@ def located(model: SensorModel, wkt: str, grid: np.ndarray, domain: Domain) -> n
     """(n, 3) longitude, latitude, height of (n, 3) column, row, height. Raises SensorModelError if not invertible."""
     system = model.ground_system(wkt)
     middle = transform_points(np.array([domain.middle]), wkt, system)
-    found = locate(model.project, grid[:, :2], grid[:, 2], middle, metres_per_unit(system, float(middle[0, 1])))
+    found = model.places(grid[:, :2], grid[:, 2], middle, metres_per_unit(system, float(middle[0, 1])))
     return np.column_stack([transform_points(found, system, WGS84), grid[:, 2]])
 
 

@@ -67,6 +67,13 @@ class SensorModel:
         """(n, 3) x, y, ellipsoidal height -> (n, 2) column, row in px."""
         raise NotImplementedError
 
+    def places(
+        self, image: np.ndarray, heights: np.ndarray, middle: np.ndarray, metres: tuple[float, float]
+    ) -> np.ndarray:
+        """(n, 2) x, y of (n, 2) column, row at heights (n,), found from the ``middle`` on; ``metres`` in a unit of x
+        and y. Raises SensorModelError where it can't be inverted."""
+        return locate(self.project, image, heights, middle, metres)
+
     def as_rational(self) -> SensorModel | None:
         """The very same function as ``Rational``, which is an RPC's form; None where it has not that form."""
         return None

@@ -334,3 +334,18 @@ def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_b
     assert (alone.verdict.value, alone.amount.value) == ("uncertain", "at most some")
     assert (beside_quiet.verdict.value, beside_quiet.amount.value) == ("low", "little")
     assert beside_quiet.largest_sigma == pytest.approx(quiet.bands["band_1"].largest_sigma)
+
+
+def test_windows_as_bright_have_the_noise_of_the_quietest_of_them(make_raster: MakeRaster) -> None:
+    """Sharp texture, beside which the noise of the window alone is off by a fifth."""
+    rough, smooth = (120 + scale * texture((512, 512), beta, 1) for scale, beta in ((30, 1.6), (2, 3.0)))
+    wide = np.concatenate([rough, smooth], axis=1) + np.random.default_rng(2).normal(0, 5, (512, 1024))
+    image, = images([make_raster("a.tif", np.rint(wide).clip(0, 255).astype(np.uint8))])
+    (own,), (quiet,) = (
+        group_noise.measure_request(NoiseRequest(1, (Part(image, PixelWindow(column, 0, 512, 512)),)), "coif3", 3)
+        for column in (0, 512)
+    )
+    alone, together = (group_noise.pooled(clips, "coif3")[0].bands["band_1"] for clips in ([own], [own, quiet]))
+    assert abs((alone.noise or 0) / 5 - 1) > 0.2
+    assert together.noise == pytest.approx(5, rel=0.05)
+    assert together.signal_to_noise == pytest.approx(wide[:, :512].mean() / 5, rel=0.05)

@@ -117,6 +117,8 @@ TABLES = {
     + rows("{n}\t3\t564155.65\t{x}\t{y}\t{z}\t{o}\t{p}\t{k}\t27.98\t-82.36"),
     "applanix aligned": "ID     # EVENT  TIME(s)   EASTING   NORTHING   ELLIPSOID HEIGHT  OMEGA  PHI   KAPPA\n"
     "               (s)  (m)  (m)\n" + rows("{n}  3  564155.65  {x}   {y}  {z}   {o}  {p}  {k}"),
+    "applanix with units": "  ID  # EVENT   TIME (s)   EASTING (m)  NORTHING [m]   ELLIPSOID HEIGHT   OMEGA   PHI"
+    "   KAPPA   LAT   LONG\n" + rows("  {n}  3  564155.65  {x}  {y}  {z}  {o}  {p}  {k}  27.98  -82.36"),
     "gon and decimal commas": "Photo;Easting;Northing;Altitude;Omega [gon];Phi [gon];Kappa [gon]\n" + COMMAS,
     "commas and blanks": "Image E N H Omega(deg) Phi(deg) Kappa(deg)\n"
     + rows("{n} {x} {y} {z} {o} {p} {k}").replace(".", ",").replace(",jpg", ".jpg"),
@@ -140,6 +142,14 @@ def test_tables_of_orientations_are_read_with_their_units(tmp_path: Path, name: 
 def test_columns_are_not_guessed_where_a_header_names_others(tmp_path: Path) -> None:
     path = tmp_path / "places.txt"
     path.write_text("#name latitude longitude altitude omega phi kappa\nIMG_2 50.1 15.2 1500 1 2 3\n")
+    with pytest.raises(SensorModelError, match="choose a table with the columns"):
+        exterior_of(path)
+
+
+@pytest.mark.parametrize("header", ["Photo Label X Y Z Omega Phi Kappa r11 r12", "Photo X Y Z Omega Phi Kappa r11"])
+def test_columns_are_not_read_one_off_where_blanks_part_other_words(tmp_path: Path, header: str) -> None:
+    path = tmp_path / "places.txt"
+    path.write_text(header + "\nIMG_2 500300.25 5540700.5 1850.75 4 -7 125 0.1 0.2\n")
     with pytest.raises(SensorModelError, match="choose a table with the columns"):
         exterior_of(path)
 

@@ -14,7 +14,6 @@ from seam_inspector.plugin.imagery.errors import (
     CancelledError,
     RasterError,
     SeamInspectorError,
-    SensorModelError,
     SettingsError,
 )
 from seam_inspector.plugin.imagery.open_raster import describe
@@ -305,10 +304,10 @@ def test_heights_of_no_place_on_earth_are_refused(job: Callable[..., Ortho], tmp
 def test_a_model_that_gdal_can_not_take_is_a_sentence(
     job: Callable[..., Ortho], monkeypatch: pytest.MonkeyPatch, raises: bool
 ) -> None:
-    def transformer(*given: object) -> None:
+    def warp(*given: object, **named: object) -> None:
         if raises:
             raise RuntimeError("no transformer")
 
-    monkeypatch.setattr(gdal, "Transformer", transformer)
-    with pytest.raises(SensorModelError, match="can't be inverted over the image"):
+    monkeypatch.setattr(gdal, "Warp", warp)
+    with pytest.raises(RasterError, match="no transformer" if raises else "can't be read"):
         job(height=100.0)

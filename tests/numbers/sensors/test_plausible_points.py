@@ -131,6 +131,26 @@ def test_heights_in_feet_are_found_by_what_the_rpc_misses() -> None:
         check_against_rpc(few, RPC)
 
 
+def test_heights_in_feet_on_flat_ground_are_told_as_they_look_like_a_shift() -> None:
+    ground = sensor_scenes.MIDDLE + (sensor_scenes.places(25, 4) - sensor_scenes.MIDDLE) * [0.001, 0.001, 0]
+    image = RPC.project(ground) + [7, -4]
+    assert not check_against_rpc(seen_points(image=image, ground=ground), RPC)
+    notice, *_ = check_against_rpc(seen_points(image=image, ground=ground / [1, 1, 0.3048]), RPC)
+    assert "heights are in feet" in str(notice)
+    assert notice.level == WARNING
+
+
+def test_interchanged_points_are_told_on_a_small_part_of_a_scene() -> None:
+    """All of them inside it, and 500 px of a scene of 40,000."""
+    ground = sensor_scenes.places(25, 4)
+    ground[:, :2] = sensor_scenes.MIDDLE[:2] + (ground[:, :2] - sensor_scenes.MIDDLE[:2]) / 80
+    image = RPC.project(ground) + [7, -4]
+    corner = image.min(axis=0)
+    assert not check_against_rpc(sensor_scenes.points(image, ground), RPC)
+    with pytest.raises(SensorModelError, match="columns and rows are interchanged"):
+        check_against_rpc(sensor_scenes.points((image - corner)[:, ::-1] + corner, ground), RPC)
+
+
 @given(st.lists(st.tuples(st.floats(-3, 7), st.floats(-3, 7)), min_size=3, max_size=12, unique=True))
 def test_what_is_extrapolated_is_what_of_the_image_the_outline_leaves(corners: list[tuple[float, float]]) -> None:
     """By scipy's hulls and intersections of half-planes."""

@@ -1,11 +1,15 @@
 """The angle an image was taken at, and what errors of the terrain make of it."""
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.reference_systems import metres_per_unit
 from seam_inspector.plugin.sensors.measure.fit_files import view_direction
+from seam_inspector.plugin.sensors.measure.frames import FrameCamera, FrameInterior, camera_axes
+from seam_inspector.plugin.sensors.measure.lenses import BrownLens
 from seam_inspector.plugin.sensors.measure.polynomials import fit_polynomial_2d
 from seam_inspector.plugin.sensors.measure.pushbroom import SIGMAS, geocentric
 from seam_inspector.plugin.sensors.measure.rpc import Domain, located, to_metadata
@@ -42,6 +46,25 @@ def test_the_parametric_model_looks_towards_its_orbit() -> None:
     up = np.array([np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)])
     sight = centre - geocentric(place)[0]
     assert view.angle == pytest.approx(np.degrees(np.arccos(sight @ up / np.linalg.norm(sight))), abs=0.05)
+
+
+def test_an_oblique_photo_has_a_view() -> None:
+    """Of a drone's strong lens, tilted by 30 degrees: a search from below the photo loses its way to a corner."""
+    principal = np.array([688.2, 453.0])
+    interior = FrameInterior(np.full(2, 914.0), principal, BrownLens((-0.264, 0.112, -0.027), (9e-4, -5e-4)), principal)
+    camera = FrameCamera(interior, np.array([500_000.0, 5_550_000.0, 520.0]), camera_axes(30, 0, 0))
+    domain = Domain((0, 1368), (0, 912), (230, 370), (500_000.0, 5_550_130.0))
+    view = view_direction(camera, "EPSG:32651", domain)
+    assert view is not None
+    assert view.angle == pytest.approx(30, abs=0.3)
+    assert view.azimuth == pytest.approx(180, abs=1)
+    assert 65 < view.largest < 75
+
+
+def test_a_model_that_can_t_be_inverted_has_no_view() -> None:
+    """So that an orthoimage which is made already does not fail for it."""
+    bent = replace(made_rational(1, 2), numerators=np.zeros((4, 2)))
+    assert view_direction(bent, WGS84, DOMAIN) is None
 
 
 def test_a_plane_model_has_no_view() -> None:
