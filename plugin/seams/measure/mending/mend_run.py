@@ -29,6 +29,7 @@ from ..while_measuring import measuring
 from . import messages
 from .dressing import EASED_PX, dress, eased, placed_bands, tells_tones
 from .failed_runs import SeamRun
+from .mended_mosaic import patch_file
 from .new_cut import CELL_PX, cheapest_way, cutting_cost, fit_along
 from .tone_steps import tone_step
 
@@ -93,10 +94,8 @@ class MendedRun:
     """(n, 2) float64 map units: the new cut."""
     window: PixelWindow | None = None
     """Of its patch, on the mosaic's grid."""
-    pixels: np.ndarray | None = None
-    """(bands, rows, columns) in the mosaic's type and order."""
-    inside: np.ndarray | None = None
-    """(rows, columns) bool: which of them replace the mosaic's."""
+    patch: np.ndarray | None = None
+    """(n,) uint8: its file, as ``patch_file`` makes it."""
     steps: tuple[float | None, float | None] = (None, None)
     """Of tone, across the old seam and across the new cut, DN."""
     misfit: float | None = None
@@ -160,10 +159,10 @@ def _mended(request: RunRequest) -> MendedRun:
     )
     rows, columns = (np.flatnonzero(pixels.any(axis=axis)) for axis in (1, 0))
     down, across = (slice(int(one[0]), int(one[-1]) + 1) for one in (rows, columns))
-    patch = PixelWindow(across.start, down.start, across.stop - across.start, down.stop - down.start)
+    window = PixelWindow(across.start, down.start, across.stop - across.start, down.stop - down.start).moved_by(*corner)
     return MendedRun(
-        request.key, None, np.array([grid.to_map(*point) for point in way]), patch.moved_by(*corner),
-        after[:, down, across], pixels[down, across], (old_step, new_step), misfit,
+        request.key, None, np.array([grid.to_map(*point) for point in way]), window,
+        patch_file(request.mosaic, window, after[:, down, across], pixels[down, across]), (old_step, new_step), misfit,
     )
 
 

@@ -38,7 +38,7 @@ from ..source_images import Source
 from . import messages
 from .failed_runs import SeamRun, seam_runs
 from .mend_run import GROUNDS_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
-from .mended_mosaic import PlacedPatch, joined_patches, write_mended, write_patch
+from .mended_mosaic import PlacedPatch, joined_patches, write_mended
 
 MENDED_KEPT = 0.9
 """kept_1 of a seam that counts as mended: less is the band of a seam profile."""
@@ -191,22 +191,22 @@ class Mending:
             write_mended(self._mended, mosaic, better)
         return seams
 
-    def _moved(self, patch: PlacedPatch) -> PlacedPatch:
-        path = str(self._folder / os.path.basename(patch.path))
-        with whole_raster(path) as unfinished:
-            shutil.copyfile(patch.path, unfinished)
-        return replace(patch, path=path)
-
     def _tried(self, folder: Path) -> Iterator[tuple[MendedRun, PlacedPatch | None]]:
-        """All cuts, without their pixels, and their patches in this folder."""
+        """All cuts, without their patches, and those as files in this folder."""
         for number in range(len(self.request.runs[0])):
             cut: MendedRun | None = held(_LOOK, self._journal.files, (number, 0))
             assert cut is not None
             patch = None
-            if cut.window is not None and cut.pixels is not None and cut.inside is not None:
-                path = str(folder / _patch_name(number))
-                patch = write_patch(path, self.request.mosaic, cut.window, cut.pixels, cut.inside)
-            yield replace(cut, pixels=None, inside=None), patch
+            if cut.window is not None and cut.patch is not None:
+                patch = PlacedPatch(str(folder / _patch_name(number)), cut.window)
+                cut.patch.tofile(patch.path)
+            yield replace(cut, patch=None), patch
+
+    def _moved(self, patch: PlacedPatch) -> PlacedPatch:
+        path = str(self._folder / os.path.basename(patch.path))
+        with whole_raster(path) as unfinished:
+            shutil.move(patch.path, unfinished)
+        return replace(patch, path=path)
 
     def _measured(
         self, path: str, cuts: dict[int, np.ndarray | None], goes_on: Callable[[float], bool], executor: Executor,
