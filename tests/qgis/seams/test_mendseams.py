@@ -154,6 +154,38 @@ def test_images_three_pixels_apart_are_left_alone(tmp_path: Path) -> None:
     assert (pixels(ended.results["MENDED"]) == pixels(files.mosaic)).all()
 
 
+def test_a_misfit_in_a_part_leaves_that_part_only(tmp_path: Path) -> None:
+    west, east = fitting_images()
+    part = slice(ROWS // 2 - 60, ROWS // 2 + 60)
+    east[:, part] = fitting_images(8)[1][:, part]
+    files = write_scene(tmp_path, [in_type(west), in_type(east)], FEATHER_PX)
+    scanned = scan(files)
+    ended = mend(files, scanned, tmp_path)
+    rows = ended.rows("CUTS")
+    assert [row["outcome"] for row in rows].count("left") == 1
+    for row in rows:
+        if row["outcome"] == "left":
+            assert_sentence(row["reason"], "lie [78].. pixels apart along the best cut")
+        else:
+            assert (row["outcome"], row["kept_after"] > 0.9) == ("mended", True)
+    assert 120 * 0.1 < ended.results["LEFT_METRES"] < 300 * 0.1
+    assert sum(row["length"] for row in rows) == pytest.approx(scanned.results["FAILED_METRES"])
+    made, before = pixels(ended.results["MENDED"]), pixels(files.mosaic)
+    assert (made == before)[:, part].all()
+
+
+def test_a_band_that_an_orthoimage_does_not_show_is_not_put_into_the_mosaic(tmp_path: Path) -> None:
+    west, east = (in_type(one, np.uint16, 40.0) for one in fitting_images(bands=4))
+    files = write_scene(tmp_path, [west, east], FEATHER_PX)
+    scanned = scan(files)
+    east[3] = 4000
+    write_raster(Path(files.east), east)
+    ended = mend(files, scanned, tmp_path)
+    for row in ended.rows("CUTS"):
+        assert_sentence(row["reason"], "shows [01]% of the fine detail that the mosaic has beside the seam .band ")
+    assert ended.results["MENDED_METRES"] == 0
+
+
 def test_what_another_date_shows_is_not_brought_into_the_mosaic(tmp_path: Path) -> None:
     """Cars in the eastern orthoimage that were not there when the mosaic was made: beside the seam, not on it."""
     files = scene(tmp_path)

@@ -21,6 +21,8 @@ _MIN_OWN = 0.9  # of a square's pixels
 _REACHES = 54.0, 18.0, 6.0, 2.0  # squares: what a tone is carried on by, the nearest that tells it
 _LEAST = 0.05
 _EASED_SQUARES = 1.0, 2.0, EASED_PX / SQUARE_PX / 3  # by scale: the finest are eased nearest to the cut
+_APART_PX = 2  # whose difference is fine detail
+_ROUNDED = 2.0  # mean square of such differences on ground that shows little but rounding
 _RIM_SQUARES = 2.0  # what is wider are the mosaic's tones at the rim of a patch
 
 
@@ -63,6 +65,17 @@ def _plane(ground: JudgedGround, source: int) -> int:
     """Which of a source's planes the mosaic follows most: as it is, or moved to where it lies in the mosaic."""
     planes = [plane for plane, of in enumerate(ground.followed.source_of) if of == source]
     return max(planes, key=lambda plane: ground.followed.following.shares[plane])
+
+
+def shown_detail(band: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> float | None:
+    """How much of a mosaic's fine detail a dressed band has where the mosaic is of its source alone, (rows, columns)
+    each, ``own`` bool: as a share and by correlation the lesser; None where there is none but for rounding."""
+    both = own[:, _APART_PX:] & own[:, :-_APART_PX]
+    shown, made = ((one[:, _APART_PX:] - one[:, :-_APART_PX])[both] for one in (mosaic.astype(np.float32), band))
+    energy, common = float(shown @ shown), float(shown @ made)
+    if energy <= (0.0 if mosaic.dtype.kind == "f" else _ROUNDED * len(shown)):
+        return None
+    return common / max(energy, float(np.sqrt(energy * float(made @ made))))
 
 
 def tells_tones(own: np.ndarray) -> bool:

@@ -27,7 +27,7 @@ from ..seam_cells import UNKNOWN
 from ..source_images import Source
 from ..while_measuring import measuring
 from . import messages
-from .dressing import EASED_PX, dress, eased, placed_bands, tells_tones
+from .dressing import EASED_PX, dress, eased, placed_bands, shown_detail, tells_tones
 from .failed_runs import SeamRun
 from .mended_mosaic import patch_file
 from .new_cut import CELL_PX, cheapest_way, cutting_cost, fit_along
@@ -43,10 +43,12 @@ _MOST_UNKNOWN = 0.5  # of the pixels beside a seam, that follow no source for su
 _LEAST_LEFT = 0.002  # of the fine detail: what rounding leaves over
 _EXACT_PX = 16.0  # from a seam
 _MOST_OTHERWISE = 0.005  # of the squares that only one image shows: of images that the mosaic was made from, none
+_LEAST_DETAIL = 0.3  # of the mosaic's: with half of it noise it has one half
 _LEAST_OBJECT = 25.0  # grey values by which something stands out: more than tones differ between images
 _RIM_PX = 2  # of an image
 _RIM_CELLS = 8  # of a patch, in which it is led over to the mosaic's tones
 _STRAIGHTENED_PX = 3.0
+_BESIDE_MISFIT_CELLS, _SHORTEST_PART_CELLS = 12, 32  # of a run that is cut in parts
 _SMOOTH_CELLS = 0.8  # of the cut's steps from cell to cell
 _SIDES = 0, 1
 """Of the sources of a request: those on the left and on the right hand of the run."""
@@ -100,7 +102,17 @@ class MendedRun:
     """Of tone, across the old seam and across the new cut, DN."""
     misfit: float | None = None
     """Of the images along the new cut, px; None where nothing in common shows it."""
+    fitting: tuple[tuple[float, float], ...] = ()
+    """Parts of one that stays, m from its start, that may be cut by themselves: beyond them the images misfit."""
     notices: tuple[Message, ...] = ()
+
+
+class _MisfitError(RasterError):
+    """The images lie too far apart, at least in a part of the run."""
+
+    def __init__(self, message: Message, fitting: tuple[tuple[float, float], ...]) -> None:
+        super().__init__(message)
+        self.fitting = fitting
 
 
 @measuring()
@@ -111,7 +123,7 @@ def mend_run(request: RunRequest) -> MendedRun:
     except NotCoveredError:
         return MendedRun(request.key, messages.NOT_ON_MOSAIC())
     except RasterError as error:
-        return MendedRun(request.key, error.message)
+        return MendedRun(request.key, error.message, fitting=getattr(error, "fitting", ()))
 
 
 def not_mended(request: RunRequest, notices: tuple[Message, ...]) -> MendedRun:
@@ -145,6 +157,7 @@ def _mended(request: RunRequest) -> MendedRun:
     images = [placed_bands(ground, side, _named(read.clip(side), names), valid[side]) for side in _SIDES]
     for side, image in zip(_SIDES, images):
         dress(ground, side, image, before, own[side])
+        _check_shown(read.clip(side), names, image, before, own[side])
     middle = (judged_plane(images[0], names) + judged_plane(images[1], names)) / 2
     made = eased(images[0], images[1], weight, before, part.fade(inside), both)
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
@@ -174,7 +187,7 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
     cost = cutting_cost(first_image, second_image, read.both)
     corner = np.array([read.window.column, read.window.row])
     nearest = _beside(request.index, read.window)
-    allowed = np.isin(nearest.number, request.run.numbers) & (nearest.distance_px <= request.reach_px)
+    allowed = _belongs(nearest, request.run) & (nearest.distance_px <= request.reach_px)
     along = vertex_stations(line)
     points = points_at(line, along, np.linspace(0, along[-1], int(along[-1]) + 2))
     column, row = ((points - corner) // CELL_PX).astype(int).T
@@ -187,12 +200,32 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
     way = cheapest_way(cost, allowed, (row[first], column[first]), (row[last], column[last]))
     if way is None:
         raise RasterError(messages.NO_WAY())
-    misfit, fault = fit_along(way, first_image, second_image, read.both)
+    misfit, fault, far = fit_along(way, first_image, second_image, read.both)
     if fault is not None:
-        raise RasterError(fault)
+        raise _MisfitError(fault, _fitting(request, nearest.station_m[tuple(way.T)], far))
     inner = way[1:-1, ::-1] * CELL_PX + CELL_PX / 2 + corner
     way = np.concatenate([points[: first + 1], inner, points[last:]])
     return as_xy(straightened(way @ (1, 1j), _STRAIGHTENED_PX)), misfit
+
+
+def _fitting(request: RunRequest, stations: np.ndarray, far: np.ndarray) -> tuple[tuple[float, float], ...]:
+    """Parts of a run, m from its start, that are long enough and lie beside what misfits; ``stations`` of a way, m, and
+    whether images are ``far`` apart there, (n,) each. None where nothing or all of it misfits."""
+    piece, cell = request.run.piece, CELL_PX * request.mosaic.ground_sample_distance
+    fits = np.ones(int(np.ceil(piece.length_m / cell)), bool)
+    fits[((stations[far] - piece.station_m) / cell).astype(int).clip(0, len(fits) - 1)] = False
+    fits = ndimage.binary_erosion(fits, iterations=_BESIDE_MISFIT_CELLS, border_value=1)
+    parts = [part for (part,) in ndimage.find_objects(ndimage.label(fits)[0])]
+    return () if fits.all() else tuple(
+        (part.start * cell, min(part.stop * cell, piece.length_m)) for part in parts
+        if part.stop - part.start >= _SHORTEST_PART_CELLS
+    )
+
+
+def _belongs(nearest: NearestPieces, run: SeamRun) -> np.ndarray:
+    """(rows, columns) bool: whose nearest seam is a run."""
+    first, last = run.span
+    return np.isin(nearest.number, run.numbers) & (nearest.station_m >= first) & (nearest.station_m <= last)
 
 
 class _Pixels:
@@ -223,6 +256,16 @@ class _Pixels:
     def both(self) -> np.ndarray:
         """(rows, columns) bool: where the mosaic and those beside the run have pixels."""
         return np.logical_and(*map(self.valid, _SIDES))
+
+
+def _check_shown(
+    clip: Clip, names: Sequence[str], image: np.ndarray, mosaic: np.ndarray, own: np.ndarray
+) -> None:
+    """Raise RasterError where a dressed source has hardly any of the mosaic's fine detail on its ``own`` ground."""
+    for name, band, shown in zip(names, image, mosaic):
+        share = shown_detail(band, shown, own)
+        if share is not None and share < _LEAST_DETAIL:
+            raise RasterError(messages.DETAIL_NOT_SHOWN(name=clip.raster.ref.name, share=max(share, 0.0), band=name))
 
 
 def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray) -> float:
@@ -309,7 +352,7 @@ def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.nd
     cells = PixelWindow(*(side // CELL_PX for side in (window.column, window.row, window.width, window.height)))
     flipped = burnt([(between, 1)], Grid(0, 0, 1, 1, 1, 1), cells) == 1
     return _Part(
-        np.isin(any_near.number, request.run.numbers), own.distance_px, any_near.distance_px, flipped,
+        _belongs(any_near, request.run), own.distance_px, any_near.distance_px, flipped,
         own.on_left ^ flipped,
     )
 

@@ -32,7 +32,7 @@ class PlacedPatch:
 
 
 def patch_file(mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: np.ndarray) -> np.ndarray:
-    """The bytes (n,) of a cloud-optimised GeoTIFF whose last band is alpha. Raises RasterError where there is no memory.
+    """The bytes (n,) of a cloud-optimised GeoTIFF whose last band is alpha. Raises RasterError where memory lacks.
 
     ``pixels``: (bands, rows, columns); ``inside``: (rows, columns) bool.
     """
