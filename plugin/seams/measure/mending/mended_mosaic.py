@@ -82,9 +82,10 @@ def _created(driver: str, mosaic: Raster, window: PixelWindow) -> gdal.Dataset:
 
 
 def _write(path: str, dataset: gdal.Dataset) -> None:
-    """As a cloud-optimised GeoTIFF; GDAL knows alpha as a mask of grey and coloured images only, others get one."""
-    count = dataset.RasterCount
-    mask = "auto" if count in (2, 4) else count
+    """As a cloud-optimised GeoTIFF; GDAL takes alpha for a mask in grey and coloured images of 8 and 16 bits, without
+    sign, only: others get one."""
+    count, kind = dataset.RasterCount, dataset.GetRasterBand(1).DataType
+    mask = "auto" if count in (2, 4) and kind in (gdal.GDT_Byte, gdal.GDT_UInt16) else count
     with whole_raster(path) as unfinished, gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=path)):
         gdal.Translate(unfinished, dataset, format="COG", creationOptions=_COG, maskBand=mask)
 
