@@ -186,15 +186,29 @@ def test_a_band_that_an_orthoimage_does_not_show_is_not_put_into_the_mosaic(tmp_
     assert ended.results["MENDED_METRES"] == 0
 
 
-def test_what_another_date_shows_is_not_brought_into_the_mosaic(tmp_path: Path) -> None:
+def feathered_cut(west: np.ndarray, east: np.ndarray) -> np.ndarray:
+    """In fractions, too."""
+    most = 1 if west.dtype.kind != "f" else 40_000
+    made = cut(west * np.float64(most), east * np.float64(most), FEATHER_PX) / most
+    return np.asarray(made.astype(west.dtype))
+
+
+@pytest.mark.parametrize(("dtype", "scale"), [(np.uint8, 1.0), (np.uint16, 40.0), (np.float32, 1 / 255)])
+def test_what_another_date_shows_is_not_brought_into_the_mosaic(dtype: type, scale: float, tmp_path: Path) -> None:
     """Cars in the eastern orthoimage that were not there when the mosaic was made: beside the seam, not on it."""
-    files = scene(tmp_path)
+    west, east = (
+        in_type(one, dtype, scale) if scale >= 1 else (scale * one).astype(dtype) for one in fitting_images()
+    )
+    files = Files(*(
+        write_raster(tmp_path / name, image)
+        for name, image in (("mosaic.tif", feathered_cut(west, east)), ("west.tif", west), ("east.tif", east))
+    ))
     scanned = scan(files)
     later = gdal.Open(files.sources[1], gdal.GA_Update)
     shown = later.ReadAsArray()
     for row in range(40, ROWS - 40, 100):
         column = int(seam_columns(ROWS, COLUMNS)[row]) + 60
-        shown[:, row : row + 24, column : column + 40] = 240
+        shown[:, row : row + 24, column : column + 40] = 240 * scale
     later.WriteArray(shown)
     later = None
     ended = mend(files, scanned, tmp_path)

@@ -44,11 +44,11 @@ _LEAST_LEFT = 0.002  # of the fine detail: what rounding leaves over
 _EXACT_PX = 16.0  # from a seam
 _MOST_OTHERWISE = 0.005  # of the squares that only one image shows: of images that the mosaic was made from, none
 _LEAST_DETAIL = 0.3  # of the mosaic's: with half of it noise it has one half
-_LEAST_OBJECT = 25.0  # grey values by which something stands out: more than tones differ between images
+_LEAST_OBJECT = 25.0  # grey values, 255 as bright as ground is, by which something stands out: more than tones differ between images
 _RIM_PX = 2  # of an image
 _RIM_CELLS = 8  # of a patch, in which it is led over to the mosaic's tones
 _STRAIGHTENED_PX = 3.0
-_BESIDE_MISFIT_CELLS, _SHORTEST_PART_CELLS = 12, 32  # of a run that is cut in parts
+_BESIDE_MISFIT_CELLS, _SHORTEST_PART_CELLS = 8, 32  # of a run that is cut in parts
 _SMOOTH_CELLS = 0.8  # of the cut's steps from cell to cell
 _SIDES = 0, 1
 """Of the sources of a request: those on the left and on the right hand of the run."""
@@ -163,7 +163,7 @@ def _mended(request: RunRequest) -> MendedRun:
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
     was, is_now = (judged_plane(one.astype(np.float32), names) for one in (before, after))
-    otherwise = _shown_otherwise(was, is_now, unmixed)
+    otherwise = _shown_otherwise(was, is_now, unmixed, before.dtype == np.uint8)
     if otherwise > _MOST_OTHERWISE:
         raise RasterError(messages.IMAGES_OF_OTHER_GROUND(share=otherwise))
     corner = read.window.column, read.window.row
@@ -268,12 +268,15 @@ def _check_shown(
             raise RasterError(messages.DETAIL_NOT_SHOWN(name=clip.raster.ref.name, share=max(share, 0.0), band=name))
 
 
-def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray) -> float:
+def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray, is_byte: bool) -> float:
     """The share of squares in ``unmixed`` ground, (rows, columns) bool, that a patch changes by more than that ground
     varies: there the images show something else than the mosaic."""
     whole = in_squares(unmixed, CELL_PX).all(axis=(1, 3))
     was, made = (in_squares(one, CELL_PX).mean(axis=(1, 3))[whole] for one in (before, after))
-    return float(np.mean(np.abs(made - was) > max(was.std(), _LEAST_OBJECT))) if was.size else 0.0
+    if not was.size:
+        return 0.0
+    grey = 1.0 if is_byte else float(np.percentile(was, 99)) / 255
+    return float(np.mean(np.abs(made - was) > max(was.std(), _LEAST_OBJECT * grey)))
 
 
 def _stored(made: np.ndarray, mosaic: Raster, dtype: np.dtype) -> np.ndarray:
@@ -302,7 +305,7 @@ def _ground(read: _Pixels, part: _Part) -> JudgedGround:
     """
     image = ComparedImage(read.planes.mosaic[np.newaxis], JUDGED, {}, {}, read.mosaic, valid=read.own.valid)
     found = judged_ground(image, read.planes.compared, None)
-    own = enlarged(part.territory, CELL_PX)
+    own = enlarged(part.territory, CELL_PX) & (True if image.valid is None else image.valid)
     if np.count_nonzero(found.expected.labels[own] == UNKNOWN) <= _MOST_UNKNOWN * np.count_nonzero(own):
         return found
     sides = enlarged(np.where(part.on_left ^ part.flipped, *map(np.uint8, _SIDES)), CELL_PX)
