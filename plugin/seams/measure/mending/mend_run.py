@@ -44,7 +44,7 @@ _LEAST_LEFT = 0.002  # of the fine detail: what rounding leaves over
 _EXACT_PX = 16.0  # from a seam
 _MOST_OTHERWISE = 0.005  # of the squares that only one image shows: of images that the mosaic was made from, none
 _LEAST_DETAIL = 0.3  # of the mosaic's: with half of it noise it has one half
-_LEAST_OBJECT = 25.0  # grey values, 255 as bright as ground is, by which something stands out: more than tones differ between images
+_LEAST_OBJECT = 25.0  # grey values by which something stands out, of 255: more than tones differ between images
 _RIM_PX = 2  # of an image
 _RIM_CELLS = 8  # of a patch, in which it is led over to the mosaic's tones
 _STRAIGHTENED_PX = 3.0
@@ -318,8 +318,6 @@ class _Part:
 
     territory: np.ndarray
     """bool: whose nearest seam is the run."""
-    from_run: np.ndarray
-    """float32: pixels from the old seam."""
     from_any: np.ndarray
     """float32: pixels from the nearest seam."""
     flipped: np.ndarray
@@ -336,7 +334,7 @@ class _Part:
     def patch(self, reach: float) -> np.ndarray:
         """bool: what is made anew, where the mosaic is mixed up to ``reach`` px from the old seam."""
         from_cut = CELL_PX * ndimage.distance_transform_edt(~near_border(self.on_left.view(np.uint8), 1))
-        near = (self.from_run <= reach) | (from_cut <= EASED_PX) | widened(self.flipped, 2)
+        near = (self.from_any <= reach) | (from_cut <= EASED_PX) | widened(self.flipped, 2)
         return self.territory & near
 
     def fade(self, inside: np.ndarray) -> np.ndarray:
@@ -355,8 +353,7 @@ def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.nd
     cells = PixelWindow(*(side // CELL_PX for side in (window.column, window.row, window.width, window.height)))
     flipped = burnt([(between, 1)], Grid(0, 0, 1, 1, 1, 1), cells) == 1
     return _Part(
-        _belongs(any_near, request.run), own.distance_px, any_near.distance_px, flipped,
-        own.on_left ^ flipped,
+        _belongs(any_near, request.run), any_near.distance_px, flipped, own.on_left ^ flipped
     )
 
 
@@ -368,7 +365,7 @@ def _mixed_reach(ground: JudgedGround, part: _Part) -> float:
     left, energy = (in_squares(known * np.square(one), CELL_PX).sum(axis=(1, 3)) for one in (own - expected, expected))
     step = _BIN_CELLS * CELL_PX
     count = _MOST_BESIDE_PX // step
-    bins = np.minimum(part.from_run // step, count + 2).astype(int)[part.territory]
+    bins = np.minimum(part.from_any // step, count + 2).astype(int)[part.territory]
     sums = [np.bincount(bins, one[part.territory], count + 3) for one in (left, energy)]
     share = sums[0] / np.maximum(sums[1], _LEAST_LEFT)
     mixed = share[:count] > np.maximum(_AS_ELSEWHERE * share[count:].max(), _LEAST_LEFT)

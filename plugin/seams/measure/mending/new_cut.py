@@ -62,27 +62,24 @@ def cheapest_way(
     near = box_means(cost, (_NEAR,))[0] / np.maximum(box_means(free, (_NEAR,))[0], 1e-6)
     near += _LENGTH * np.float32(np.median(near[free])) + np.float32(1e-6)
     free[start], free[end] = True, True
-    numbers = np.full(cost.shape, -1)
-    numbers[free] = np.arange(np.count_nonzero(free))
-    rows, columns = cost.shape
-    heads, tails, lengths = [], [], []
+    numbers = np.arange(free.size).reshape(free.shape)
+    rows, columns = free.shape
+    steps = []
     for down, across in ((0, 1), (1, 0), (1, 1), (1, -1)):
         here = np.s_[: rows - down, max(-across, 0) : columns - max(across, 0)]
         there = np.s_[down:, max(across, 0) : columns - max(-across, 0)]
         both = free[here] & free[there]
-        heads.append(numbers[here][both])
-        tails.append(numbers[there][both])
-        lengths.append(np.hypot(down, across) * (near[here][both] + near[there][both]) / 2)
-    count = np.count_nonzero(free)
-    graph = sparse.coo_matrix((np.concatenate(lengths), (np.concatenate(heads), np.concatenate(tails))), (count, count))
-    before = csgraph.dijkstra(graph.tocsr(), directed=False, indices=int(numbers[start]), return_predecessors=True)[1]
-    way = [int(numbers[end])]
+        lengths = np.hypot(down, across) * (near[here] + near[there]) / 2
+        steps.append([one[both] for one in (lengths, numbers[here], numbers[there])])
+    lengths, heads, tails = map(np.concatenate, zip(*steps))
+    graph = sparse.coo_matrix((lengths, (heads, tails)), (free.size, free.size)).tocsr()
+    before = csgraph.dijkstra(graph, directed=False, indices=numbers[start], return_predecessors=True)[1]
+    way = [numbers[end]]
     while way[-1] != numbers[start]:
-        previous = int(before[way[-1]])
-        if previous < 0:
+        if before[way[-1]] < 0:
             return None
-        way.append(previous)
-    return np.argwhere(free)[way[::-1]]
+        way.append(before[way[-1]])
+    return np.column_stack(np.unravel_index(way[::-1], free.shape))
 
 
 def fit_along(
