@@ -43,7 +43,7 @@ _MOST_UNKNOWN = 0.5  # of the pixels beside a seam, that follow no source for su
 _LEAST_LEFT = 0.002  # of the fine detail: what rounding leaves over
 _EXACT_PX = 16.0  # from a seam
 _MOST_OTHERWISE = 0.005  # of the squares that only one image shows: of images that the mosaic was made from, none
-_LEAST_DETAIL = 0.3  # of the mosaic's: with half of it noise it has one half
+_LEAST_DETAIL = 0.8  # of the mosaic's, that an image shows: levelled and filtered as it should be it has 0.93 to 1
 _LEAST_OBJECT = 25.0  # grey values by which something stands out, of 255: more than tones differ between images
 _RIM_PX = 2  # of an image
 _RIM_CELLS = 8  # of a patch, in which it is led over to the mosaic's tones
@@ -163,7 +163,7 @@ def _mended(request: RunRequest) -> MendedRun:
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
     was, is_now = (judged_plane(one.astype(np.float32), names) for one in (before, after))
-    otherwise = _shown_otherwise(was, is_now, unmixed, before.dtype == np.uint8)
+    otherwise = _shown_otherwise(before, after, unmixed)
     if otherwise > _MOST_OTHERWISE:
         raise RasterError(messages.IMAGES_OF_OTHER_GROUND(share=otherwise))
     corner = read.window.column, read.window.row
@@ -261,22 +261,22 @@ class _Pixels:
 def _check_shown(
     clip: Clip, names: Sequence[str], image: np.ndarray, mosaic: np.ndarray, own: np.ndarray
 ) -> None:
-    """Raise RasterError where a dressed source has hardly any of the mosaic's fine detail on its ``own`` ground."""
+    """Raise RasterError where a dressed source has too little of the mosaic's fine detail on its ``own`` ground."""
     for name, band, shown in zip(names, image, mosaic):
         share = shown_detail(band, shown, own)
         if share is not None and share < _LEAST_DETAIL:
-            raise RasterError(messages.DETAIL_NOT_SHOWN(name=clip.raster.ref.name, share=max(share, 0.0), band=name))
+            raise RasterError(messages.DETAIL_NOT_SHOWN(name=clip.raster.ref.name, share=share, band=name))
 
 
-def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray, is_byte: bool) -> float:
-    """The share of squares in ``unmixed`` ground, (rows, columns) bool, that a patch changes by more than that ground
-    varies: there the images show something else than the mosaic."""
-    whole = in_squares(unmixed, CELL_PX).all(axis=(1, 3))
-    was, made = (in_squares(one, CELL_PX).mean(axis=(1, 3))[whole] for one in (before, after))
-    if not was.size:
-        return 0.0
-    grey = 1.0 if is_byte else float(np.percentile(was, 99)) / 255
-    return float(np.mean(np.abs(made - was) > max(was.std(), _LEAST_OBJECT * grey)))
+def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray) -> float:
+    """The largest share, of all bands, of squares in ``unmixed`` ground, (rows, columns) bool, that a patch changes by
+    more than that ground varies: there the images show something else than the mosaic."""
+    whole, most = in_squares(unmixed, CELL_PX).all(axis=(1, 3)), 0.0
+    for shown, made in zip(before, after) if whole.any() else ():
+        was, is_now = (in_squares(one, CELL_PX).mean(axis=(1, 3), dtype=np.float32)[whole] for one in (shown, made))
+        grey = 1.0 if shown.dtype == np.uint8 else float(np.percentile(was, 99)) / 255
+        most = max(most, float(np.mean(np.abs(is_now - was) > max(was.std(), _LEAST_OBJECT * grey))))
+    return most
 
 
 def _stored(made: np.ndarray, mosaic: Raster, dtype: np.dtype) -> np.ndarray:

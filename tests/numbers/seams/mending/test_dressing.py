@@ -72,8 +72,11 @@ def test_how_much_of_the_mosaics_detail_a_source_has() -> None:
     shown, other = image(9), image(10)
     mosaic = np.rint(shown).astype(np.uint8)
     assert dressing.shown_detail(shown, mosaic, WHOLE) > 0.99
-    assert dressing.shown_detail(0.02 * shown, mosaic, WHOLE) == pytest.approx(0.02, abs=0.01)
-    assert abs(dressing.shown_detail(9 * other, mosaic, WHOLE)) < 0.05
+    for part in (0.02, 0.6):
+        assert dressing.shown_detail(part * shown, mosaic, WHOLE) == pytest.approx(part, abs=0.01)
+    noisy = np.rint(shown + 9 * texture(SHAPE, 0.0, 11)).astype(np.uint8)
+    assert dressing.shown_detail(shown, noisy, WHOLE) > 0.95
+    assert dressing.shown_detail(9 * other, mosaic, WHOLE) < 0.05
     assert dressing.shown_detail(shown, np.full(SHAPE, 90, np.uint8), WHOLE) is None
 
 
