@@ -397,13 +397,17 @@ def test_a_refusal_leaves_nothing(feathered: Files, scanned: Run, tmp_path: Path
     assert [path.name for path in tmp_path.iterdir()] == ["a file"]
 
 
-def test_a_patch_is_never_written_over_an_input(feathered: Files, tmp_path: Path) -> None:
+@pytest.mark.parametrize("is_part", [False, True])
+def test_a_patch_is_never_written_over_an_input(is_part: bool, feathered: Files, tmp_path: Path) -> None:
+    """Nor over a part of one, as the patches are of a mosaic that was mended."""
     folder = tmp_path / "patches"
     folder.mkdir()
     mosaic = folder / "patch_0001.tif"
     mosaic.write_bytes(Path(feathered.mosaic).read_bytes())
-    files = Files(str(mosaic), feathered.west, feathered.east)
-    ended = mend(files, None, tmp_path)
+    whole = str(tmp_path / "whole.vrt") if is_part else str(mosaic)
+    if is_part:
+        gdal.Translate(whole, str(mosaic), format="VRT")
+    ended = mend(Files(whole, feathered.west, feathered.east), None, tmp_path)
     assert ended.complaint is not None
     assert_sentence(ended.complaint, "written over")
     assert mosaic.read_bytes() == Path(feathered.mosaic).read_bytes()

@@ -184,7 +184,8 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
     none."""
     read = _Pixels(request, _around(line, request.reach_px), len(_SIDES))
     first_image, second_image = (read.planes.sources[side] for side in _SIDES)
-    cost = cutting_cost(first_image, second_image, read.both)
+    both = read.valid(0) & read.valid(1)
+    cost = cutting_cost(first_image, second_image, both)
     corner = np.array([read.window.column, read.window.row])
     nearest = _beside(request.index, read.window)
     allowed = _belongs(nearest, request.run) & (nearest.distance_px <= request.reach_px)
@@ -200,7 +201,7 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
     way = cheapest_way(cost, allowed, (row[first], column[first]), (row[last], column[last]))
     if way is None:
         raise RasterError(messages.NO_WAY())
-    misfit, fault, far = fit_along(way, first_image, second_image, read.both)
+    misfit, fault, far = fit_along(way, first_image, second_image, both)
     if fault is not None:
         raise _MisfitError(fault, _fitting(request, nearest.station_m[tuple(way.T)], far))
     inner = way[1:-1, ::-1] * CELL_PX + CELL_PX / 2 + corner
@@ -251,11 +252,6 @@ class _Pixels:
         if own is not None:
             found &= own & ~widened(opened(~own, SQUARE_PX), _RIM_PX)
         return found if self.own.valid is None else found & self.own.valid
-
-    @property
-    def both(self) -> np.ndarray:
-        """(rows, columns) bool: where the mosaic and those beside the run have pixels."""
-        return np.logical_and(*map(self.valid, _SIDES))
 
 
 def _check_shown(

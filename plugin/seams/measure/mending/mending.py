@@ -20,9 +20,8 @@ from typing import Any, Callable
 import numpy as np
 
 from ....imagery import messages as imagery_messages
-from ....imagery.atomic_files import drop_unfinished, unfinished_name
+from ....imagery.atomic_files import files_written, unfinished_name
 from ....imagery.errors import CancelledError, Message, SettingsError
-from ....imagery.messages import system_reason
 from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
@@ -33,7 +32,7 @@ from ..scan.blocks.block_grid import BlockKey
 from ..scan.lines.given_seams import GivenSeams
 from ..scan.lines.piece_index import PieceIndex
 from ..scan.lines.seam_pieces import SidedSeam
-from ..scan.scan_journal import ScanJournal, fingerprint_of, open_journal
+from ..scan.scan_journal import ScanJournal, journal_beside, local_states
 from ..scan.scan_request import ScanRequest
 from ..scan.scan_settings import ScanSettings
 from ..scan.whole_scan import whole_scan
@@ -194,15 +193,11 @@ class Mending:
 
         Raises SettingsError or RasterError where they can't be written, CancelledError when ``goes_on`` says no.
         """
-        try:
-            return self._result(goes_on, executor, ahead)
-        except OSError as error:  # the folder is gone meanwhile, or its disk is full
-            said = imagery_messages.FILE_NOT_WRITTEN(path=self._mended, error=system_reason(error))
-            raise SettingsError(said) from None
-
-    def _result(self, goes_on: Callable[[float], bool], executor: Executor, ahead: int) -> list[MendedSeam]:
         place, mosaic = Path(self._mended), self.request.mosaic
-        with tempfile.TemporaryDirectory(prefix=unfinished_name(place), dir=place.parent) as folder, rasters_kept():
+        # The folder may go away meanwhile, or its disk be full.
+        with files_written(place), rasters_kept(), tempfile.TemporaryDirectory(
+            prefix=unfinished_name(place), dir=place.parent
+        ) as folder:
             tried = list(self._tried(Path(folder)))
             cuts = {number: cut.vertices for number, (cut, patch) in enumerate(tried) if patch is not None}
             write_mended(path := str(Path(folder) / "mended.vrt"), mosaic, [patch for _, patch in tried if patch])
@@ -283,33 +278,25 @@ class Mending:
 def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending]:
     """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where no
     file can be, or another one is under way there."""
-    given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
-    mosaic, place = request.mosaic, Path(mended)
     _check_patches(request, patches)
-    fingerprint = fingerprint_of(
-        mosaic.ref, request.sources, request.settings, [*given, np.array([one.is_wanted for one in request.pieces])],
-        (mosaic.geotransform, mosaic.own_wkt),
-    )
-    journal, _ = open_journal(place.with_name(place.name + JOURNAL_ENDING), fingerprint)
-    try:
-        drop_unfinished(place)
+    given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
+    given.append(np.array([one.is_wanted for one in request.pieces]))
+    with journal_beside(
+        Path(mended), JOURNAL_ENDING, request.mosaic, request.sources, request.settings, given
+    ) as (journal, _):
         yield Mending(request, patches, mended, journal)
         journal.remove()
-    finally:
-        journal.close()
 
 
 def _check_patches(request: MendRequest, patches: str) -> None:
     """Makes their folder. Raises SettingsError where they can't be."""
     single, folder = _is_file(patches), os.path.realpath(patches)
     refs = [request.mosaic.ref, *(one.ref for one in request.sources)]
-    for path in (os.path.realpath(path) for ref in refs for path in ref.paths):
+    for path in map(os.path.realpath, local_states(path for ref in refs for path in ref.paths)):
         if os.path.dirname(path) == folder and fnmatch(os.path.basename(path), _PATCHES):
             raise SettingsError(messages.PATCH_IS_INPUT(path=path))
-    try:
+    with files_written(patches):
         Path(os.path.dirname(os.path.abspath(patches)) if single else patches).mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=patches, error=system_reason(error))) from None
 
 
 def _is_file(patches: str) -> bool:
