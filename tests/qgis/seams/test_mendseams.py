@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from scipy import ndimage
+from seam_inspector.plugin.imagery import raster_pool
 
 from tests.numbers.synthetic import texture, write_raster
 from tests.qgis.clusters import needs_dask, two_workers
@@ -328,6 +329,12 @@ def test_what_was_not_measured_is_not_written(feathered: Files, scanned: Run, tm
 def test_of_windows_all_means_the_seams_in_them(feathered: Files, scanned: Run, tmp_path: Path) -> None:
     ended = mend(feathered, scanned, tmp_path, SEAMS=windows((0, 0, COLUMNS, 200)), WHAT="all")
     assert sum(row["length"] for row in ended.rows("CUTS")) < 0.75 * scanned.results["SEAM_METRES"]
+
+
+def test_no_raster_stays_open(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    """It could not be moved on Windows, and crashed QGIS at its end, or a process without its window."""
+    mend(feathered, scanned, tmp_path, REPORT=str(tmp_path / "report.html")).close()
+    assert len(raster_pool._pool()) == 0
 
 
 def test_the_report_shows_each_seam_before_and_after(mended: Run) -> None:
