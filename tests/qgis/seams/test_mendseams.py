@@ -240,6 +240,18 @@ def test_patches_wear_what_came_over_the_mosaic(change: Any, tmp_path: Path) -> 
     assert np.percentile(same[inside], 40) < 1.5  # what did not change sides
 
 
+def test_where_a_band_is_saturated_no_patch_of_other_colours_is_made(tmp_path: Path) -> None:
+    west, east = (in_type(one) for one in fitting_images())
+    files = write_scene(tmp_path, [west, east])
+    made = cut(west, east, FEATHER_PX).astype(float)
+    made[2] = np.minimum(1.9 * made[2], 255)
+    write_raster(Path(files.mosaic), in_type(made))
+    ended = mend(files, None, tmp_path)
+    assert ended.rows("CUTS")
+    for row in ended.rows("CUTS"):
+        assert_sentence(row["reason"], "otherwise than the mosaic|fine detail that the mosaic has")
+
+
 def test_a_mosaic_of_jpeg_tiles(tmp_path: Path) -> None:
     west, east = fitting_images()
     files = write_scene(tmp_path, [in_type(west), in_type(east)], FEATHER_PX)
