@@ -49,9 +49,15 @@ def whole_file(path: Path) -> Iterator[Path]:
     The file becomes ``path`` when the block ends. An exception in the block (cancelling is one) leaves no part of it,
     nothing beside it, and an older file as it was. Raises SettingsError where no file can be.
     """
+    with files_written(path), replacing(path) as unfinished:
+        yield unfinished
+
+
+@contextmanager
+def files_written(path: Path | str) -> Iterator[None]:
+    """SettingsError for whatever the system refuses in a block that writes ``path`` and what belongs to it."""
     try:
-        with replacing(path) as unfinished:
-            yield unfinished
+        yield
     except OSError as error:
         raise SettingsError(messages.FILE_NOT_WRITTEN(path=path, error=system_reason(error))) from None
 

@@ -640,6 +640,16 @@ def gdal_masks_beside() -> AbstractContextManager[None]:
     return gdal_settings(GDAL_TIFF_INTERNAL_MASK="NO")
 
 
+def taken_from_memory(path: str) -> bytes:
+    """The bytes of a file of /vsimem, which is then removed."""
+    file = gdal.VSIFOpenL(path, "rb")
+    try:
+        return bytes(gdal.VSIFReadL(1, gdal.VSIStatL(path).size, file))
+    finally:
+        gdal.VSIFCloseL(file)
+        drop_from_memory(path)
+
+
 def drop_from_memory(path: str) -> None:
     """Remove a file of /vsimem and what GDAL wrote beside it; removing what is not there raises in GDAL 3.10."""
     for name in (path, *(path + ending for ending in (".aux.xml", ".msk", ".ovr"))):

@@ -9,7 +9,7 @@ from ...imagery.clips import read_clip
 from ...imagery.errors import RasterError
 from ...imagery.grids import standard_window
 from ...imagery.lines import points_at, vertex_stations
-from ...imagery.raster_pool import open_raster
+from ...imagery.raster_pool import open_raster, rasters_kept
 from ...imagery.rasters import RasterRef
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import HowMeasured, each_raster, measured_raster, save_page
@@ -27,32 +27,33 @@ def save_mending_report(path: Path, request: MendRequest, mended: str, seams: Se
     words = {MENDED: tr("mended"), IMPROVED: tr("improved"), LEFT: tr("left")}
     unnamed = request.runs[1]
     shown = sorted((one for one in seams if one.outcome != LEFT), key=lambda one: one.kept or 0.0)[:MOST_PICTURED]
-    save_page(
-        path, "mending",
-        HowMeasured(
-            [(tr("corridor on either side (m)"), shown_number(request.settings.width_m)),
-             (tr("blend (px)"), str(request.settings.blend_px))],
-            [measured_raster(tr("mosaic"), request.mosaic),
-             *each_raster(tr("orthoimage"), (one.ref for one in request.sources))],
-        ),
-        is_whole=not unnamed and not metres(seams, LEFT, IMPROVED),
-        lengths=[
-            (formatted(metres(seams, outcome) + (unnamed if outcome == LEFT else 0), ".0f"),
-             filled(tr("metres {outcome}"), outcome=word))
-            for outcome, word in words.items()
-        ],
-        rows=[
-            [
-                _name(one), formatted(one.run.piece.length_m, ".1f"),
-                *(None if value is None else shown_number(value)
-                  for value in (one.run.kept, one.kept, *one.cut.steps, one.cut.misfit)),
-                words[one.outcome] if one.reason is None else f"{words[one.outcome]}: {sentence(one.reason)}",
-            ]
-            for one in seams
-        ],
-        sections=((_name(one), list(_pictures(one, request, mended))) for one in shown),
-        magnification=JUDGED_MAGNIFICATION,
-    )
+    with rasters_kept():
+        save_page(
+            path, "mending",
+            HowMeasured(
+                [(tr("corridor on either side (m)"), shown_number(request.settings.width_m)),
+                 (tr("blend (px)"), str(request.settings.blend_px))],
+                [measured_raster(tr("mosaic"), request.mosaic),
+                 *each_raster(tr("orthoimage"), (one.ref for one in request.sources))],
+            ),
+            is_whole=not unnamed and not metres(seams, LEFT, IMPROVED),
+            lengths=[
+                (formatted(metres(seams, outcome) + (unnamed if outcome == LEFT else 0), ".0f"),
+                 filled(tr("metres {outcome}"), outcome=word))
+                for outcome, word in words.items()
+            ],
+            rows=[
+                [
+                    _name(one), formatted(one.run.piece.length_m, ".1f"),
+                    *(None if value is None else shown_number(value)
+                      for value in (one.run.kept, one.kept, *one.cut.steps, one.cut.misfit)),
+                    words[one.outcome] if one.reason is None else f"{words[one.outcome]}: {sentence(one.reason)}",
+                ]
+                for one in seams
+            ],
+            sections=((_name(one), list(_pictures(one, request, mended))) for one in shown),
+            magnification=JUDGED_MAGNIFICATION,
+        )
 
 
 def _name(one: MendedSeam) -> str:

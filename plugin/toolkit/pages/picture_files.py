@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 from osgeo import gdal
 
-from ...imagery.gdal_calls import drop_from_memory, gdal_silenced
+from ...imagery.gdal_calls import gdal_silenced, taken_from_memory
 
 
 def encoded(pixels: np.ndarray, driver: str, quality: int = 88) -> bytes:
@@ -18,10 +18,4 @@ def encoded(pixels: np.ndarray, driver: str, quality: int = 88) -> bytes:
         options = [f"QUALITY={quality}"] if driver == "JPEG" else []
         copy = gdal.GetDriverByName(driver).CreateCopy(path, memory, options=options)
         copy = None  # noqa: F841 - closing the dataset writes the file
-        file = gdal.VSIFOpenL(path, "rb")
-        try:
-            data = gdal.VSIFReadL(1, gdal.VSIStatL(path).size, file)
-        finally:
-            gdal.VSIFCloseL(file)
-            drop_from_memory(path)
-    return bytes(data)
+        return taken_from_memory(path)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from scipy import ndimage
+from seam_inspector.plugin.imagery import raster_pool
 
 from tests.numbers.synthetic import texture, write_raster
 from tests.qgis.clusters import needs_dask, two_workers
@@ -154,15 +155,61 @@ def test_images_three_pixels_apart_are_left_alone(tmp_path: Path) -> None:
     assert (pixels(ended.results["MENDED"]) == pixels(files.mosaic)).all()
 
 
-def test_what_another_date_shows_is_not_brought_into_the_mosaic(tmp_path: Path) -> None:
+def test_a_misfit_in_a_part_leaves_that_part_only(tmp_path: Path) -> None:
+    west, east = fitting_images()
+    part = slice(ROWS // 2 - 60, ROWS // 2 + 60)
+    east[:, part] = fitting_images(8)[1][:, part]
+    files = write_scene(tmp_path, [in_type(west), in_type(east)], FEATHER_PX)
+    scanned = scan(files)
+    ended = mend(files, scanned, tmp_path)
+    rows = ended.rows("CUTS")
+    assert [row["outcome"] for row in rows].count("left") == 1
+    for row in rows:
+        if row["outcome"] == "left":
+            assert_sentence(row["reason"], "lie [78].. pixels apart along the best cut")
+        else:
+            assert (row["outcome"], row["kept_after"] > 0.9) == ("mended", True)
+    assert 120 * 0.1 < ended.results["LEFT_METRES"] < 300 * 0.1
+    assert sum(row["length"] for row in rows) == pytest.approx(scanned.results["FAILED_METRES"])
+    made, before = pixels(ended.results["MENDED"]), pixels(files.mosaic)
+    assert (made == before)[:, part].all()
+
+
+def test_a_band_that_an_orthoimage_does_not_show_is_not_put_into_the_mosaic(tmp_path: Path) -> None:
+    west, east = (in_type(one, np.uint16, 40.0) for one in fitting_images(bands=4))
+    files = write_scene(tmp_path, [west, east], FEATHER_PX)
+    scanned = scan(files)
+    east[3] = 4000
+    write_raster(Path(files.east), east)
+    ended = mend(files, scanned, tmp_path)
+    for row in ended.rows("CUTS"):
+        assert_sentence(row["reason"], "shows [01]% of the fine detail that the mosaic has beside the seam .band ")
+    assert ended.results["MENDED_METRES"] == 0
+
+
+def feathered_cut(west: np.ndarray, east: np.ndarray) -> np.ndarray:
+    """In fractions, too."""
+    most = 1 if west.dtype.kind != "f" else 40_000
+    made = cut(west * np.float64(most), east * np.float64(most), FEATHER_PX) / most
+    return np.asarray(made.astype(west.dtype))
+
+
+@pytest.mark.parametrize(("dtype", "scale"), [(np.uint8, 1.0), (np.uint16, 40.0), (np.float32, 1 / 255)])
+def test_what_another_date_shows_is_not_brought_into_the_mosaic(dtype: type, scale: float, tmp_path: Path) -> None:
     """Cars in the eastern orthoimage that were not there when the mosaic was made: beside the seam, not on it."""
-    files = scene(tmp_path)
+    west, east = (
+        in_type(one, dtype, scale) if scale >= 1 else (scale * one).astype(dtype) for one in fitting_images()
+    )
+    files = Files(*(
+        write_raster(tmp_path / name, image)
+        for name, image in (("mosaic.tif", feathered_cut(west, east)), ("west.tif", west), ("east.tif", east))
+    ))
     scanned = scan(files)
     later = gdal.Open(files.sources[1], gdal.GA_Update)
     shown = later.ReadAsArray()
     for row in range(40, ROWS - 40, 100):
         column = int(seam_columns(ROWS, COLUMNS)[row]) + 60
-        shown[:, row : row + 24, column : column + 40] = 240
+        shown[:, row : row + 24, column : column + 40] = 240 * scale
     later.WriteArray(shown)
     later = None
     ended = mend(files, scanned, tmp_path)
@@ -191,6 +238,18 @@ def test_patches_wear_what_came_over_the_mosaic(change: Any, tmp_path: Path) -> 
     fine = [one - ndimage.gaussian_filter(one, (0, 2, 2)) for one in (pixels(ended.results["MENDED"]), truth)]
     same = np.abs(fine[0] - fine[1]).mean(axis=0)
     assert np.percentile(same[inside], 40) < 1.5  # what did not change sides
+
+
+def test_where_a_band_is_saturated_no_patch_of_other_colours_is_made(tmp_path: Path) -> None:
+    west, east = (in_type(one) for one in fitting_images())
+    files = write_scene(tmp_path, [west, east])
+    made = cut(west, east, FEATHER_PX).astype(float)
+    made[2] = np.minimum(1.9 * made[2], 255)
+    write_raster(Path(files.mosaic), in_type(made))
+    ended = mend(files, None, tmp_path)
+    assert ended.rows("CUTS")
+    for row in ended.rows("CUTS"):
+        assert_sentence(row["reason"], "otherwise than the mosaic|fine detail that the mosaic has")
 
 
 def test_a_mosaic_of_jpeg_tiles(tmp_path: Path) -> None:
@@ -284,6 +343,12 @@ def test_of_windows_all_means_the_seams_in_them(feathered: Files, scanned: Run, 
     assert sum(row["length"] for row in ended.rows("CUTS")) < 0.75 * scanned.results["SEAM_METRES"]
 
 
+def test_no_raster_stays_open(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    """It could not be moved on Windows, and crashed QGIS at its end, or a process without its window."""
+    mend(feathered, scanned, tmp_path, REPORT=str(tmp_path / "report.html")).close()
+    assert len(raster_pool._pool()) == 0
+
+
 def test_the_report_shows_each_seam_before_and_after(mended: Run) -> None:
     page = Path(str(mended.results["REPORT"])).read_text(encoding="utf-8")
     assert "All mended" in page
@@ -351,13 +416,17 @@ def test_a_refusal_leaves_nothing(feathered: Files, scanned: Run, tmp_path: Path
     assert [path.name for path in tmp_path.iterdir()] == ["a file"]
 
 
-def test_a_patch_is_never_written_over_an_input(feathered: Files, tmp_path: Path) -> None:
+@pytest.mark.parametrize("is_part", [False, True])
+def test_a_patch_is_never_written_over_an_input(is_part: bool, feathered: Files, tmp_path: Path) -> None:
+    """Nor over a part of one, as the patches are of a mosaic that was mended."""
     folder = tmp_path / "patches"
     folder.mkdir()
     mosaic = folder / "patch_0001.tif"
     mosaic.write_bytes(Path(feathered.mosaic).read_bytes())
-    files = Files(str(mosaic), feathered.west, feathered.east)
-    ended = mend(files, None, tmp_path)
+    whole = str(tmp_path / "whole.vrt") if is_part else str(mosaic)
+    if is_part:
+        gdal.Translate(whole, str(mosaic), format="VRT")
+    ended = mend(Files(whole, feathered.west, feathered.east), None, tmp_path)
     assert ended.complaint is not None
     assert_sentence(ended.complaint, "written over")
     assert mosaic.read_bytes() == Path(feathered.mosaic).read_bytes()

@@ -21,6 +21,9 @@ _MIN_OWN = 0.9  # of a square's pixels
 _REACHES = 54.0, 18.0, 6.0, 2.0  # squares: what a tone is carried on by, the nearest that tells it
 _LEAST = 0.05
 _EASED_SQUARES = 1.0, 2.0, EASED_PX / SQUARE_PX / 3  # by scale: the finest are eased nearest to the cut
+_APART_PX = 2  # whose difference is fine detail
+_ROUNDED = 2.0  # mean square of such differences on ground that shows little but rounding
+_LEAST_ALIKE = 0.3  # correlation of such differences
 _RIM_SQUARES = 2.0  # what is wider are the mosaic's tones at the rim of a patch
 
 
@@ -63,6 +66,19 @@ def _plane(ground: JudgedGround, source: int) -> int:
     """Which of a source's planes the mosaic follows most: as it is, or moved to where it lies in the mosaic."""
     planes = [plane for plane, of in enumerate(ground.followed.source_of) if of == source]
     return max(planes, key=lambda plane: ground.followed.following.shares[plane])
+
+
+def shown_detail(band: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> float | None:
+    """How much a dressed band shows of the fine detail that it has in common with the mosaic where that is of its
+    source alone, (rows, columns) each, ``own`` bool: 0 to 1; the correlation where they have little in common, as
+    compression leaves more. None where the mosaic has no detail but for rounding."""
+    both = own[:, _APART_PX:] & own[:, :-_APART_PX]
+    shown, made = ((one[:, _APART_PX:] - one[:, :-_APART_PX])[both] for one in (mosaic.astype(np.float32), band))
+    energy, common, held = float(shown @ shown), float(shown @ made), float(made @ made)
+    if energy <= (0.0 if mosaic.dtype.kind == "f" else _ROUNDED * len(shown)):
+        return None
+    alike = common / max(float(np.sqrt(energy * held)), float(np.finfo(np.float32).tiny))
+    return min(held / common, 1.0) if alike > _LEAST_ALIKE else max(alike, 0.0)
 
 
 def tells_tones(own: np.ndarray) -> bool:

@@ -40,6 +40,8 @@ class SeamRun:
     """Of its pieces, among all."""
     sides: tuple[int, int] = (0, 0)
     """Numbers of the sources on the left and on the right hand."""
+    span: tuple[float, float] = (-math.inf, math.inf)
+    """Of a part of its pieces, metres along the seam."""
 
     def window(self, grid: Grid) -> PixelWindow:
         """The pixels around it."""
@@ -93,18 +95,24 @@ def _number(value: object) -> float | None:
 
 def _opened(one: SeamRun) -> list[SeamRun]:
     """The same, a ring, which begins where it ends, in two halves."""
-    piece = one.piece
-    along = vertex_stations(piece.vertices)
-    if (piece.vertices[0] != piece.vertices[-1]).any() or len(along) < 4:
+    vertices, length = one.piece.vertices, one.piece.length_m
+    if (vertices[0] != vertices[-1]).any() or len(vertices) < 4:
         return [one]
-    middle = points_at(piece.vertices, along, along[-1:] / 2)
-    place = int(np.searchsorted(along, along[-1] / 2))
-    halves = np.concatenate([piece.vertices[:place], middle]), np.concatenate([middle, piece.vertices[place:]])
-    half = piece.length_m / 2
-    return [
-        replace(one, piece=replace(piece, vertices=vertices, length_m=half, station_m=station))
-        for vertices, station in zip(halves, (piece.station_m, piece.station_m + half))
-    ]
+    return [part_of(one, 0, length / 2), part_of(one, length / 2, length)]
+
+
+def part_of(run: SeamRun, first_m: float, last_m: float, metres: np.ndarray | float = 1.0) -> SeamRun:
+    """What lies between two places, metres from its start; ``metres``: of a map unit, along both axes."""
+    piece = run.piece
+    along = vertex_stations(piece.vertices * metres)
+    along *= piece.length_m / along[-1]
+    ends = points_at(piece.vertices, along, np.array([first_m, last_m]))
+    inner = piece.vertices[(along > first_m) & (along < last_m)]
+    part = replace(
+        piece, vertices=np.concatenate([ends[:1], inner, ends[1:]]), station_m=piece.station_m + first_m,
+        length_m=last_m - first_m,
+    )
+    return replace(run, piece=part)
 
 
 def seam_runs(

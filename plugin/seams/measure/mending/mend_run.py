@@ -27,8 +27,9 @@ from ..seam_cells import UNKNOWN
 from ..source_images import Source
 from ..while_measuring import measuring
 from . import messages
-from .dressing import EASED_PX, dress, eased, placed_bands, tells_tones
+from .dressing import EASED_PX, dress, eased, placed_bands, shown_detail, tells_tones
 from .failed_runs import SeamRun
+from .mended_mosaic import patch_file
 from .new_cut import CELL_PX, cheapest_way, cutting_cost, fit_along
 from .tone_steps import tone_step
 
@@ -42,10 +43,12 @@ _MOST_UNKNOWN = 0.5  # of the pixels beside a seam, that follow no source for su
 _LEAST_LEFT = 0.002  # of the fine detail: what rounding leaves over
 _EXACT_PX = 16.0  # from a seam
 _MOST_OTHERWISE = 0.005  # of the squares that only one image shows: of images that the mosaic was made from, none
-_LEAST_OBJECT = 25.0  # grey values by which something stands out: more than tones differ between images
+_LEAST_DETAIL = 0.8  # of the mosaic's, that an image shows: levelled and filtered as it should be it has 0.93 to 1
+_LEAST_OBJECT = 25.0  # grey values by which something stands out, of 255: more than tones differ between images
 _RIM_PX = 2  # of an image
 _RIM_CELLS = 8  # of a patch, in which it is led over to the mosaic's tones
 _STRAIGHTENED_PX = 3.0
+_BESIDE_MISFIT_CELLS, _SHORTEST_PART_CELLS = 8, 32  # of a run that is cut in parts
 _SMOOTH_CELLS = 0.8  # of the cut's steps from cell to cell
 _SIDES = 0, 1
 """Of the sources of a request: those on the left and on the right hand of the run."""
@@ -93,15 +96,23 @@ class MendedRun:
     """(n, 2) float64 map units: the new cut."""
     window: PixelWindow | None = None
     """Of its patch, on the mosaic's grid."""
-    pixels: np.ndarray | None = None
-    """(bands, rows, columns) in the mosaic's type and order."""
-    inside: np.ndarray | None = None
-    """(rows, columns) bool: which of them replace the mosaic's."""
+    patch: np.ndarray | None = None
+    """(n,) uint8: its file, as ``patch_file`` makes it."""
     steps: tuple[float | None, float | None] = (None, None)
     """Of tone, across the old seam and across the new cut, DN."""
     misfit: float | None = None
     """Of the images along the new cut, px; None where nothing in common shows it."""
+    fitting: tuple[tuple[float, float], ...] = ()
+    """Parts of one that stays, m from its start, that may be cut by themselves: beyond them the images misfit."""
     notices: tuple[Message, ...] = ()
+
+
+class _MisfitError(RasterError):
+    """The images lie too far apart, at least in a part of the run."""
+
+    def __init__(self, message: Message, fitting: tuple[tuple[float, float], ...]) -> None:
+        super().__init__(message)
+        self.fitting = fitting
 
 
 @measuring()
@@ -112,7 +123,7 @@ def mend_run(request: RunRequest) -> MendedRun:
     except NotCoveredError:
         return MendedRun(request.key, messages.NOT_ON_MOSAIC())
     except RasterError as error:
-        return MendedRun(request.key, error.message)
+        return MendedRun(request.key, error.message, fitting=getattr(error, "fitting", ()))
 
 
 def not_mended(request: RunRequest, notices: tuple[Message, ...]) -> MendedRun:
@@ -146,12 +157,13 @@ def _mended(request: RunRequest) -> MendedRun:
     images = [placed_bands(ground, side, _named(read.clip(side), names), valid[side]) for side in _SIDES]
     for side, image in zip(_SIDES, images):
         dress(ground, side, image, before, own[side])
+        _check_shown(read.clip(side), names, image, before, own[side])
     middle = (judged_plane(images[0], names) + judged_plane(images[1], names)) / 2
     made = eased(images[0], images[1], weight, before, part.fade(inside), both)
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
     was, is_now = (judged_plane(one.astype(np.float32), names) for one in (before, after))
-    otherwise = _shown_otherwise(was, is_now, unmixed)
+    otherwise = _shown_otherwise(before, after, unmixed)
     if otherwise > _MOST_OTHERWISE:
         raise RasterError(messages.IMAGES_OF_OTHER_GROUND(share=otherwise))
     corner = read.window.column, read.window.row
@@ -160,10 +172,10 @@ def _mended(request: RunRequest) -> MendedRun:
     )
     rows, columns = (np.flatnonzero(pixels.any(axis=axis)) for axis in (1, 0))
     down, across = (slice(int(one[0]), int(one[-1]) + 1) for one in (rows, columns))
-    patch = PixelWindow(across.start, down.start, across.stop - across.start, down.stop - down.start)
+    window = PixelWindow(across.start, down.start, across.stop - across.start, down.stop - down.start).moved_by(*corner)
     return MendedRun(
-        request.key, None, np.array([grid.to_map(*point) for point in way]), patch.moved_by(*corner),
-        after[:, down, across], pixels[down, across], (old_step, new_step), misfit,
+        request.key, None, np.array([grid.to_map(*point) for point in way]), window,
+        patch_file(request.mosaic, window, after[:, down, across], pixels[down, across]), (old_step, new_step), misfit,
     )
 
 
@@ -172,10 +184,11 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
     none."""
     read = _Pixels(request, _around(line, request.reach_px), len(_SIDES))
     first_image, second_image = (read.planes.sources[side] for side in _SIDES)
-    cost = cutting_cost(first_image, second_image, read.both)
+    both = read.valid(0) & read.valid(1)
+    cost = cutting_cost(first_image, second_image, both)
     corner = np.array([read.window.column, read.window.row])
     nearest = _beside(request.index, read.window)
-    allowed = np.isin(nearest.number, request.run.numbers) & (nearest.distance_px <= request.reach_px)
+    allowed = _belongs(nearest, request.run) & (nearest.distance_px <= request.reach_px)
     along = vertex_stations(line)
     points = points_at(line, along, np.linspace(0, along[-1], int(along[-1]) + 2))
     column, row = ((points - corner) // CELL_PX).astype(int).T
@@ -188,12 +201,32 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
     way = cheapest_way(cost, allowed, (row[first], column[first]), (row[last], column[last]))
     if way is None:
         raise RasterError(messages.NO_WAY())
-    misfit, fault = fit_along(way, first_image, second_image, read.both)
+    misfit, fault, far = fit_along(way, first_image, second_image, both)
     if fault is not None:
-        raise RasterError(fault)
+        raise _MisfitError(fault, _fitting(request, nearest.station_m[tuple(way.T)], far))
     inner = way[1:-1, ::-1] * CELL_PX + CELL_PX / 2 + corner
     way = np.concatenate([points[: first + 1], inner, points[last:]])
     return as_xy(straightened(way @ (1, 1j), _STRAIGHTENED_PX)), misfit
+
+
+def _fitting(request: RunRequest, stations: np.ndarray, far: np.ndarray) -> tuple[tuple[float, float], ...]:
+    """Parts of a run, m from its start, that are long enough and lie beside what misfits; ``stations`` of a way, m, and
+    whether images are ``far`` apart there, (n,) each. None where nothing or all of it misfits."""
+    piece, cell = request.run.piece, CELL_PX * request.mosaic.ground_sample_distance
+    fits = np.ones(int(np.ceil(piece.length_m / cell)), bool)
+    fits[((stations[far] - piece.station_m) / cell).astype(int).clip(0, len(fits) - 1)] = False
+    fits = ndimage.binary_erosion(fits, iterations=_BESIDE_MISFIT_CELLS, border_value=1)
+    parts = [part for (part,) in ndimage.find_objects(ndimage.label(fits)[0])]
+    return () if fits.all() else tuple(
+        (part.start * cell, min(part.stop * cell, piece.length_m)) for part in parts
+        if part.stop - part.start >= _SHORTEST_PART_CELLS
+    )
+
+
+def _belongs(nearest: NearestPieces, run: SeamRun) -> np.ndarray:
+    """(rows, columns) bool: whose nearest seam is a run."""
+    first, last = run.span
+    return np.isin(nearest.number, run.numbers) & (nearest.station_m >= first) & (nearest.station_m <= last)
 
 
 class _Pixels:
@@ -220,18 +253,26 @@ class _Pixels:
             found &= own & ~widened(opened(~own, SQUARE_PX), _RIM_PX)
         return found if self.own.valid is None else found & self.own.valid
 
-    @property
-    def both(self) -> np.ndarray:
-        """(rows, columns) bool: where the mosaic and those beside the run have pixels."""
-        return np.logical_and(*map(self.valid, _SIDES))
+
+def _check_shown(
+    clip: Clip, names: Sequence[str], image: np.ndarray, mosaic: np.ndarray, own: np.ndarray
+) -> None:
+    """Raise RasterError where a dressed source has too little of the mosaic's fine detail on its ``own`` ground."""
+    for name, band, shown in zip(names, image, mosaic):
+        share = shown_detail(band, shown, own)
+        if share is not None and share < _LEAST_DETAIL:
+            raise RasterError(messages.DETAIL_NOT_SHOWN(name=clip.raster.ref.name, share=share, band=name))
 
 
 def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray) -> float:
-    """The share of squares in ``unmixed`` ground, (rows, columns) bool, that a patch changes by more than that ground
-    varies: there the images show something else than the mosaic."""
-    whole = in_squares(unmixed, CELL_PX).all(axis=(1, 3))
-    was, made = (in_squares(one, CELL_PX).mean(axis=(1, 3))[whole] for one in (before, after))
-    return float(np.mean(np.abs(made - was) > max(was.std(), _LEAST_OBJECT))) if was.size else 0.0
+    """The largest share, of all bands, of squares in ``unmixed`` ground, (rows, columns) bool, that a patch changes by
+    more than that ground varies: there the images show something else than the mosaic."""
+    whole, most = in_squares(unmixed, CELL_PX).all(axis=(1, 3)), 0.0
+    for shown, made in zip(before, after) if whole.any() else ():
+        was, is_now = (in_squares(one, CELL_PX).mean(axis=(1, 3), dtype=np.float32)[whole] for one in (shown, made))
+        grey = 1.0 if shown.dtype == np.uint8 else float(np.percentile(was, 99)) / 255
+        most = max(most, float(np.mean(np.abs(is_now - was) > max(was.std(), _LEAST_OBJECT * grey))))
+    return most
 
 
 def _stored(made: np.ndarray, mosaic: Raster, dtype: np.dtype) -> np.ndarray:
@@ -260,7 +301,7 @@ def _ground(read: _Pixels, part: _Part) -> JudgedGround:
     """
     image = ComparedImage(read.planes.mosaic[np.newaxis], JUDGED, {}, {}, read.mosaic, valid=read.own.valid)
     found = judged_ground(image, read.planes.compared, None)
-    own = enlarged(part.territory, CELL_PX)
+    own = enlarged(part.territory, CELL_PX) & (True if image.valid is None else image.valid)
     if np.count_nonzero(found.expected.labels[own] == UNKNOWN) <= _MOST_UNKNOWN * np.count_nonzero(own):
         return found
     sides = enlarged(np.where(part.on_left ^ part.flipped, *map(np.uint8, _SIDES)), CELL_PX)
@@ -273,8 +314,6 @@ class _Part:
 
     territory: np.ndarray
     """bool: whose nearest seam is the run."""
-    from_run: np.ndarray
-    """float32: pixels from the old seam."""
     from_any: np.ndarray
     """float32: pixels from the nearest seam."""
     flipped: np.ndarray
@@ -291,7 +330,7 @@ class _Part:
     def patch(self, reach: float) -> np.ndarray:
         """bool: what is made anew, where the mosaic is mixed up to ``reach`` px from the old seam."""
         from_cut = CELL_PX * ndimage.distance_transform_edt(~near_border(self.on_left.view(np.uint8), 1))
-        near = (self.from_run <= reach) | (from_cut <= EASED_PX) | widened(self.flipped, 2)
+        near = (self.from_any <= reach) | (from_cut <= EASED_PX) | widened(self.flipped, 2)
         return self.territory & near
 
     def fade(self, inside: np.ndarray) -> np.ndarray:
@@ -310,8 +349,7 @@ def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.nd
     cells = PixelWindow(*(side // CELL_PX for side in (window.column, window.row, window.width, window.height)))
     flipped = burnt([(between, 1)], Grid(0, 0, 1, 1, 1, 1), cells) == 1
     return _Part(
-        np.isin(any_near.number, request.run.numbers), own.distance_px, any_near.distance_px, flipped,
-        own.on_left ^ flipped,
+        _belongs(any_near, request.run), any_near.distance_px, flipped, own.on_left ^ flipped
     )
 
 
@@ -323,7 +361,7 @@ def _mixed_reach(ground: JudgedGround, part: _Part) -> float:
     left, energy = (in_squares(known * np.square(one), CELL_PX).sum(axis=(1, 3)) for one in (own - expected, expected))
     step = _BIN_CELLS * CELL_PX
     count = _MOST_BESIDE_PX // step
-    bins = np.minimum(part.from_run // step, count + 2).astype(int)[part.territory]
+    bins = np.minimum(part.from_any // step, count + 2).astype(int)[part.territory]
     sums = [np.bincount(bins, one[part.territory], count + 3) for one in (left, energy)]
     share = sums[0] / np.maximum(sums[1], _LEAST_LEFT)
     mixed = share[:count] > np.maximum(_AS_ELSEWHERE * share[count:].max(), _LEAST_LEFT)

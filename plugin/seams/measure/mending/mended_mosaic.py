@@ -5,19 +5,20 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from uuid import uuid4
 from xml.sax.saxutils import escape
 
 import numpy as np
 from osgeo import gdal, gdal_array
 
 from ....imagery import messages as imagery_messages
-from ....imagery.gdal_calls import RASTERS, gdal_call, gdal_writing, open_dataset
+from ....imagery.gdal_calls import RASTERS, gdal_call, gdal_writing, open_dataset, taken_from_memory
 from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import band_roles
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 
-_COG = ["COMPRESS=DEFLATE", "PREDICTOR=YES", "BIGTIFF=IF_SAFER", "SPARSE_OK=TRUE"]
+_COG = ["COMPRESS=DEFLATE", "PREDICTOR=YES", "OVERVIEW_RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER", "SPARSE_OK=TRUE"]
 _ROLES = {"red": gdal.GCI_RedBand, "green": gdal.GCI_GreenBand, "blue": gdal.GCI_BlueBand}
 
 
@@ -30,10 +31,8 @@ class PlacedPatch:
     """Of the mosaic's pixels."""
 
 
-def write_patch(
-    path: str, mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: np.ndarray
-) -> PlacedPatch:
-    """A patch as a cloud-optimised GeoTIFF whose last band is alpha. Raises RasterError where it can't be written.
+def patch_file(mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: np.ndarray) -> np.ndarray:
+    """The bytes (n,) of a cloud-optimised GeoTIFF whose last band is alpha. Raises RasterError where memory lacks.
 
     ``pixels``: (bands, rows, columns); ``inside``: (rows, columns) bool.
     """
@@ -41,7 +40,9 @@ def write_patch(
     made = np.where(inside, np.concatenate([pixels, np.full_like(pixels[:1], opaque)]), 0).astype(pixels.dtype)
     dataset = _created("MEM", mosaic, window)
     dataset.WriteArray(made)
-    return _written(path, dataset, window)
+    path = f"/vsimem/patch_{uuid4().hex}.tif"
+    _write(path, dataset)
+    return np.frombuffer(taken_from_memory(path), np.uint8)
 
 
 def joined_patches(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) -> PlacedPatch:
@@ -51,7 +52,8 @@ def joined_patches(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) ->
     right, bottom = max(one.column + one.width for one in windows), max(one.row + one.height for one in windows)
     whole = _created("VRT", mosaic, window := PixelWindow(left, top, right - left, bottom - top))
     _lay(whole, range(whole.RasterCount), [PlacedPatch(one.path, one.window.moved_by(-left, -top)) for one in patches])
-    return _written(path, whole, window)
+    _write(path, whole)
+    return PlacedPatch(path, window)
 
 
 def write_mended(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) -> None:
@@ -79,13 +81,13 @@ def _created(driver: str, mosaic: Raster, window: PixelWindow) -> gdal.Dataset:
     return dataset
 
 
-def _written(path: str, dataset: gdal.Dataset, window: PixelWindow) -> PlacedPatch:
-    """As a cloud-optimised GeoTIFF; GDAL knows alpha as a mask of grey and coloured images only, others get one."""
-    count = dataset.RasterCount
-    mask = "auto" if count in (2, 4) else count
+def _write(path: str, dataset: gdal.Dataset) -> None:
+    """As a cloud-optimised GeoTIFF; GDAL takes alpha for a mask in grey and coloured images of 8 and 16 bits, without
+    sign, only: others get one."""
+    count, kind = dataset.RasterCount, dataset.GetRasterBand(1).DataType
+    mask = "auto" if count in (2, 4) and kind in (gdal.GDT_Byte, gdal.GDT_UInt16) else count
     with whole_raster(path) as unfinished, gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=path)):
         gdal.Translate(unfinished, dataset, format="COG", creationOptions=_COG, maskBand=mask)
-    return PlacedPatch(path, window)
 
 
 def _lay(whole: gdal.Dataset, bands: Sequence[int], patches: Sequence[PlacedPatch]) -> None:

@@ -11,34 +11,36 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from fnmatch import fnmatch
 from functools import cached_property
+from operator import attrgetter
 from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
 
 from ....imagery import messages as imagery_messages
-from ....imagery.atomic_files import drop_unfinished, unfinished_name
+from ....imagery.atomic_files import files_written, unfinished_name
 from ....imagery.errors import CancelledError, Message, SettingsError
-from ....imagery.messages import system_reason
 from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column, record_of, sentences_of, value_of
 from ..scan.block_runs import BlockLook, JournaledBlocks, ScanStep, held
+from ..scan.blocks.block_grid import BlockKey
 from ..scan.lines.given_seams import GivenSeams
 from ..scan.lines.piece_index import PieceIndex
 from ..scan.lines.seam_pieces import SidedSeam
-from ..scan.scan_journal import ScanJournal, fingerprint_of, open_journal
+from ..scan.scan_journal import ScanJournal, journal_beside, local_states
 from ..scan.scan_request import ScanRequest
 from ..scan.scan_settings import ScanSettings
 from ..scan.whole_scan import whole_scan
 from ..source_images import Source
 from . import messages
-from .failed_runs import SeamRun, seam_runs
+from .failed_runs import SeamRun, part_of, seam_runs
 from .mend_run import GROUNDS_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
-from .mended_mosaic import PlacedPatch, joined_patches, write_mended, write_patch
+from .mended_mosaic import PlacedPatch, joined_patches, write_mended
 
 MENDED_KEPT = 0.9
 """kept_1 of a seam that counts as mended: less is the band of a seam profile."""
@@ -50,6 +52,7 @@ PATCHED = 0.6
 _WIDEST_PX = 800.0  # of a corridor on either side, so that memory does not grow with it
 _CORRIDOR_PX = 64.0
 _ONE_PIECE_M = 1e9
+_PATCHES = "patch_*.tif"
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,9 +91,8 @@ class MendRequest:
         there = run.window(self.mosaic.grid).cut_to(self.mosaic.columns, self.mosaic.rows)
         return self.index.near(there, reach_px)
 
-    def run(self, key: tuple[int, int]) -> RunRequest:
-        """One of the runs, by its number."""
-        run = self.runs[0][key[0]]
+    def run(self, key: BlockKey, run: SeamRun) -> RunRequest:
+        """To cut one of the runs, or a part of it."""
         beside = [self.pieces[number].piece for number in self.near(run, GROUNDS_PX[0]).numbers.tolist()]
         named = [self.numbers.get(str(side)) for piece in beside for side in (piece.left, piece.right)]
         order = dict.fromkeys([*run.sides, *(number for number in named if number is not None)])
@@ -152,6 +154,7 @@ class Mending:
         """``patches``: a folder, or a GeoTIFF for all of them."""
         self.request, self._journal, self._mended = request, journal, mended
         self._single, self._folder = patches if _is_file(patches) else "", Path(patches)
+        self._cuts: list[tuple[BlockKey, SeamRun]] = []
 
     @property
     def done(self) -> int:
@@ -160,24 +163,41 @@ class Mending:
 
     def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
         """Cuts all runs anew."""
-        keys = [(number, 0) for number in range(len(self.request.runs[0]))]
+        blocks, fitting = JournaledBlocks(self._journal, executor, ahead, cancelled), {}
+        runs = {(number, 0): run for number, run in enumerate(self.request.runs[0])}
         with rasters_kept():
-            yield from JournaledBlocks(self._journal, executor, ahead, cancelled).steps(_LOOK, keys, self.request.run)
+            for step in blocks.steps(_LOOK, list(runs), lambda key: self.request.run(key, runs[key])):
+                fitting[step.key] = step.brief
+                yield step
+            self._cuts = [one for key, run in runs.items() for one in self._parts(key, run, fitting.get(key, ()))]
+            parts = {key: run for key, run in self._cuts if key not in runs}
+            yield from blocks.steps(_LOOK, list(parts), lambda key: self.request.run(key, parts[key]))
+
+    def _parts(
+        self, key: BlockKey, run: SeamRun, fitting: Sequence[tuple[float, float]]
+    ) -> Iterator[tuple[BlockKey, SeamRun]]:
+        """A run whose images fit in parts only as those, which are cut by themselves, and what stays beside them."""
+        if not fitting:
+            yield key, run
+            return
+        grid, station, whole = self.request.mosaic.grid, run.piece.station_m, run.piece.length_m
+        places = [0.0, *(end for part in fitting for end in part), whole]
+        for place, (first, last) in enumerate(zip(places, places[1:])):
+            if last > first:
+                part = part_of(run, first, last, np.array([grid.metres_x, grid.metres_y]))
+                span = station + first if first else -np.inf, station + last if last < whole else np.inf
+                yield (key[0], (place + 1) // 2 if place % 2 else 0), replace(part, span=span)
 
     def result(self, goes_on: Callable[[float], bool], executor: Executor, ahead: int) -> list[MendedSeam]:
         """Measures the new cuts, and writes the patches that are better than the mosaic, and the mended mosaic.
 
         Raises SettingsError or RasterError where they can't be written, CancelledError when ``goes_on`` says no.
         """
-        try:
-            return self._result(goes_on, executor, ahead)
-        except OSError as error:  # the folder is gone meanwhile, or its disk is full
-            said = imagery_messages.FILE_NOT_WRITTEN(path=self._mended, error=system_reason(error))
-            raise SettingsError(said) from None
-
-    def _result(self, goes_on: Callable[[float], bool], executor: Executor, ahead: int) -> list[MendedSeam]:
         place, mosaic = Path(self._mended), self.request.mosaic
-        with tempfile.TemporaryDirectory(prefix=unfinished_name(place), dir=place.parent) as folder, rasters_kept():
+        # The folder may go away meanwhile, or its disk be full.
+        with files_written(place), rasters_kept(), tempfile.TemporaryDirectory(
+            prefix=unfinished_name(place), dir=place.parent
+        ) as folder:
             tried = list(self._tried(Path(folder)))
             cuts = {number: cut.vertices for number, (cut, patch) in enumerate(tried) if patch is not None}
             write_mended(path := str(Path(folder) / "mended.vrt"), mosaic, [patch for _, patch in tried if patch])
@@ -191,22 +211,22 @@ class Mending:
             write_mended(self._mended, mosaic, better)
         return seams
 
+    def _tried(self, folder: Path) -> Iterator[tuple[MendedRun, PlacedPatch | None]]:
+        """All cuts, without their patches, and those as files in this folder."""
+        for number, (key, _) in enumerate(self._cuts):
+            cut: MendedRun | None = held(_LOOK, self._journal.files, key)
+            assert cut is not None
+            patch = None
+            if cut.window is not None and cut.patch is not None:
+                patch = PlacedPatch(str(folder / _patch_name(number)), cut.window)
+                cut.patch.tofile(patch.path)
+            yield replace(cut, patch=None), patch
+
     def _moved(self, patch: PlacedPatch) -> PlacedPatch:
         path = str(self._folder / os.path.basename(patch.path))
         with whole_raster(path) as unfinished:
-            shutil.copyfile(patch.path, unfinished)
+            shutil.move(patch.path, unfinished)
         return replace(patch, path=path)
-
-    def _tried(self, folder: Path) -> Iterator[tuple[MendedRun, PlacedPatch | None]]:
-        """All cuts, without their pixels, and their patches in this folder."""
-        for number in range(len(self.request.runs[0])):
-            cut: MendedRun | None = held(_LOOK, self._journal.files, (number, 0))
-            assert cut is not None
-            patch = None
-            if cut.window is not None and cut.pixels is not None and cut.inside is not None:
-                path = str(folder / _patch_name(number))
-                patch = write_patch(path, self.request.mosaic, cut.window, cut.pixels, cut.inside)
-            yield replace(cut, pixels=None, inside=None), patch
 
     def _measured(
         self, path: str, cuts: dict[int, np.ndarray | None], goes_on: Callable[[float], bool], executor: Executor,
@@ -214,10 +234,16 @@ class Mending:
     ) -> dict[int, float]:
         """kept_1 of the mosaic with its patches, a VRT at ``path``, along the new cuts, by the run's number: a scan of
         given seams, those that stay among them."""
-        request, runs = self.request, self.request.runs[0]
-        near = {piece for number in cuts for piece in request.near(runs[number], _WIDEST_PX).numbers.tolist()}
-        near -= {piece for number in cuts for piece in runs[number].numbers}
-        lines = [(vertices, runs[number].piece) for number, vertices in cuts.items()]
+        request = self.request
+        whole = {self._cuts[number][0][0] for number in cuts}  # runs, of which parts may stay
+        lines = [(vertices, self._cuts[number][1].piece) for number, vertices in cuts.items()]
+        lines += [
+            (run.piece.vertices, run.piece) for number, (key, run) in enumerate(self._cuts)
+            if number not in cuts and key[0] in whole
+        ]
+        runs = [run for key, run in self._cuts if key[0] in whole]
+        near = {piece for run in runs for piece in request.near(run, _WIDEST_PX).numbers.tolist()}
+        near -= {piece for run in runs for piece in run.numbers}
         lines += [(request.pieces[piece].piece.vertices, request.pieces[piece].piece) for piece in sorted(near)]
         seams = tuple(SidedSeam(vertices, piece.left, piece.right) for vertices, piece in lines if vertices is not None)
         corridor = _CORRIDOR_PX * request.mosaic.ground_sample_distance
@@ -237,7 +263,7 @@ class Mending:
         return kept
 
     def _judged(self, number: int, cut: MendedRun, kept: float | None) -> MendedSeam:
-        run = self.request.runs[0][number]
+        run = self._cuts[number][1]
         if cut.window is None:
             return MendedSeam(run, cut, LEFT, reason=cut.reason)
         if kept is None:
@@ -252,35 +278,25 @@ class Mending:
 def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending]:
     """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where no
     file can be, or another one is under way there."""
-    given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
-    mosaic, place = request.mosaic, Path(mended)
     _check_patches(request, patches)
-    fingerprint = fingerprint_of(
-        mosaic.ref, request.sources, request.settings, [*given, np.array([one.is_wanted for one in request.pieces])],
-        (mosaic.geotransform, mosaic.own_wkt),
-    )
-    journal, _ = open_journal(place.with_name(place.name + JOURNAL_ENDING), fingerprint)
-    try:
-        drop_unfinished(place)
+    given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
+    given.append(np.array([one.is_wanted for one in request.pieces]))
+    with journal_beside(
+        Path(mended), JOURNAL_ENDING, request.mosaic, request.sources, request.settings, given
+    ) as (journal, _):
         yield Mending(request, patches, mended, journal)
         journal.remove()
-    finally:
-        journal.close()
 
 
 def _check_patches(request: MendRequest, patches: str) -> None:
     """Makes their folder. Raises SettingsError where they can't be."""
-    single = _is_file(patches)
+    single, folder = _is_file(patches), os.path.realpath(patches)
     refs = [request.mosaic.ref, *(one.ref for one in request.sources)]
-    inputs = {os.path.realpath(path) for ref in refs for path in ref.paths}
-    for number in range(0 if single else len(request.runs[0])):  # one file is held against the inputs as any output is
-        path = os.path.join(patches, _patch_name(number))
-        if os.path.realpath(path) in inputs:
+    for path in map(os.path.realpath, local_states(path for ref in refs for path in ref.paths)):
+        if os.path.dirname(path) == folder and fnmatch(os.path.basename(path), _PATCHES):
             raise SettingsError(messages.PATCH_IS_INPUT(path=path))
-    try:
+    with files_written(patches):
         Path(os.path.dirname(os.path.abspath(patches)) if single else patches).mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=patches, error=system_reason(error))) from None
 
 
 def _is_file(patches: str) -> bool:
@@ -288,11 +304,11 @@ def _is_file(patches: str) -> bool:
 
 
 def _patch_name(number: int) -> str:
-    return f"patch_{number + 1:04d}.tif"
+    return _PATCHES.replace("*", f"{number + 1:04d}")
 
 
 def _run_of(record: bytes) -> Any:
     return value_of(MendedRun, record, sentences_of(imagery_messages, messages))
 
 
-_LOOK = BlockLook("run", mend_run, not_mended, record_of, _run_of)
+_LOOK = BlockLook("run", mend_run, not_mended, record_of, _run_of, brief=attrgetter("fitting"))

@@ -16,7 +16,11 @@ IMAGES_UNLIKE = Message(
 )
 IMAGES_OF_OTHER_GROUND = Message(
     "The orthoimages show {share:.1%} of the ground near the seam otherwise than the mosaic, as those of another date "
-    "do; choose those that it was made from."
+    "do, or others where its tones are cut off at white or black; choose those that it was made from."
+)
+DETAIL_NOT_SHOWN = Message(
+    "{name} shows {share:.0%} of the fine detail that the mosaic has beside the seam (band {band}), so it can't be put "
+    "in its place; choose the images that it was made from."
 )
 TONES_NOT_TOLD = Message(
     "Near the seam there is too little ground that shows one orthoimage alone, so its tones can't be told."

@@ -11,7 +11,7 @@ from scipy import ndimage, sparse
 from scipy.sparse import csgraph
 
 from ....imagery.errors import Message
-from ....imagery.shifts import Shift, find_shift, shifted
+from ....imagery.shifts import MIN_TILE_SHARE, Shift, find_shift, shifted
 from ..following.boxes import box_means, enlarged, in_squares
 from ..following.levelling import gain_field, square_means, to_pixels
 from . import messages
@@ -25,7 +25,8 @@ LEAST_ALIKE = 0.1
 _FAR = 32  # cells: what differs over more than that is tone
 _LENGTH = 0.2  # of the middle cost, for every cell: a way round has to be worth it
 _NEAR, _WIDE = 3, 9  # cells a side: what is beside a way, and what detail is coarser than
-_STRETCH = 64  # cells of a way that are compared by themselves: images may lie apart in a part of it
+_STRETCH = 16  # cells of a way: images may lie apart in a part of it only
+_TILE_PX = 128  # around its middle, in which images are compared
 _CROSSED_PX = 12  # on either side of a way: what it crosses
 _STRIP_PX = 40  # on either side of a way, in which images are compared
 
@@ -61,63 +62,61 @@ def cheapest_way(
     near = box_means(cost, (_NEAR,))[0] / np.maximum(box_means(free, (_NEAR,))[0], 1e-6)
     near += _LENGTH * np.float32(np.median(near[free])) + np.float32(1e-6)
     free[start], free[end] = True, True
-    numbers = np.full(cost.shape, -1)
-    numbers[free] = np.arange(np.count_nonzero(free))
-    rows, columns = cost.shape
-    heads, tails, lengths = [], [], []
+    numbers = np.arange(free.size).reshape(free.shape)
+    rows, columns = free.shape
+    steps = []
     for down, across in ((0, 1), (1, 0), (1, 1), (1, -1)):
         here = np.s_[: rows - down, max(-across, 0) : columns - max(across, 0)]
         there = np.s_[down:, max(across, 0) : columns - max(-across, 0)]
         both = free[here] & free[there]
-        heads.append(numbers[here][both])
-        tails.append(numbers[there][both])
-        lengths.append(np.hypot(down, across) * (near[here][both] + near[there][both]) / 2)
-    count = np.count_nonzero(free)
-    graph = sparse.coo_matrix((np.concatenate(lengths), (np.concatenate(heads), np.concatenate(tails))), (count, count))
-    before = csgraph.dijkstra(graph.tocsr(), directed=False, indices=int(numbers[start]), return_predecessors=True)[1]
-    way = [int(numbers[end])]
+        lengths = np.hypot(down, across) * (near[here] + near[there]) / 2
+        steps.append([one[both] for one in (lengths, numbers[here], numbers[there])])
+    lengths, heads, tails = map(np.concatenate, zip(*steps))
+    graph = sparse.coo_matrix((lengths, (heads, tails)), (free.size, free.size)).tocsr()
+    before = csgraph.dijkstra(graph, directed=False, indices=numbers[start], return_predecessors=True)[1]
+    way = [numbers[end]]
     while way[-1] != numbers[start]:
-        previous = int(before[way[-1]])
-        if previous < 0:
+        if before[way[-1]] < 0:
             return None
-        way.append(previous)
-    return np.argwhere(free)[way[::-1]]
+        way.append(before[way[-1]])
+    return np.column_stack(np.unravel_index(way[::-1], free.shape))
 
 
 def fit_along(
     way: np.ndarray, first: np.ndarray, second: np.ndarray, valid: np.ndarray
-) -> tuple[float | None, Message | None]:
+) -> tuple[float | None, Message | None, np.ndarray]:
     """How far two planes lie from each other along a way (n, 2), rows and columns of cells, px, where it is most, None
-    where nothing in common shows it; and why they can't be cut there."""
+    where nothing in common shows it; why they can't be cut there; and (n,) bool: where they lie too far apart."""
     off = np.ones([length // CELL_PX for length in valid.shape], bool)
     off[tuple(way.T)] = False
-    beside = CELL_PX * ndimage.distance_transform_edt(off) <= _STRIP_PX
+    from_way = CELL_PX * ndimage.distance_transform_edt(off)
+    beside, crossed = from_way <= _STRIP_PX, enlarged(from_way <= _CROSSED_PX, CELL_PX) & valid
     shift = find_shift(first, second, enlarged(beside, CELL_PX) & valid)
-    apart = (_apart(one, first, second, valid) for one in np.array_split(way, max(1, round(len(way) / _STRETCH))))
-    misfit = max((one.length for one in (shift, *apart) if one is not None), default=None)
+    stretches = np.array_split(way, max(1, round(len(way) / _STRETCH)))
+    found = []
+    for one in stretches:
+        middle = one[len(one) // 2] * CELL_PX + CELL_PX // 2
+        tile = tuple(map(slice, np.maximum(middle - _TILE_PX // 2, 0), middle + _TILE_PX // 2))
+        found.append(_apart(first[tile], second[tile], valid[tile], crossed[tile]))
+    lengths = [0.0 if one is None else one.length for one in found]
+    far = np.repeat(np.array(lengths) > MOST_MISFIT_PX, [len(one) for one in stretches])
+    misfit = max((one.length for one in (shift, *found) if one is not None), default=None)
     if misfit is not None:
-        return misfit, messages.IMAGES_MISFIT(misfit=misfit) if misfit > MOST_MISFIT_PX else None
+        return misfit, messages.IMAGES_MISFIT(misfit=misfit) if misfit > MOST_MISFIT_PX else None, far
     beside &= in_squares(valid, CELL_PX).all(axis=(1, 3))
     a, b = ((cells - ndimage.uniform_filter(cells, _WIDE))[beside] for cells in map(_by_cell, (first, second)))
     alike = float(a @ b) >= LEAST_ALIKE * float(np.sqrt((a @ a) * (b @ b)))
-    return None, None if alike else messages.IMAGES_UNLIKE()
+    return None, None if alike else messages.IMAGES_UNLIKE(), far
 
 
-def _apart(way: np.ndarray, first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> Shift | None:
-    """How two planes lie in a stretch of a way, where the ground that it crosses shows it, and not just an object
-    beside it that it leads around."""
-    corner = np.maximum(way.min(axis=0) * CELL_PX - 2 * _STRIP_PX, 0)
-    place = tuple(map(slice, corner, (way.max(axis=0) + 1) * CELL_PX + 2 * _STRIP_PX))
-    first, second, valid = (one[place] for one in (first, second, valid))
-    off = np.ones(valid.shape, bool)
-    off[tuple((way * CELL_PX + CELL_PX // 2 - corner).T)] = False
-    from_way = ndimage.distance_transform_edt(off)
-    shift = find_shift(first, second, (from_way <= _STRIP_PX) & valid)
+def _apart(first: np.ndarray, second: np.ndarray, valid: np.ndarray, crossed: np.ndarray) -> Shift | None:
+    """How two planes lie around a place on a way, where the ground that is ``crossed`` there shows it, and not just an
+    object beside it that it leads around."""
+    shift = find_shift(first, second) if valid.mean() >= MIN_TILE_SHARE else None
     if shift is None or shift.length <= MOST_MISFIT_PX:
         return shift
-    near = (from_way <= _CROSSED_PX) & valid
     a, b, moved = (
-        (one - ndimage.uniform_filter(one, _WIDE * CELL_PX))[near]
+        (one - ndimage.uniform_filter(one, _WIDE * CELL_PX))[crossed]
         for one in (first, second, shifted(second, shift.x, shift.y))
     )
     return shift if np.square(a - moved).sum() < np.square(a - b).sum() else None

@@ -8,7 +8,7 @@ import os
 import re
 import stat
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from hashlib import blake2b
 from pathlib import Path
 from typing import Any
@@ -18,11 +18,12 @@ import numpy as np
 from osgeo import gdal
 
 from ....imagery import messages as imagery_messages
+from ....imagery.atomic_files import drop_unfinished
 from ....imagery.documents import xml_root
 from ....imagery.errors import Message, SettingsError
 from ....imagery.gdal_calls import gdal_silenced, is_remote, readable_path, vrt_parts
 from ....imagery.messages import system_reason
-from ....imagery.rasters import RasterRef
+from ....imagery.rasters import Raster, RasterRef
 from ....imagery.record_store import RecordStore
 from ....imagery.remote_files import forget_fetched
 from ..source_images import Source
@@ -244,6 +245,25 @@ _BLOCKS = "-blocks"
 """What the name of the folder of blocks beside the journal ends with."""
 INCOMPLETE = "again"
 """Begins the name of a block that lacks something; a later run measures it anew."""
+
+
+@contextmanager
+def journal_beside(
+    output: Path, ending: str, mosaic: Raster, sources: Sequence[Source], settings: Any, seams: Iterable[object]
+) -> Iterator[tuple[ScanJournal, Message | None]]:
+    """The journal beside an output, for this run alone, and what became of an earlier run; ``seams`` as for
+    ``fingerprint_of``. What was killed while it wrote the output leaves nothing.
+
+    Raises SettingsError where no file can be, or another run is under way there.
+    """
+    place = mosaic.geotransform, mosaic.own_wkt
+    fingerprint = fingerprint_of(mosaic.ref, sources, settings, seams, place)
+    journal, notice = open_journal(output.with_name(output.name + ending), fingerprint)
+    try:
+        drop_unfinished(output)
+        yield journal, notice
+    finally:
+        journal.close()
 
 
 def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | None]:

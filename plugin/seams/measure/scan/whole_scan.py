@@ -10,7 +10,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Callable
 
-from ....imagery.atomic_files import drop_unfinished
 from ....imagery.errors import Message, SettingsError
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ..inspection import Block, PathLike
@@ -22,7 +21,7 @@ from .gathering import Gathering
 from .lines.given_seams import GivenSeams, given_seams
 from .lines.seam_features import read_seam_features
 from .lone_scan import LoneScanning
-from .scan_journal import ScanJournal, fingerprint_of, local_states, open_journal
+from .scan_journal import ScanJournal, journal_beside, local_states
 from .scan_request import ScanRequest, scan_request
 from .scan_result import ScanResult, dated
 from .scan_settings import ScanSettings
@@ -100,16 +99,11 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
     """
     seams = [(seam.vertices, seam.left, seam.right) for seam in request.seams]
     read = local_states(_paths(request))
-    fingerprint = fingerprint_of(
-        request.mosaic.ref, request.sources, request.settings, [item for seam in seams for item in seam],
-        (request.mosaic.geotransform, request.mosaic.own_wkt),
-    )
-    journal, notice = open_journal(output.with_name(output.name + JOURNAL_ENDING), fingerprint)
-    try:
-        drop_unfinished(output)
+    items = [item for seam in seams for item in seam]
+    with journal_beside(output, JOURNAL_ENDING, request.mosaic, request.sources, request.settings, items) as (
+        journal, notice,
+    ):
         yield WholeScan(request, journal, notice, read)
-    finally:
-        journal.close()
 
 
 def _paths(request: ScanRequest) -> list[str]:

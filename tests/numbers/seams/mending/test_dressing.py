@@ -68,6 +68,18 @@ def test_the_rim_of_a_patch_has_the_mosaics_tones() -> None:
     assert np.abs(made - first - 15).max() < 0.1
 
 
+def test_how_much_of_the_mosaics_detail_a_source_has() -> None:
+    shown, other = image(9), image(10)
+    mosaic = np.rint(shown).astype(np.uint8)
+    assert dressing.shown_detail(shown, mosaic, WHOLE) > 0.99
+    for part in (0.02, 0.6):
+        assert dressing.shown_detail(part * shown, mosaic, WHOLE) == pytest.approx(part, abs=0.01)
+    noisy = np.rint(shown + 9 * texture(SHAPE, 0.0, 11)).astype(np.uint8)
+    assert dressing.shown_detail(shown, noisy, WHOLE) > 0.95
+    assert dressing.shown_detail(9 * other, mosaic, WHOLE) < 0.05
+    assert dressing.shown_detail(shown, np.full(SHAPE, 90, np.uint8), WHOLE) is None
+
+
 @pytest.mark.parametrize("reach", [0.8, 2.0, 54.0])
 def test_smoothing_is_that_of_a_gaussian_filter_with_repeated_edges(reach: float) -> None:
     planes = np.stack([texture((23, 61), 1.0, seed) for seed in (7, 8)]).astype(np.float32)

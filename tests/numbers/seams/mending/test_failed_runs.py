@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from osgeo import ogr
 from seam_inspector.plugin.seams.measure.limits import ALL, FAILED, REDUCED
-from seam_inspector.plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces, seam_runs
+from seam_inspector.plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces, part_of, seam_runs
 
 NUMBERS = {"a.tif": 0, "b.tif": 1}
 
@@ -44,6 +44,20 @@ def test_pieces_that_follow_each_other_are_one_run() -> None:
     assert [(one.numbers, one.piece.length_m, one.sides) for one in runs] == [((1, 0), 30, (0, 1)), ((2,), 10, (0, 1))]
     assert (runs[0].kept, unnamed) == (pytest.approx(0.3), 0)
     assert [one.numbers for one in seam_runs(pieces, NUMBERS, 0.02)[0]] == [(1,), (0,), (2,)]  # 20 m are too long
+
+
+def test_a_part_of_a_run_lies_between_two_places() -> None:
+    (run,) = given_pieces([feature(10, 30, station=100.0)], FIELDS, ALL)
+    part = part_of(run, 5, 12).piece
+    assert (part.vertices.tolist(), part.station_m, part.length_m) == ([[15, 0], [22, 0]], 105, 7)
+
+
+def test_a_ring_is_cut_in_two_halves() -> None:
+    row, _ = feature(0, 40)
+    ring = ogr.CreateGeometryFromWkt("LINESTRING (0 0, 10 0, 10 10, 0 10, 0 0)")
+    halves = [one.piece for one in given_pieces([(row, bytes(ring.ExportToWkb()))], FIELDS, ALL)]
+    assert [one.vertices.tolist() for one in halves] == [[[0, 0], [10, 0], [10, 10]], [[10, 10], [0, 10], [0, 0]]]
+    assert [(one.station_m, one.length_m) for one in halves] == [(0, 20), (20, 20)]
 
 
 def test_pieces_without_two_orthoimages_are_counted() -> None:

@@ -22,13 +22,15 @@ def images(shift_px: int) -> list[np.ndarray]:
 
 @pytest.mark.parametrize("shift_px", [3, 8])
 def test_a_misfit_in_a_part_of_the_way_counts(shift_px: int) -> None:
-    misfit, reason = fit_along(WAY, *images(shift_px), np.ones((ROWS, COLUMNS), bool))
+    misfit, reason, far = fit_along(WAY, *images(shift_px), np.ones((ROWS, COLUMNS), bool))
+    assert CELL_PX * np.count_nonzero(far) == pytest.approx(ROWS / 4, abs=64)
+    assert not far[: len(far) * 5 // 8].any()
     assert misfit == pytest.approx(shift_px, abs=0.3)
     assert reason is not None
 
 
 def test_images_that_fit_all_along_are_cut() -> None:
-    misfit, reason = fit_along(WAY, *images(0), np.ones((ROWS, COLUMNS), bool))
+    misfit, reason, _ = fit_along(WAY, *images(0), np.ones((ROWS, COLUMNS), bool))
     assert misfit == pytest.approx(0, abs=0.1)
     assert reason is None
 
@@ -39,6 +41,6 @@ def test_a_roof_beside_the_way_is_no_misfit() -> None:
     middle = COLUMNS // 2
     for plane, by in zip(planes, (0, 9)):
         plane[400:480, middle + 16 + by : middle + 60 + by] = 40 + 8 * (np.arange(80) // 8 % 2)[:, np.newaxis]
-    misfit, reason = fit_along(WAY, *planes, np.ones((ROWS, COLUMNS), bool))
+    misfit, reason, _ = fit_along(WAY, *planes, np.ones((ROWS, COLUMNS), bool))
     assert misfit == pytest.approx(0, abs=0.3)
     assert reason is None
