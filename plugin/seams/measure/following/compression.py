@@ -1,8 +1,9 @@
 """Which sources a mosaic's own compression took alike of, as JPEG does in squares of 8 px.
 
 What is compressed again in the squares that it was compressed in before comes out as it was, nearly to the bit; what
-lay in other squares, or was not compressed yet, loses several per cent of its fine detail, more or less by how the
-squares lie in each other. All may be in one mosaic, and the ground of one tells nothing of what another leaves over.
+lay in other squares, was not compressed yet or was brought to other tones loses several per cent of its fine detail,
+more or less by how the squares lie in each other. All may be in one mosaic, and the ground of one tells nothing of what
+another leaves over.
 """
 from __future__ import annotations
 
@@ -11,12 +12,18 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..seam_cells import UNKNOWN, present
+from .boxes import square_sums
+from .followed_source import LEAST_ENERGY
 
 JPEG_SQUARE_PX = 8
 
 _MIN_SURE = 4.0  # standard errors, along both axes: that there are squares; chance reaches 3
 _MIN_TOLD = 2.0  # the same at places that are known
 _MIN_SAME = 0.75  # of the mosaic's edges, that a source in the same squares has at their places
+_MORE_LEFT = 8.0  # times as much as the source that came out best leaves over: rounded anew, though in its own squares
+_MIXED = 0.25  # of the squares, that are not believed
+_EXACT = 1e-3  # of the fine detail, that is left over of what came out as it was
+_MOST_ROUNDED = 0.4  # of the fine detail, that rounding anew takes; other images of the same ground leave over more
 _EVERY = 2  # lines apart are looked at
 _MOST_EDGE = 3.0  # times the differences beside it, that one edge counts
 
@@ -34,22 +41,40 @@ def compressed_alike(
     """
     numbers = present(labels)
     own = _Edges(mosaic, patch_px)
-    places = own.places(labels != UNKNOWN)
-    if len(numbers) < 2 or places is None:
-        return ()
-    groups: dict[tuple[object, ...], set[int]] = {places: set()}
+    errors = {number: own.errors(labels == number) for number in numbers}
+    shown = {number: _places(errors[number]) for number in numbers}
+    places = own.places(labels != UNKNOWN) or next(filter(None, shown.values()), None)
+    if len(numbers) < 2 or places is None or any(one not in (None, places) for one in shown.values()):
+        return ()  # nor was a mosaic compressed where only its sources were, each in squares of its own
+    groups: dict[tuple[object, ...], set[int]] = {}
     for number in numbers:
-        elsewhere = own.places(labels == number)
-        if elsewhere is not None and elsewhere != places:
-            return ()  # the mosaic was not compressed, but its sources were before
         seen = sources[number] != 0
         its = _Edges(sources[number], patch_px)
         edges, same = (one.errors(seen)[(0, 1), places] for one in (own, its))
         in_same = (edges >= _MIN_TOLD) & (same >= _MIN_SAME * edges)
-        lies = places if in_same.all() else its.places(seen) or (None, *in_same.tolist())
+        lies: tuple[object, ...] = places if in_same.all() else its.places(seen) or (None, *in_same.tolist())
+        if (errors[number][(0, 1), places] < _MIN_TOLD).any():
+            lies = ()  # this one alone was not compressed
         groups.setdefault(lies, set()).add(number)
-    are_several = sum(map(bool, groups.values())) > 1
-    return tuple(map(frozenset, groups.values())) if are_several else ()
+    left = {number: _left_over(mosaic, sources[number], labels == number) for number in numbers}
+    most = max(_MORE_LEFT * min(left.values()), _EXACT)
+    if groups.keys() <= {places, ()} and max(left.values()) <= most:
+        return ()  # all came out as they were
+    same_squares = groups.pop(places, set())
+    anew = {number for number in same_squares if most < left[number] <= _MOST_ROUNDED}
+    found = (same_squares - anew, anew, *groups.values())
+    return tuple(map(frozenset, found)) if sum(map(bool, found)) > 1 else ()
+
+
+def _left_over(mosaic: np.ndarray, source: np.ndarray, followed: np.ndarray) -> float:
+    """What its source leaves over of the mosaic's fine detail in all but a quarter of the squares, where it may be
+    mixed with another; 0 where there is none."""
+    side = JPEG_SQUARE_PX
+    own, energy, shared = (square_sums(*two, side) for two in ((mosaic,) * 2, (source,) * 2, (mosaic, source)))
+    middles = followed[side // 2 :: side, side // 2 :: side][: own.shape[0], : own.shape[1]]
+    of = middles & (np.minimum(own, energy) > LEAST_ENERGY * side**2)
+    explained = np.square(shared[of]) / (own[of] * energy[of])
+    return 1 - float(np.quantile(explained, _MIXED)) if len(explained) else 0.0
 
 
 def shows_squares(mosaic: np.ndarray) -> bool:
@@ -66,9 +91,7 @@ class _Edges:
 
     def places(self, where: np.ndarray) -> tuple[int, int] | None:
         """Column and row of the edges within a square; None where there are none. ``where`` (rows, columns) bool."""
-        errors = self.errors(where)
-        column, row = errors.argmax(axis=1).tolist()
-        return (column, row) if errors.max(axis=1).min() >= _MIN_SURE else None
+        return _places(self.errors(where))
 
     def errors(self, where: np.ndarray) -> np.ndarray:
         """By axis, columns first, and place within a square, (2, 8): the mean above that of all places, in standard
@@ -91,6 +114,12 @@ class _Edges:
         lines = weight**2 / np.maximum(squares, 1)
         above = weighted / np.maximum(weight, 1) - sums.sum() / total
         return np.asarray(above * np.sqrt(lines / max(spread, 1e-12)))
+
+
+def _places(errors: np.ndarray) -> tuple[int, int] | None:
+    """Column and row of the edges, by the ``errors`` of all places; None where there are none."""
+    column, row = errors.argmax(axis=1).tolist()
+    return (column, row) if errors.max(axis=1).min() >= _MIN_SURE else None
 
 
 def _edges(plane: np.ndarray) -> np.ndarray:

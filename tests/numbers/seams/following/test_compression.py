@@ -1,6 +1,8 @@
 """Sources that lie in the squares of the mosaic's JPEG already are told from those that it rounded anew."""
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from seam_inspector.plugin.seams.measure.following.compression import compressed_alike
@@ -51,6 +53,33 @@ def test_what_was_not_compressed_before_is_compressed_alike() -> None:
     labels = halves()
     first, second = compressed(image(1), 75), image(2)
     assert not are_alike(compressed(np.where(labels == 0, first, second), 75), first, second, labels)
+
+
+@pytest.mark.parametrize(
+    "toned",
+    [lambda plane: 0.8 * plane + 10, lambda plane: 255 * (plane / 255).clip(0) ** 1.4],
+    ids=["gain", "gamma"],
+)
+def test_what_was_brought_to_other_tones_is_compressed_anew(toned: Callable[[np.ndarray], np.ndarray]) -> None:
+    """Though it lies in its own squares, and the other one came out as it was."""
+    labels = halves()
+    first, second = (compressed(image(seed), 75) for seed in (1, 2))
+    mosaic = compressed(np.where(labels == 0, first, toned(second).round()), 75)
+    found = compressed_alike(high_pass(mosaic), {0: high_pass(first), 1: high_pass(second)}, labels)
+    assert set(found) >= {frozenset({0}), frozenset({1})}
+
+
+def test_another_image_is_not_taken_for_one_that_was_compressed_anew() -> None:
+    labels = halves()
+    first, second, other = (compressed(image(seed), 75) for seed in (1, 2, 3))
+    mosaic = compressed(np.where(labels == 0, first, second), 75)
+    assert are_alike(mosaic, first, (second + other) / 2, labels)
+
+
+def test_one_that_alone_was_compressed_leaves_over_what_the_others_do_not() -> None:
+    labels = halves()
+    mosaic = np.where(labels == 0, image(1), compressed(image(2), 75))
+    assert not are_alike(mosaic, image(1), image(2), labels)
 
 
 @pytest.mark.parametrize("off", [(0, 0), OFF])
