@@ -629,7 +629,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="95"/>
+        <location filename="../plugin/radiometry/report.py" line="94"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
@@ -5965,62 +5965,62 @@
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="213"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="208"/>
         <source>No window was judged by both operators yet; &apos;not sure&apos; does not count.</source>
         <translation>Żadne okno nie ma jeszcze opinii obu operatorów; niepewna się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="216"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="211"/>
         <source>Both judged {count} windows and agreed on {agreed} ({percent} %).</source>
         <translation>Obaj ocenili {count} {count:okno|okna|okien}, zgodnie {agreed} ({percent} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="219"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="214"/>
         <source>Only the first saw a loss: {first}. Only the second: {second}.</source>
         <translation>Stratę widział tylko pierwszy: {first}. Tylko drugi: {second}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="225"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="220"/>
         <source>Cohen&apos;s kappa: {value} (95 % interval {low} to {high}), {word}.</source>
         <translation>Kappa Cohena: {value} (od {low} do {high} z ufnością 95 %), {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="228"/>
         <source>slight agreement</source>
         <translation>zgodność znikoma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="228"/>
         <source>fair agreement</source>
         <translation>zgodność słaba</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="228"/>
         <source>moderate agreement</source>
         <translation>zgodność umiarkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="234"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="229"/>
         <source>substantial agreement</source>
         <translation>zgodność znaczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="237"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
         <source>no more than chance</source>
         <translation>zgodność nie większa niż przypadkowa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="238"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
         <source>almost perfect agreement</source>
         <translation>zgodność prawie pełna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="243"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="238"/>
         <source>Agreement of both operators</source>
         <translation>Zgodność obu operatorów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="247"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="242"/>
         <source>Show where they differ</source>
         <translation>Pokaż, gdzie się różnią</translation>
     </message>
@@ -6095,12 +6095,12 @@
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="168"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="167"/>
         <source>judged</source>
         <translation>z opinią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="172"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="171"/>
         <source>to be judged</source>
         <translation>do oceny</translation>
     </message>
@@ -9645,7 +9645,7 @@
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="54"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="56"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
@@ -10348,47 +10348,47 @@
         <translation>Okno {number}: wariancja względna według poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="30"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="32"/>
         <source>station (m)</source>
         <translation>pikietaż (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="31"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="33"/>
         <source>length (m)</source>
         <translation>długość (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="35"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="37"/>
         <source>verdict by the paper&apos;s rule</source>
         <translation>ocena według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="36"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="38"/>
         <source>verdict against</source>
         <translation>ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="38"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="40"/>
         <source>sources that took part</source>
         <translation>liczba ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="40"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="42"/>
         <source>orthoimage on the left</source>
         <translation>ortoobraz z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="41"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="43"/>
         <source>orthoimage on the right</source>
         <translation>ortoobraz z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="42"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="44"/>
         <source>its date, left</source>
         <translation>jego data, z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="43"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="45"/>
         <source>its date, right</source>
         <translation>jego data, z prawej</translation>
     </message>
@@ -10398,17 +10398,17 @@
         <translation>stosunek tła</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="44"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="46"/>
         <source>kept 1, at least</source>
         <translation>zachowane 1, co najmniej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="45"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="47"/>
         <source>kept 1, at most</source>
         <translation>zachowane 1, co najwyżej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="46"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="48"/>
         <source>width of the band (m)</source>
         <translation>szerokość pasa (m)</translation>
     </message>
@@ -10433,17 +10433,17 @@
         <translation>pewność 2 (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="53"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="55"/>
         <source>failure</source>
         <translation>usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="55"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="57"/>
         <source>picture</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="58"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="60"/>
         <source>kept {level}</source>
         <translation>zachowane {level}</translation>
     </message>
@@ -10458,27 +10458,27 @@
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="59"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="61"/>
         <source>kept {level} in the window</source>
         <translation>zachowane {level} w oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="60"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="62"/>
         <source>kept {level} in the strip</source>
         <translation>zachowane {level} w pasie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="61"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="63"/>
         <source>contrast {level}</source>
         <translation>kontrast {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="62"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="64"/>
         <source>sharpness {level}</source>
         <translation>ostrość {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="63"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="65"/>
         <source>added detail {level}</source>
         <translation>dodane detale {level}</translation>
     </message>
@@ -10782,7 +10782,7 @@
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="47"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="49"/>
         <source>width of the feather (m)</source>
         <translation>szerokość wtapiania (m)</translation>
     </message>
@@ -11506,12 +11506,12 @@
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="32"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="34"/>
         <source>piece or stretch</source>
         <translation>odcinek czy ciąg odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="33"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="35"/>
         <source>counts as</source>
         <translation>liczy się jako</translation>
     </message>
@@ -11933,62 +11933,62 @@
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy nie pokazują niczego wspólnego; poszerz korytarz albo wybierz inne obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="22"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="26"/>
         <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be told.</source>
         <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="24"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="28"/>
         <source>One of the two orthoimages has no pixels along the new cut.</source>
         <translation>Jeden z dwóch ortoobrazów nie ma pikseli wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="25"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="29"/>
         <source>{name} lacks bands of the mosaic: {bands}.</source>
         <translation>W {name} brakuje kanałów ortofotomapy: {bands}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="26"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="30"/>
         <source>The new cut keeps no more detail than the old seam, so its patch is left out.</source>
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="32"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="36"/>
         <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
         <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="35"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="41"/>
         <source>The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="38"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="42"/>
         <source>A patch would be written over {path}, which is an input; choose another folder.</source>
         <translation>Łata zastąpiłaby plik wejściowy {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="40"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="44"/>
         <source>Mending was stopped; start it again with the same outputs, and it goes on where it was.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="42"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="46"/>
         <source>Mending goes on where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="44"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="48"/>
         <source>{metres:.0f} m of the seams name no two orthoimages that are given, so they stay as they are.</source>
         <translation>{metres:.0f} m linii mozaikowania nie wymienia dwóch podanych ortoobrazów, więc pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="46"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="50"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
@@ -12549,7 +12549,7 @@
         <translation>Ktoś inny ocenia te same okna i nie widzi, co wykryto ani co powiedziano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="224"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="219"/>
         <source>One of them gave one verdict only, so agreement can&apos;t be distinguished from chance.</source>
         <translation>Jeden z nich wyraził wszędzie tę samą opinię, więc zgodności nie da się odróżnić od przypadku.</translation>
     </message>
@@ -12649,42 +12649,42 @@
         <translation>pozostawione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="60"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="61"/>
         <source>{seam}, from {station} m</source>
         <translation>{seam}, od {station} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="66"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="67"/>
         <source>where the seam was</source>
         <translation>gdzie była linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="66"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="67"/>
         <source>where it is now</source>
         <translation>gdzie jest teraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="33"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="34"/>
         <source>corridor on either side (m)</source>
         <translation>korytarz po każdej stronie (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="34"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="35"/>
         <source>blend (px)</source>
         <translation>mieszanie (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="75"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="76"/>
         <source>before</source>
         <translation>przed</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="75"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="76"/>
         <source>after</source>
         <translation>po</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="41"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="42"/>
         <source>metres {outcome}</source>
         <translation>metry: {outcome}</translation>
     </message>
@@ -13036,11 +13036,6 @@
         <translation>co najwyżej umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="18"/>
-        <source>The orthoimages show {share:.1%} of the ground near the seam otherwise than the mosaic, as those of another date do; choose those that it was made from.</source>
-        <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu; wybierz te, z których ją wykonano.</translation>
-    </message>
-    <message>
         <location filename="../plugin/sensors/comparesensormodels.py" line="25"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Of the models whose errors, there and at control points left out in turn, differ by no more than chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
@@ -13144,12 +13139,12 @@
         <translation>Okna, które nie są prostokątami wzdłuż osi ortofotomapy, są mierzone w opisanych na nich prostokątach: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="28"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="32"/>
         <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
         <translation>Nie można zmierzyć, ile zachowuje nowe cięcie, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="29"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="33"/>
         <source>The seam does not lie on this mosaic; give the seams that a scan of it found.</source>
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
@@ -13307,6 +13302,16 @@
         <location filename="../plugin/radiometry/measure/messages.py" line="66"/>
         <source>Histograms of {drawn} of the {count} images are drawn, those of images that are not accepted first.</source>
         <translation>Narysowano histogramy {drawn} z {count} obrazów, najpierw tych, które nie zostały przyjęte.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="18"/>
+        <source>The orthoimages show {share:.1%} of the ground near the seam otherwise than the mosaic, as those of another date do, or others where its tones are cut off at white or black; choose those that it was made from.</source>
+        <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu albo inne tam, gdzie jej tony są obcięte w bieli lub czerni; wybierz te, z których ją wykonano.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="22"/>
+        <source>{name} shows {share:.0%} of the fine detail that the mosaic has beside the seam (band {band}), so it can&apos;t be put in its place; choose the images that it was made from.</source>
+        <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
 </context>
 </TS>
