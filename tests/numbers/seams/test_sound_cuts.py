@@ -1,6 +1,8 @@
 """Hard cuts of uncommon grounds, and of images that differ in sharpness, in a compressed mosaic: none lost anything."""
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from scipy import ndimage
@@ -9,6 +11,7 @@ from seam_inspector.plugin.seams.measure.causes import Cause
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
 
 from benchmarks.aftermaths import jpeg
+from benchmarks.large_mosaic import draw_ground
 from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of
 from tests.numbers.synthetic import texture
 
@@ -47,6 +50,30 @@ def test_a_sound_cut_in_a_compressed_mosaic_is_sound(
     assert found.profile is not None
     # Of squares of 8 px that hold both images compression does take something along the seam.
     assert found.profile.kept[0] == pytest.approx(1, abs=0.2 if ground is sharp_beside_soft else 0.05)
+    assert found.profile.high >= 0.95
+
+
+@pytest.fixture(scope="module")
+def photographs() -> list[np.ndarray]:
+    """Two of one generated ground, (3, rows, columns) 8 bit."""
+    return [one[:, 300 : 300 + SHAPE[0], 300 : 300 + SHAPE[1]] for one in draw_ground()]
+
+
+@pytest.mark.parametrize(
+    "toned", [lambda one: 0.8 * one + 10, lambda one: 255 * (one / 255) ** 0.7], ids=["gain", "gamma"]
+)
+def test_one_image_as_it_was_beside_one_in_other_tones(
+    make_raster: MakeRaster, photographs: list[np.ndarray], toned: Callable[[np.ndarray], np.ndarray]
+) -> None:
+    """All compressed once: what comes out to the bit says nothing of what is left over of others."""
+    rng, through = np.random.default_rng(3), jpeg(75)
+    second = np.clip(np.rint(toned(photographs[1].astype(float))), 1, 255).astype(np.uint8)
+    border = SHAPE[1] / 2 + 20 * np.sin(ROWS / 40)
+    mosaic = through(np.where(border > COLUMNS, photographs[0], second), rng)
+    sources = [make_raster(f"{name}.tif", through(image, rng)) for name, image in zip("ab", photographs)]
+    found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert Cause.MISSING_SOURCE not in found.causes
+    assert found.profile is not None
     assert found.profile.high >= 0.95
 
 
