@@ -43,14 +43,17 @@ def compressed_alike(
     own = _Edges(mosaic, patch_px)
     errors = {number: own.errors(labels == number) for number in numbers}
     shown = {number: _places(errors[number]) for number in numbers}
-    places = own.places(labels != UNKNOWN) or next(filter(None, shown.values()), None)
+    known = labels != UNKNOWN
+    everywhere = own.errors(known)
+    places = _places(everywhere) or next(filter(None, shown.values()), None)
     if len(numbers) < 2 or places is None or any(one not in (None, places) for one in shown.values()):
         return ()  # nor was a mosaic compressed where only its sources were, each in squares of its own
     groups: dict[tuple[object, ...], set[int]] = {}
     for number in numbers:
         seen = sources[number] != 0
         its = _Edges(sources[number], patch_px)
-        edges, same = (one.errors(seen)[(0, 1), places] for one in (own, its))
+        edges = everywhere if (seen == known).all() else own.errors(seen)
+        edges, same = edges[(0, 1), places], its.errors(seen)[(0, 1), places]
         in_same = (edges >= _MIN_TOLD) & (same >= _MIN_SAME * edges)
         lies: tuple[object, ...] = places if in_same.all() else its.places(seen) or (None, *in_same.tolist())
         if (errors[number][(0, 1), places] < _MIN_TOLD).any():
@@ -62,7 +65,7 @@ def compressed_alike(
         return ()  # all came out as they were
     same_squares = groups.pop(places, set())
     anew = {number for number in same_squares if most < left[number] <= _MOST_ROUNDED}
-    found = (same_squares - anew, anew, *groups.values())
+    found = (same_squares - anew, *filter(None, (anew, *groups.values())))
     return tuple(map(frozenset, found)) if sum(map(bool, found)) > 1 else ()
 
 
@@ -104,7 +107,7 @@ class _Edges:
         if self._patch_px:
             known = known & np.isin(place % self._patch_px, np.arange(2, self._patch_px - 1))
         # One long edge of the ground is one event, and not as many as it has pixels.
-        counts, sums = known.sum(axis=0), np.einsum("ij,ij->j", edges, known)
+        counts, sums = np.add.reduce(known.view(np.uint8), axis=0, dtype=np.uint32), np.einsum("ij,ij->j", edges, known)
         total = max(int(counts.sum()), 1)
         means = sums / np.maximum(counts, 1)
         spread = (counts * np.square(means - sums.sum() / total)).sum() / total

@@ -205,22 +205,26 @@ def _stand_ins(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, labels:
     much as it does on its own best ground, or all over its part as much more than the others do on theirs, and
     unevenly. One that was resampled leaves over evenly what is finest."""
     found = np.zeros(textured.shape, bool)
-    for number in present(labels):
-        own, others = textured & (labels == number), textured & (labels != number)
-        ground = learn_best_ground(wide[own], left[own])
+    own = {number: textured & (labels == number) for number in present(labels)}
+    grounds = {number: learn_best_ground(wide[of], left[of]) for number, of in own.items()}
+    for number, ground in grounds.items():
         if ground is None:
             continue
-        found |= own & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
-        best = learn_best_ground(wide[others], left[others])
-        inside = own & narrowed(labels == number, WIDE_CELLS // 2 + 1)  # a seam leaves something over along itself
-        if best is not None and inside.any() and _is_nowhere_true(ground, best, wide[inside], left[inside]):
-            found |= own & (left > MIN_STAND_IN_STRANGE * wide)
+        of = own[number]
+        found |= of & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
+        inside = of & narrowed(labels == number, WIDE_CELLS // 2 + 1)  # a seam leaves something over along itself
+        if inside.any() and np.median(expected := ground.response(wide[inside])) >= MIN_STAND_IN_STRANGE:
+            others = [one for one in own if one != number]
+            rest = textured & (labels != number)
+            best = grounds[others[0]] if len(others) == 1 else learn_best_ground(wide[rest], left[rest])
+            if best is not None and _is_nowhere_true(expected, best, wide[inside], left[inside]):
+                found |= of & (left > MIN_STAND_IN_STRANGE * wide)
     return found
 
 
-def _is_nowhere_true(ground: BestGround, others: BestGround, own: np.ndarray, left: np.ndarray) -> bool:
-    """Whether a source stands in for another wherever it is followed, by the mosaic's energy there and what is left."""
-    expected = ground.response(own)
+def _is_nowhere_true(expected: np.ndarray, others: BestGround, own: np.ndarray, left: np.ndarray) -> bool:
+    """Whether a source stands in for another wherever it is followed, by the mosaic's energy there, what is left and
+    what share it leaves over on its own best ground."""
     is_more = expected >= np.maximum(MIN_STAND_IN_STRANGE, _NOWHERE_FACTOR * others.response(own))
     low, high = np.quantile(left / (expected * own), (0.25, 0.75))
     return bool(is_more.mean() >= 0.5 and high >= _NOWHERE_SPREAD * low)
