@@ -24,7 +24,7 @@ CLICK_SIDE_M, CLICKS = 100, 8  # 1024 px
 LIVE_SIDE_M, LIVE_SECONDS = 50, 4  # 512 px
 MANY = 200
 _FRAME_S = 0.016
-_MARGIN_M = 8.0  # within the footprint of an image of the block there may be none of its pixels so near the edge
+_MARGIN_M = 6.0  # within the footprint of an image of the block there may be none of its pixels so near the edge
 
 
 def play(desk: Desk) -> None:
