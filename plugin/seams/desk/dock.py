@@ -96,8 +96,8 @@ class InspectionDock(ToolDock):
         self.steps = UndoActions(self.session, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
-            {**self.judging.key_actions(), "layout": self._switch_layout, "flicker": self.flicker.press,
-             "next place": self._view.show_next_place},
+            {**self.judging.key_actions(), "layout": self._switch_layout, "flicker": self._kept(self.flicker.press),
+             "next place": self._kept(self._view.show_next_place)},
             {"flicker": self.flicker.release},
         )
         self._make_actions()
@@ -216,6 +216,11 @@ class InspectionDock(ToolDock):
             before = button
         self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
         self.setWidget(self._body)
+
+    def _kept(self, act: Callable[[], bool]) -> Callable[[], bool]:
+        """A key of the map that stays with it while judging, also where it has nothing to do: Tab would lead to QGIS's
+        toolbars, and Space would press what it led to."""
+        return lambda: act() or self.layout_of_judging.is_on
 
     def _switch_layout(self) -> bool:
         """By its key."""

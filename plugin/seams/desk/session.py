@@ -262,6 +262,8 @@ class Session(QObject):
         with self._raised():
             outlines = self._block.shapes(layer, [row.fid for row in self.windows()], mosaic.crs())
             self.leave_windows()
+            if (node := self._project.layerTreeRoot().findLayer(layer.id())) is not None:
+                node.setItemVisibilityChecked(False)  # its labels would be read as of the new ones
             self._new.copy(outlines)
 
     def _take_layer(self, layer_id: str) -> None:

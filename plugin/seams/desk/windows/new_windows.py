@@ -63,7 +63,7 @@ class NewWindows(QObject):
         return bool(self._waiting)
 
     def draw(self, window: PixelWindow) -> None:
-        """Add one window; where there is a layer for it, at once."""
+        """Add one window, or take the one that is there already; where there is a layer for it, at once."""
         self._start(self._drawing(window))
 
     def place(self) -> None:
@@ -97,8 +97,8 @@ class NewWindows(QObject):
 
     def _drawing(self, window: PixelWindow) -> Iterator[None]:
         yield from self._with_layer(block := self._block.required())
-        outlines = self._outlines(block, [window])
-        self.drawn.emit([fid for fids in self._added(outlines, 0) for fid in fids])
+        found = [fid for fid in self._there(block, [window]) if fid is not None]
+        self.drawn.emit(found or [fid for fids in self._added(self._outlines(block, [window]), 0) for fid in fids])
 
     def _copying(self, outlines: Sequence[QgsGeometry]) -> Iterator[None]:
         yield from self._with_layer(self._block.required())
@@ -112,7 +112,7 @@ class NewWindows(QObject):
         windows = found
         if found:
             yield from self._with_layer(block := self._block.required())
-            windows = self._not_there_yet(block, found)
+            windows = [one for one, there in zip(found, self._there(block, found)) if there is None]
             for _ in self._added(self._outlines(block, windows), _AT_ONCE):
                 yield
         write_log(placement.dropped)
@@ -136,15 +136,12 @@ class NewWindows(QObject):
         layer_editing.start_editing(made)
         yield
 
-    def _not_there_yet(self, block: Block, windows: Sequence[PixelWindow]) -> list[PixelWindow]:
-        """Those that are none of the layer's: placing twice doesn't double."""
+    def _there(self, block: Block, windows: Sequence[PixelWindow]) -> list[int | None]:
+        """The layer's windows at the same places, None where there is none: nothing is doubled."""
         places = [layers.extent(outline) for outline in self._outlines(block, windows)]
-        there = [row.extent for row in self._watch.rows() if row.extent is not None]
         pixel = min(places[0][2] - places[0][0], places[0][3] - places[0][1]) / windows[0].width
-        taken = {_in_pixels(extent, places[0], pixel) for extent in there}
-        return [
-            window for window, place in zip(windows, places) if _in_pixels(place, places[0], pixel) not in taken
-        ]
+        taken = {_in_pixels(row.extent, places[0], pixel): row.fid for row in self._watch.rows() if row.extent}
+        return [taken.get(_in_pixels(place, places[0], pixel)) for place in places]
 
     def _outlines(self, block: Block, windows: Sequence[PixelWindow]) -> list[QgsGeometry]:
         """In the layer's reference system."""

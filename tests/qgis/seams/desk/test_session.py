@@ -80,6 +80,16 @@ def test_windows_get_the_next_number_and_none_twice(desk: Desk) -> None:
     assert {row.window_id: row.fid for row in desk.session.windows()} == {1: first, 3: third}
 
 
+def test_a_window_drawn_where_there_is_one_is_that_one(desk: Desk) -> None:
+    fid = desk.add()
+    desk.session.judge([fid], "visible")
+    desk.add(SHARP_WINDOW)
+    desk.session.add_window(BLURRED_WINDOW)
+    desk.wait()
+    assert [row.observer for row in desk.session.windows()] == ["visible", ""]
+    assert desk.session.selected() == [fid]
+
+
 def test_judging_and_removing_are_undone_in_one_step(desk: Desk) -> None:
     fids = [desk.add(), desk.add(SHARP_WINDOW)]
     desk.session.judge(fids, "visible")

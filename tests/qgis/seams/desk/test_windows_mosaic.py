@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from qgis.core import QgsVectorLayer
+from qgis.core import QgsProject, QgsVectorLayer
 from seam_inspector.plugin.imagery.errors import Message
 
 from tests.qgis.scenes import Scene
@@ -56,6 +56,7 @@ def test_new_windows_lie_where_the_others_lie(desk: Desk, scene: Scene, tmp_path
     desk.session.copy_windows()
     wait_until(lambda: len(desk.session.windows()) == len(places), "for the windows")
     assert desk.layer() is not older
+    assert not QgsProject.instance().layerTreeRoot().findLayer(older.id()).isVisible()  # its labels tell older results
     assert [row.extent for row in desk.session.windows()] == places
     assert said(desk) == [("", "")] * 2
     desk.session.inspect_pending()
