@@ -185,7 +185,7 @@ def _outline(*lines: tuple[str, float]) -> QgsFillSymbol:
 def _labels() -> QgsVectorLayerSimpleLabeling:
     """Numbers alone, where the plugin's own style has its labels: in a corner, off the seam."""
     settings = label_settings("windows")
-    settings.fieldName, settings.isExpression = _NUMBER, False
+    settings.fieldName = f'"{_NUMBER}"'  # an expression, as in that style
     properties = settings.dataDefinedProperties()
     for telling in (QgsPalLayerSettings.Property.Show, QgsPalLayerSettings.Property.Priority):
         properties.setProperty(telling, QgsProperty())
