@@ -176,6 +176,7 @@ class Session(QObject):
             return
         if before.windows != inputs.windows:
             self._results.write()  # into the layer they are of
+            self._watch.save_stale()
         if before.mosaic != inputs.mosaic:
             self._mosaics.leave()
         self._block.inputs = inputs

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from qgis.core import QgsMapLayer, QgsVectorLayer
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.grids import Extent
@@ -51,6 +52,8 @@ class WindowWatch(QObject):
         self._notifier = single_shot(self, self._notify)
         self._told: set[int] | None = set()  # the selection
         self._is_unmoved = False
+        self._left: dict[str, tuple[dict[int, set[tuple[object, Version]]], int | None]] = {}
+        """What is known of layers that were followed before, and the first state of each, by their ids."""
         self._forget()
 
     def _forget(self) -> None:
@@ -80,10 +83,14 @@ class WindowWatch(QObject):
         for signal, slot in self._signals():
             with suppress(TypeError, RuntimeError):  # the layer is gone already
                 signal.disconnect(slot)
+        if self._layer is not None and not sip.isdeleted(self._layer):
+            self._left[self._layer.id()] = self._known, self._first_state
         self._layer = layer if window_layer.holds_windows(layer) else None
         had_windows = bool(self._rows)
         self._told = None if self._told else set()  # of equal ids others are meant now
         self._forget()
+        if self._layer is not None and self._layer.id() in self._left:
+            self._known, self._first_state = self._left[self._layer.id()]
         for signal, slot in self._signals():
             signal.connect(slot)
         if had_windows or self._told is None or self._by_fid():
@@ -212,7 +219,7 @@ class WindowWatch(QObject):
         """The inputs are these now; while it is not known which they are, as before."""
         if state is None or state == self.state:
             return
-        if self.state is None:
+        if self._first_state is None:
             self._first_state = state
         self.state = state
         self._mark(self._fids)

@@ -35,6 +35,30 @@ def test_another_input_makes_inspected_windows_stale(desk: Desk, change: dict[st
     assert not desk.rows()[1].stale
 
 
+def test_windows_are_still_stale_when_one_comes_back_to_their_layer(desk: Desk) -> None:
+    desk.add()
+    own, sources = desk.layer().id(), desk.session.inputs.sources
+    desk.session.set_inputs(replace(desk.session.inputs, sources=sources[:1]))
+    for windows in ("", own):
+        desk.session.set_inputs(replace(desk.session.inputs, windows=windows))
+    assert desk.rows()[1].stale
+    desk.session.set_inputs(replace(desk.session.inputs, sources=sources))
+    assert not desk.rows()[1].stale  # those that it was measured by
+
+
+def test_stale_marks_are_kept_of_a_layer_that_was_left(desk: Desk, tmp_path: Path) -> None:
+    desk.add()
+    own = desk.layer().id()
+    desk.session.set_inputs(replace(desk.session.inputs, sources=desk.session.inputs.sources[:1]))
+    desk.session.set_inputs(replace(desk.session.inputs, windows=""))
+    path = str(tmp_path / "project.qgz")
+    assert desk.project.write(path)
+    desk.project.clear()
+    assert desk.project.read(path)
+    desk.session.set_inputs(replace(desk.session.inputs, windows=own))
+    assert desk.rows()[1].stale
+
+
 def test_other_inputs_do_not(desk: Desk) -> None:
     desk.add()
     desk.session.set_inputs(replace(desk.session.inputs, side_m=50.0, spacing_m=3.0, seamlines=""))
