@@ -39,8 +39,8 @@ def test_windows_are_still_stale_when_one_comes_back_to_their_layer(desk: Desk) 
     desk.add()
     own, sources = desk.layer().id(), desk.session.inputs.sources
     desk.session.set_inputs(replace(desk.session.inputs, sources=sources[:1]))
-    for windows in ("", own):
-        desk.session.set_inputs(replace(desk.session.inputs, windows=windows))
+    for other in ("", own):
+        desk.session.set_inputs(replace(desk.session.inputs, windows=other))
     assert desk.rows()[1].stale
     desk.session.set_inputs(replace(desk.session.inputs, sources=sources))
     assert not desk.rows()[1].stale  # those that it was measured by
