@@ -364,32 +364,32 @@
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="63"/>
+        <location filename="../plugin/seams/measure/messages.py" line="67"/>
         <source>No source covers the window; add the orthoimages that overlap it or move the window.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="64"/>
+        <location filename="../plugin/seams/measure/messages.py" line="68"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="65"/>
+        <location filename="../plugin/seams/measure/messages.py" line="69"/>
         <source>The mosaic has no variance in the window; move the window to where there is content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="66"/>
+        <location filename="../plugin/seams/measure/messages.py" line="70"/>
         <source>{name} has no variance in the window; move the window to where there is content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="68"/>
+        <location filename="../plugin/seams/measure/messages.py" line="72"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <location filename="../plugin/seams/measure/messages.py" line="74"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
@@ -399,7 +399,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="123"/>
+        <location filename="../plugin/seams/measure/messages.py" line="127"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -944,7 +944,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="305"/>
+        <location filename="../plugin/seams/desk/dock.py" line="310"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -1254,27 +1254,27 @@
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="143"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="150"/>
         <source>Add fields</source>
         <translation>Dodaj pola</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="158"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="155"/>
         <source>Add windows</source>
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="192"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="195"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="240"/>
+        <location filename="../plugin/seams/desk/session.py" line="241"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="242"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="245"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -2704,27 +2704,27 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="125"/>
+        <location filename="../plugin/seams/measure/messages.py" line="129"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="128"/>
+        <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/messages.py" line="133"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/messages.py" line="135"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/messages.py" line="130"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
@@ -2739,67 +2739,67 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/messages.py" line="139"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/messages.py" line="142"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="145"/>
+        <location filename="../plugin/seams/measure/messages.py" line="149"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="148"/>
+        <location filename="../plugin/seams/measure/messages.py" line="152"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola „contrast_1”, więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="174"/>
+        <location filename="../plugin/seams/measure/messages.py" line="178"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <location filename="../plugin/seams/measure/messages.py" line="194"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="178"/>
+        <location filename="../plugin/seams/measure/messages.py" line="182"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="194"/>
+        <location filename="../plugin/seams/measure/messages.py" line="198"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="198"/>
+        <location filename="../plugin/seams/measure/messages.py" line="202"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/messages.py" line="169"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/messages.py" line="175"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="203"/>
+        <location filename="../plugin/seams/measure/messages.py" line="207"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="202"/>
+        <location filename="../plugin/seams/measure/messages.py" line="206"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -5059,27 +5059,27 @@
         <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="105"/>
+        <location filename="../plugin/seams/measure/messages.py" line="109"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="108"/>
+        <location filename="../plugin/seams/measure/messages.py" line="112"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="110"/>
+        <location filename="../plugin/seams/measure/messages.py" line="114"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="120"/>
+        <location filename="../plugin/seams/measure/messages.py" line="124"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="205"/>
+        <location filename="../plugin/seams/measure/messages.py" line="209"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -6310,12 +6310,12 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="448"/>
+        <location filename="../plugin/seams/desk/dock.py" line="453"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="449"/>
+        <location filename="../plugin/seams/desk/dock.py" line="454"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
@@ -6330,17 +6330,17 @@
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="282"/>
+        <location filename="../plugin/seams/desk/dock.py" line="287"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="291"/>
+        <location filename="../plugin/seams/desk/dock.py" line="296"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="288"/>
+        <location filename="../plugin/seams/desk/dock.py" line="293"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -6765,22 +6765,22 @@
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="152"/>
+        <location filename="../plugin/seams/measure/messages.py" line="156"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <location filename="../plugin/seams/measure/messages.py" line="165"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -6952,27 +6952,27 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="245"/>
+        <location filename="../plugin/seams/desk/dock.py" line="250"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="153"/>
+        <location filename="../plugin/seams/measure/messages.py" line="157"/>
         <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
         <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/messages.py" line="160"/>
         <source>The filter can&apos;t use geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="163"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
@@ -8197,7 +8197,7 @@
         <translation>ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -10747,7 +10747,7 @@
         <translation>{length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/messages.py" line="105"/>
         <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
@@ -10816,7 +10816,7 @@
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="117"/>
+        <location filename="../plugin/seams/measure/messages.py" line="121"/>
         <source>{name} shows nothing in the window that the other sources don&apos;t; it takes no part there.</source>
         <translation>{name} nie pokazuje w oknie niczego, czego nie pokazywałyby pozostałe źródła; nie bierze tam udziału.</translation>
     </message>
@@ -10826,7 +10826,7 @@
         <translation>ponad {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="114"/>
+        <location filename="../plugin/seams/measure/messages.py" line="118"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
@@ -11411,7 +11411,7 @@
         <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je. Prawy przycisk na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="75"/>
+        <location filename="../plugin/seams/measure/messages.py" line="79"/>
         <source>No change from one source to another is found in the window; the verdict is that of the sharpness alone.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
@@ -11993,12 +11993,12 @@
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <location filename="../plugin/seams/measure/messages.py" line="94"/>
         <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="94"/>
+        <location filename="../plugin/seams/measure/messages.py" line="98"/>
         <source>{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic&apos;s pixel size. {more}</source>
         <translation>{name} ma piksele {pixel:g} m, a ortofotomapa {own:g} m; podaj go z rozmiarem piksela ortofotomapy. {more}</translation>
     </message>
@@ -12044,17 +12044,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="419"/>
+        <location filename="../plugin/seams/desk/dock.py" line="424"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="420"/>
+        <location filename="../plugin/seams/desk/dock.py" line="425"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="421"/>
+        <location filename="../plugin/seams/desk/dock.py" line="426"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -12614,12 +12614,12 @@
         <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="186"/>
+        <location filename="../plugin/seams/measure/messages.py" line="190"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
@@ -13109,7 +13109,7 @@
         <translation>Radiometria: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="168"/>
+        <location filename="../plugin/seams/measure/messages.py" line="172"/>
         <source>{field} of {count} windows is a number that no measurement gives; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
@@ -13149,27 +13149,27 @@
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="72"/>
+        <location filename="../plugin/seams/measure/messages.py" line="76"/>
         <source>No source explains the mosaic&apos;s fine detail here; add the orthoimages that it was made from.</source>
         <translation>Żaden ortoobraz źródłowy nie wyjaśnia tu drobnych detali ortofotomapy; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="79"/>
+        <location filename="../plugin/seams/measure/messages.py" line="83"/>
         <source>Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.</source>
         <translation>Dwa obrazy są zmieszane na {share:.0f} % okna: nie ma linii ani niezmieszanego terenu do porównania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="83"/>
+        <location filename="../plugin/seams/measure/messages.py" line="87"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo je przesuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <location filename="../plugin/seams/measure/messages.py" line="90"/>
         <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the one missing.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="97"/>
+        <location filename="../plugin/seams/measure/messages.py" line="101"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources&apos; detail: add those that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
@@ -13312,6 +13312,11 @@
         <location filename="../plugin/seams/measure/mending/messages.py" line="22"/>
         <source>{name} shows {share:.0%} of the fine detail that the mosaic has beside the seam (band {band}), so it can&apos;t be put in its place; choose the images that it was made from.</source>
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="63"/>
+        <source>QGIS does not know the mosaic&apos;s reference system, so windows would lie nowhere; restart QGIS, or give the mosaic another one.</source>
+        <translation>QGIS nie zna układu współrzędnych ortofotomapy, więc okna nie leżałyby nigdzie; uruchom QGIS ponownie albo nadaj ortofotomapie inny układ.</translation>
     </message>
 </context>
 </TS>

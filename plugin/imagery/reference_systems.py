@@ -124,6 +124,13 @@ def vertical_code(wkt: str) -> str:
     return f"EPSG:{code}" if code else wkt
 
 
+def authority_code(wkt: str) -> str:
+    """What an authority calls a reference system, such as ``EPSG:2180``; empty for one that none names."""
+    system = _system(wkt)
+    name, code = system.GetAuthorityName(None), system.GetAuthorityCode(None)
+    return f"{name}:{code}" if name and code else ""
+
+
 def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray:
     """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height in a vertical system.
 

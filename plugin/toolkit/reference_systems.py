@@ -11,4 +11,8 @@ def reference_system(wkt: str) -> QgsCoordinateReferenceSystem:
         # QGIS keeps its answer for good; asked anew, it may know.
         QgsCoordinateReferenceSystem.invalidateCache()
         found = QgsCoordinateReferenceSystem.fromWkt(wkt)
+    if wkt and not found.isValid():
+        from ..imagery.reference_systems import authority_code  # with numpy, which is not loaded when QGIS starts
+
+        found = QgsCoordinateReferenceSystem(authority_code(wkt))
     return found

@@ -48,6 +48,8 @@ def test_judging_has_the_screen_and_gives_it_back(small_block: Path, tmp_path: P
     assert "over" not in report["on_map"]
     assert "mosaic" in report["on_map"]
     assert report["ticks"] > 0
+    assert report["ticks_rotated"]
+    assert all({*place} & {*report["edges"]} for place in report["ticks_rotated"])  # at the edges of what is seen
     assert report["places"] > 1
     assert report["hard_cut"] == [True, False, True, False, False]
     assert report["cut"] == []

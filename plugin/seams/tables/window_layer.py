@@ -58,7 +58,10 @@ _SHAPEFILE_LENGTHS = {"integer": (9, 0), "real": (20, 15), "text": (254, 0)}  # 
 
 
 def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Path) -> Path:
-    """The file of a new, empty window layer. Raises WindowLayerError when it can't be written to the folder."""
+    """The file of a new, empty window layer. Raises WindowLayerError when it can't be written to the folder, or would
+    have no reference system: GeoPackage takes that for degrees."""
+    if not crs.isValid():
+        raise WindowLayerError(messages.NO_SYSTEM_FOR_WINDOWS())
     path = free_path(folder)
     options = QgsVectorFileWriter.SaveVectorOptions()
     options.driverName, options.layerName, options.fileEncoding = "GPKG", TABLE, "UTF-8"

@@ -57,7 +57,16 @@ def begin(desk: Desk) -> None:
     desk.report["share"] = canvas.width() * canvas.height() / (window.width() * window.height())
     desk.report["focus"] = QApplication.focusWidget() is canvas
     desk.report["on_map"] = looks(desk)["shown"]
-    desk.report["ticks"] = len(desk.dock.layout_of_judging.ticks.ticks())
+    ticks = desk.dock.layout_of_judging.ticks
+    desk.report["ticks"] = len(ticks.ticks())
+    canvas.setRotation(40)
+    to_screen = canvas.getCoordinateTransform()
+    desk.report["ticks_rotated"] = [
+        [round(place.x()), round(place.y())] for place in (to_screen.transform(point) for point, _ in ticks.ticks())
+    ]
+    desk.report["edges"] = [0, canvas.width(), canvas.height()]
+    canvas.setRotation(0)
+    desk.wait_for_map()
     judge = desk.dock.judge
     desk.report["judge_whole"] = judge.visibleRegion().boundingRect() == judge.rect()
     desk.report["profile"] = desk.dock.panels["curves"].profile.isVisible()

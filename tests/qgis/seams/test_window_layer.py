@@ -93,6 +93,13 @@ def test_a_layer_that_cant_be_written_is_told(qgis_app: object, tmp_path: Path) 
         assert_sentence(str(raised.value), folder.name)
 
 
+def test_windows_of_no_system_are_not_written_as_degrees(qgis_app: object, tmp_path: Path) -> None:
+    with pytest.raises(WindowLayerError) as raised:
+        window_layer.write_window_file(QgsCoordinateReferenceSystem(), 3, tmp_path)
+    assert_sentence(str(raised.value), "reference system")
+    assert not list(tmp_path.iterdir())
+
+
 def test_only_polygons_hold_windows(qgis_app: object, scene: Scene) -> None:
     others = [None, layer("Point", []), layer("LineString", []), QgsRasterLayer(str(scene.mosaic), "mosaic")]
     assert not any(map(window_layer.holds_windows, [*others, QgsVectorLayer("/nowhere.gpkg", "gone", "ogr")]))

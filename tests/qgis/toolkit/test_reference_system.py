@@ -36,3 +36,14 @@ def test_an_answer_that_could_not_be_given_once_is_asked_for_again(monkeypatch: 
     monkeypatch.setattr(reference_systems, "QgsCoordinateReferenceSystem", Once)
     assert reference_system(wkt(UTM33)).authid() == f"EPSG:{UTM33}"
     assert forgotten == [True]
+
+
+def test_what_qgis_can_not_read_is_known_by_the_code_in_the_text(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Never(QgsCoordinateReferenceSystem):
+        @staticmethod
+        def fromWkt(text: str) -> QgsCoordinateReferenceSystem:
+            return QgsCoordinateReferenceSystem()
+
+    monkeypatch.setattr(reference_systems, "QgsCoordinateReferenceSystem", Never)
+    assert reference_system(wkt(UTM33)).authid() == f"EPSG:{UTM33}"
+    assert not reference_system("nothing that means any").isValid()

@@ -9,7 +9,7 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QPointF, QRectF
 from qgis.PyQt.QtGui import QColor, QPainter, QPen, QPolygonF
 
-from ....toolkit.layers import transformed_box, transformed_point
+from ....toolkit.layers import transformed_point
 
 if TYPE_CHECKING:
     import numpy as np
@@ -21,30 +21,30 @@ _APART = 3  # samples without the seam between two crossings
 
 
 class Tick(NamedTuple):
-    """Where a seam crosses an edge, px, and the way inwards."""
+    """Where a seam crosses an edge, px of the screen, and the way inwards."""
 
     column: float
     row: float
     inwards: tuple[int, int]
 
 
-def seam_ticks(seam: np.ndarray, box: tuple[float, float, float, float], sample_px: int) -> list[Tick]:
-    """On the edges of a box (left, top, right, bottom), px from the window's upper left.
+def seam_ticks(places: np.ndarray, box: tuple[float, float, float, float], reach: float) -> list[Tick]:
+    """On the edges of a box (left, top, right, bottom), px of the screen.
 
-    ``seam``: (n, 2), row and column of the squares of ``sample_px`` in which sources meet.
+    ``places``: (n, 2), column and row of the middles of the squares in which sources meet; they ``reach`` so far.
     """
     import numpy as np
 
     left, top, right, bottom = box
-    rows, columns = ((seam + 0.5) * sample_px).T if len(seam) else (np.empty(0), np.empty(0))
+    columns, rows = places.T if len(places) else (np.empty(0), np.empty(0))
     inside = (columns >= left) & (columns <= right) & (rows >= top) & (rows <= bottom)
     found = []
     for across, along, edge, inwards in (
         (columns, rows, left, (1, 0)), (columns, rows, right, (-1, 0)),
         (rows, columns, top, (0, 1)), (rows, columns, bottom, (0, -1)),
     ):  # fmt: skip
-        hits = np.sort(along[inside & (np.abs(across - edge) <= sample_px)])
-        for part in np.split(hits, np.flatnonzero(np.diff(hits) > _APART * sample_px) + 1):
+        hits = np.sort(along[inside & (np.abs(across - edge) <= reach)])
+        for part in np.split(hits, np.flatnonzero(np.diff(hits) > _APART * reach) + 1):
             if len(part):
                 place = float(part.mean())
                 found.append(Tick(edge, place, inwards) if inwards[0] else Tick(place, edge, inwards))
@@ -105,27 +105,31 @@ class SeamTicks:
         self._item.update()
 
     def _found(self) -> list[tuple[QgsPointXY, tuple[int, int]]]:
+        import numpy as np
+
         from ...measure.profile.window_detail import SAMPLE_PX
 
         grid, layer = self._session.mosaic_grid(), self._session.mosaic_layer()
         result = None if self._fid is None else self._session.result(self._fid)
         if grid is None or layer is None or result is None or result.window is None or result.loss is None:
             return []
-        window, settings = result.window, self._canvas.mapSettings()
-        view = transformed_box(settings.visibleExtent(), settings.destinationCrs(), layer.crs())
-        if view is None:
-            return []
+        window, to_screen = result.window, self._canvas.getCoordinateTransform()
         left, _, _, top = grid.window_extent(window)
-        box = (
-            max((view.xMinimum() - left) / grid.pixel_width, 0.0),
-            max((top - view.yMaximum()) / grid.pixel_height, 0.0),
-            min((view.xMaximum() - left) / grid.pixel_width, window.width),
-            min((top - view.yMinimum()) / grid.pixel_height, window.height),
-        )  # fmt: skip
-        found = []
-        for tick in seam_ticks(result.loss.seam, box, SAMPLE_PX):
-            place = QgsPointXY(left + tick.column * grid.pixel_width, top - tick.row * grid.pixel_height)
-            on_map = transformed_point(place, layer.crs(), settings.destinationCrs())
-            if on_map is not None:
-                found.append((on_map, tick.inwards))
-        return found
+        corners = []
+        for column, row in ((0, 0), (window.width, 0), (0, window.height)):
+            corner = QgsPointXY(left + column * grid.pixel_width, top - row * grid.pixel_height)
+            on_map = transformed_point(corner, layer.crs(), self._canvas.mapSettings().destinationCrs())
+            if on_map is None:
+                return []
+            corners.append(to_screen.transform(on_map))
+        # Of a window that small what its reference system and a rotated map make of it is affine.
+        origin, right, down = (np.array([corner.x(), corner.y()]) for corner in corners)
+        sides = np.stack([right - origin, down - origin])
+        axes = sides / [[window.width], [window.height]]
+        outline = np.stack([origin, right, down, origin + sides.sum(axis=0)])
+        low, high = outline.min(axis=0), outline.max(axis=0)
+        seen = self._canvas.width(), self._canvas.height()
+        box = max(low[0], 0.0), max(low[1], 0.0), min(high[0], seen[0]), min(high[1], seen[1])
+        places = origin + (result.loss.seam[:, ::-1] + 0.5) * SAMPLE_PX @ axes
+        ticks = seam_ticks(places, box, SAMPLE_PX * float(np.hypot(*axes.T).max()))
+        return [(to_screen.toMapCoordinates(round(tick.column), round(tick.row)), tick.inwards) for tick in ticks]

@@ -7,10 +7,15 @@ from seam_inspector.plugin.seams.desk.map.seam_ticks import Tick, seam_ticks
 SAMPLE = 4
 
 
+def middles(seam: np.ndarray) -> np.ndarray:
+    """Column and row, px, of squares by their row and column."""
+    return (seam[:, ::-1] + 0.5) * SAMPLE
+
+
 def test_a_slanting_seam_crosses_two_edges_of_the_box() -> None:
     rows = np.arange(64)
-    seam = np.stack([rows, rows // 2 + 10], axis=1).astype(np.uint16)  # from 40 px at the top to 166 at the bottom
-    found = seam_ticks(seam, (0, 0, 256, 256), SAMPLE)
+    seam = np.stack([rows, rows // 2 + 10], axis=1)  # from 40 px at the top to 166 at the bottom
+    found = seam_ticks(middles(seam), (0, 0, 256, 256), SAMPLE)
     assert [tick.inwards for tick in found] == [(0, 1), (0, -1)]
     top, bottom = found
     assert abs(top.column - 42) <= SAMPLE
@@ -22,9 +27,9 @@ def test_what_is_seen_decides_where_the_edges_are_and_each_crossing_has_one_tick
     rows = np.arange(64)
     upright = np.stack([rows, np.full(64, 10)], axis=1)
     other = np.stack([rows, np.full(64, 40)], axis=1)
-    seam = np.concatenate([upright, other]).astype(np.uint16)
-    found = seam_ticks(seam, (20.0, 100.0, 200.0, 150.0), SAMPLE)
+    seam = np.concatenate([upright, other])
+    found = seam_ticks(middles(seam), (20.0, 100.0, 200.0, 150.0), SAMPLE)
     assert sorted(tick.column for tick in found) == [42.0, 42.0, 162.0, 162.0]
     assert {tick.row for tick in found} == {100.0, 150.0}
-    assert seam_ticks(seam[:0], (0, 0, 256, 256), SAMPLE) == []
+    assert seam_ticks(middles(seam)[:0], (0, 0, 256, 256), SAMPLE) == []
     assert Tick(20.0, 120.0, (1, 0)) not in found
