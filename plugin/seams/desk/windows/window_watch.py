@@ -52,8 +52,8 @@ class WindowWatch(QObject):
         self._notifier = single_shot(self, self._notify)
         self._told: set[int] | None = set()  # the selection
         self._is_unmoved = False
-        self._left: dict[str, tuple[dict[int, set[tuple[object, Version]]], int | None]] = {}
-        """What is known of layers that were followed before, and the first state of each, by their ids."""
+        self._left: dict[str, tuple[dict[int, set[tuple[object, Version]]], int | None, int | None]] = {}
+        """By id what is known of layers that were followed before, their first state and the last one."""
         self._forget()
 
     def _forget(self) -> None:
@@ -69,9 +69,8 @@ class WindowWatch(QObject):
         """The number of the inputs' state."""
         self._first_state: int | None = None
         self._known: dict[int, set[tuple[object, Version]]] = {}  # fingerprints of values, by number
-        stale = self._layer.customProperty(_STALE, []) if self._layer is not None else []
-        numbers = map(whole_number, stale if isinstance(stale, list) else [stale])
-        self._marks = {number for number in numbers if number is not None}
+        self._marks = self._kept_marks()
+        self._noted = self._marks  # as the layer's property is known to be
 
     @property
     def layer(self) -> QgsVectorLayer | None:
@@ -84,13 +83,15 @@ class WindowWatch(QObject):
             with suppress(TypeError, RuntimeError):  # the layer is gone already
                 signal.disconnect(slot)
         if self._layer is not None and not sip.isdeleted(self._layer):
-            self._left[self._layer.id()] = self._known, self._first_state
+            self._left.pop(self._layer.id(), None)
+            if self._kept_marks() == self._noted:  # not somebody else's
+                self._left[self._layer.id()] = self._known, self._first_state, self.state
         self._layer = layer if window_layer.holds_windows(layer) else None
         had_windows = bool(self._rows)
         self._told = None if self._told else set()  # of equal ids others are meant now
         self._forget()
         if self._layer is not None and self._layer.id() in self._left:
-            self._known, self._first_state = self._left[self._layer.id()]
+            self._known, self._first_state, self.state = self._left[self._layer.id()]
         for signal, slot in self._signals():
             signal.connect(slot)
         if had_windows or self._told is None or self._by_fid():
@@ -241,8 +242,14 @@ class WindowWatch(QObject):
         """The marks are kept with the layer in the project, those included of windows that a filter hides."""
         if self._layer is not None:
             stale = {row.window_id for row in self.rows() if row.stale}
-            marks = sorted(stale.union(self._marks.difference(self._known)))
-            self._layer.setCustomProperty(_STALE, [str(number) for number in marks])
+            self._noted = stale.union(self._marks.difference(self._known))
+            self._layer.setCustomProperty(_STALE, [str(number) for number in sorted(self._noted)])
+
+    def _kept_marks(self) -> set[int]:
+        """Those that the layer has in the project; of what others wrote there, none."""
+        stale = self._layer.customProperty(_STALE, []) if self._layer is not None else []
+        numbers = map(whole_number, stale if isinstance(stale, list) else [stale])
+        return {number for number in numbers if number is not None}
 
     def _mark(self, numbers: Iterable[int]) -> None:
         """Those of them that are there."""
