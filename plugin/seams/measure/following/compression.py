@@ -40,22 +40,21 @@ def compressed_alike(
     side of the patches that all of them consist of.
     """
     numbers = present(labels)
+    if len(numbers) < 2:
+        return ()
     own = _Edges(mosaic, patch_px)
     errors = {number: own.errors(labels == number) for number in numbers}
-    shown = {number: _places(errors[number]) for number in numbers}
-    known = labels != UNKNOWN
-    everywhere = own.errors(known)
-    places = _places(everywhere) or next(filter(None, shown.values()), None)
-    if len(numbers) < 2 or places is None or any(one not in (None, places) for one in shown.values()):
+    shown = [_places(of) for of in errors.values()]
+    places = _places(own.errors(labels != UNKNOWN)) or next(filter(None, shown), None)
+    if places is None or any(one not in (None, places) for one in shown):
         return ()  # nor was a mosaic compressed where only its sources were, each in squares of its own
     groups: dict[tuple[object, ...], set[int]] = {}
     for number in numbers:
         seen = sources[number] != 0
-        its = _Edges(sources[number], patch_px)
-        edges = everywhere if (seen == known).all() else own.errors(seen)
-        edges, same = edges[(0, 1), places], its.errors(seen)[(0, 1), places]
+        its = _Edges(sources[number], patch_px).errors(seen)
+        edges, same = (of[(0, 1), places] for of in (own.errors(seen), its))
         in_same = (edges >= _MIN_TOLD) & (same >= _MIN_SAME * edges)
-        lies: tuple[object, ...] = places if in_same.all() else its.places(seen) or (None, *in_same.tolist())
+        lies: tuple[object, ...] = places if in_same.all() else _places(its) or (None, *in_same.tolist())
         if (errors[number][(0, 1), places] < _MIN_TOLD).any():
             lies = ()  # this one alone was not compressed
         groups.setdefault(lies, set()).add(number)
@@ -82,7 +81,7 @@ def _left_over(mosaic: np.ndarray, source: np.ndarray, followed: np.ndarray) -> 
 
 def shows_squares(mosaic: np.ndarray) -> bool:
     """Whether a high-passed plane (rows, columns) was compressed in squares."""
-    return _Edges(mosaic, 0).places(mosaic != 0) is not None
+    return _places(_Edges(mosaic, 0).errors(mosaic != 0)) is not None
 
 
 class _Edges:
@@ -91,10 +90,6 @@ class _Edges:
     def __init__(self, plane: np.ndarray, patch_px: int) -> None:
         self._edges = [_edges(one[::_EVERY]) for one in (plane, plane.T)]
         self._patch_px = patch_px
-
-    def places(self, where: np.ndarray) -> tuple[int, int] | None:
-        """Column and row of the edges within a square; None where there are none. ``where`` (rows, columns) bool."""
-        return _places(self.errors(where))
 
     def errors(self, where: np.ndarray) -> np.ndarray:
         """By axis, columns first, and place within a square, (2, 8): the mean above that of all places, in standard
@@ -120,7 +115,7 @@ class _Edges:
 
 
 def _places(errors: np.ndarray) -> tuple[int, int] | None:
-    """Column and row of the edges, by the ``errors`` of all places; None where there are none."""
+    """Column and row of the edges within a square, by the ``errors`` of all places; None where there are none."""
     column, row = errors.argmax(axis=1).tolist()
     return (column, row) if errors.max(axis=1).min() >= _MIN_SURE else None
 
