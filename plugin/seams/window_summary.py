@@ -323,7 +323,8 @@ def is_lost_along_the_seam(row: WindowRecord) -> bool:
 
 def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
     """Where how much was lost and by what, and what to do about it: two lines at most, so of seam and whole window
-    only what took the more, or made the verdict, is told with its cause."""
+    only what took the more, or made the verdict, is told with its cause. What a seam did not take alone stands last,
+    away from the seam's causes."""
     if row.verdict not in LOSSES:
         return [_what_is_left(row, what_happened(row, found).along_the_seam)]
     is_along, whole = is_lost_along_the_seam(row), 1 - (1.0 if row.sharpness is None else row.sharpness) ** 2
@@ -333,11 +334,12 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
     lost = 1 - (row.kept_1 or 0.0)
     if is_along and (row.verdict == "significant" or not is_whole or lost >= whole):
         said, causes = _lost_along(row, lost, is_whole), at_seam
+        in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))] * is_whole if row.loss is not None else []
         clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(one) for one in in_whole[:1])
     else:
-        said, causes = _lost_in_whole(row, whole, lost if is_along else None), in_whole
+        said, causes, in_all = _lost_in_whole(row, whole, is_along), in_whole, []
         clause = "".join(brief_words(one) for one in in_whole[:1])
-    return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes or in_whole)]
+    return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes or in_whole), *in_all]
 
 
 def _causes_of(row: WindowRecord) -> list[str]:
@@ -350,23 +352,23 @@ def _is_whole_soft(row: WindowRecord, found: Explanation | None) -> bool:
 
 
 def _lost_along(row: WindowRecord, lost: float, is_whole: bool) -> str:
-    """``is_whole``: there is more of the loss elsewhere."""
+    """``is_whole``: there is more of the loss elsewhere, so that its area is told apart."""
     text, width = tr("{lost} % of detail lost beside the seam"), ""
     if row.band_width:
         text, width = tr("{lost} % of detail lost in {width} m along the seam"), shown_number(row.band_width, 1)
     said = filled(text, lost=percent(lost), width=width)
-    if row.loss is None:
-        return said
-    more = tr("{said}, {area} in all") if is_whole else "{said} ({area})"
-    return filled(more, said=said, area=shown_area(row.loss))
+    return said if is_whole or row.loss is None else f"{said} ({shown_area(row.loss)})"
 
 
-def _lost_in_whole(row: WindowRecord, lost: float, beside: float | None) -> str:
-    """``beside``: lost along the seam, of the ground around it."""
+def _lost_in_whole(row: WindowRecord, lost: float, is_along: bool) -> str:
+    """``is_along``: more of it was lost along the seam, of the ground around it."""
     said = filled(tr("{lost} % of detail lost in the whole window"), lost=percent(lost))
     if row.loss is not None:
         said = f"{said} ({shown_area(row.loss)})"
-    return said if beside is None else filled(tr("{said}, {lost} % along the seam"), said=said, lost=percent(beside))
+    if is_along:
+        return filled(tr("{said}, {lost} % more along the seam"), said=said, lost=percent(1 - (row.kept_1 or 0.0)))
+    is_even = row.verdict != "significant" and (row.kept_1 or 0.0) >= _ALL_KEPT
+    return filled(tr("{said}, no more along the seam"), said=said) if is_even else said
 
 
 def _done_about(row: WindowRecord, causes: list[str]) -> list[str]:

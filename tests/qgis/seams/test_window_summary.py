@@ -214,13 +214,13 @@ SHARP = "The window is as sharp as its sources."
         (  # in all of the window more is gone than beside the seam
             {"verdict": "reduced", "kept": (0.84,), "kept_low": 0.78, "kept_high": 0.91, "sharpness": 0.81,
              "loss": 3634.3, "cause": "resampled", "causes": "resampled; unclear; feathering"},
-            ("Reduced. 34 % of detail lost in the whole window (3,634 m²), 16 % along the seam: resampled. Keep the "
-             "pixel grid."),
+            ("Reduced. 34 % of detail lost in the whole window (3,634 m²), 16 % more along the seam: resampled. Keep "
+             "the pixel grid."),
         ),
-        (
+        (  # what resampling took all over is no part of what the misfit did
             {"sharpness": 0.79, "loss": 3931.0, "cause": "resampled", "causes": "resampled; misregistration",
              "misfit": 2.2},
-            f"Significant loss. {STRIP}, 3,931 m² in all: 2.2 px misfit. Register images.",
+            f"Significant loss. {STRIP}: 2.2 px misfit. Register images. In all 3,931 m².",
         ),
         (
             {"verdict": "reduced", "cause": "unclear", "causes": "unclear; feathering", "feather_width": 1.9},
@@ -247,7 +247,7 @@ SHARP = "The window is as sharp as its sources."
         (  # by the sharpness: what is left along the seam is no reason
             {"verdict": "reduced", "kept": (1.07,), "kept_low": 0.88, "kept_high": 1.22, "band_width": 0.0,
              "sharpness": 0.97, "cause": "none", "causes": "none"},
-            "Reduced. 5.9 % of detail lost in the whole window.",
+            "Reduced. 5.9 % of detail lost in the whole window, no more along the seam.",
         ),
         (  # by the sharpness, too: kept is not shown
             {"kept": (1.37,), "kept_low": 1.1, "kept_high": 1.6, "band_width": 0.0, "sharpness": 0.36,
