@@ -894,42 +894,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="155"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="155"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="155"/>
+        <location filename="../plugin/seams/desk/dock.py" line="158"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="155"/>
+        <location filename="../plugin/seams/desk/dock.py" line="158"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="173"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="173"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="179"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="179"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -944,7 +944,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="310"/>
+        <location filename="../plugin/seams/desk/dock.py" line="313"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -1254,7 +1254,7 @@
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="150"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="151"/>
         <source>Add fields</source>
         <translation>Dodaj pola</translation>
     </message>
@@ -1279,32 +1279,32 @@
         <translation>Usuń okna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="142"/>
+        <location filename="../plugin/toolkit/translation.py" line="137"/>
         <source>luminance</source>
         <translation>luminancja</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="143"/>
+        <location filename="../plugin/toolkit/translation.py" line="138"/>
         <source>red</source>
         <translation>czerwony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="144"/>
+        <location filename="../plugin/toolkit/translation.py" line="139"/>
         <source>green</source>
         <translation>zielony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="145"/>
+        <location filename="../plugin/toolkit/translation.py" line="140"/>
         <source>blue</source>
         <translation>niebieski</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="146"/>
+        <location filename="../plugin/toolkit/translation.py" line="141"/>
         <source>near infrared</source>
         <translation>bliska podczerwień</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="148"/>
+        <location filename="../plugin/toolkit/translation.py" line="143"/>
         <source>band {number}</source>
         <translation>kanał {number}</translation>
     </message>
@@ -4684,7 +4684,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="178"/>
+        <location filename="../plugin/seams/desk/dock.py" line="181"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -5190,22 +5190,22 @@
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="162"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="162"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="164"/>
+        <location filename="../plugin/seams/desk/dock.py" line="167"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="164"/>
+        <location filename="../plugin/seams/desk/dock.py" line="167"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5530,7 +5530,7 @@
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="57"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="60"/>
         <source>{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.</source>
         <translation>Raster {name} to ortofotomapa o większych pikselach, czyli jej podgląd, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
@@ -5680,7 +5680,7 @@
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="49"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="52"/>
         <source>{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} wszędzie jest taki jak ortofotomapa, jest więc jej kopią albo ortofotomapą, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako ortoobraz źródłowy.</translation>
     </message>
@@ -5750,22 +5750,22 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="441"/>
+        <location filename="../plugin/seams/window_summary.py" line="443"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="444"/>
+        <location filename="../plugin/seams/window_summary.py" line="446"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="452"/>
+        <location filename="../plugin/seams/window_summary.py" line="454"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="456"/>
+        <location filename="../plugin/seams/window_summary.py" line="458"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -6090,11 +6090,6 @@
         <translation>{judged} z {count}, zostało {left}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="91"/>
-        <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}.</source>
-        <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/judging_desk.py" line="167"/>
         <source>judged</source>
         <translation>z opinią</translation>
@@ -6310,12 +6305,12 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="453"/>
+        <location filename="../plugin/seams/desk/dock.py" line="456"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="454"/>
+        <location filename="../plugin/seams/desk/dock.py" line="457"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
@@ -6325,22 +6320,22 @@
         <translation>Przywróć okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="65"/>
+        <location filename="../plugin/seams/desk/dock.py" line="66"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="287"/>
+        <location filename="../plugin/seams/desk/dock.py" line="290"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="296"/>
+        <location filename="../plugin/seams/desk/dock.py" line="299"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="293"/>
+        <location filename="../plugin/seams/desk/dock.py" line="296"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -6835,52 +6830,52 @@
         <translation>To znów część ortofotomapy: taka sama wszędzie, gdzie je porównano, choć leżą tam inne ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="24"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="27"/>
         <source>A VRT of the mosaic. It would hide every loss.</source>
         <translation>VRT ortofotomapy. Ukryłby każdą stratę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="28"/>
         <source>Another mosaic: partly {first}, partly {second}.</source>
         <translation>Inna ortofotomapa: częściowo {first}, częściowo {second}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="26"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="29"/>
         <source>The same image as {name}.</source>
         <translation>Ten sam obraz co {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="27"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
         <source>Covers the whole mosaic and resembles it nowhere.</source>
         <translation>Pokrywa całą ortofotomapę i nigdzie nie jest do niej podobny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="29"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="32"/>
         <source>Shows something other than the mosaic: a map, or another time.</source>
         <translation>Pokazuje co innego niż ortofotomapa: mapę albo inny czas.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="31"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="34"/>
         <source>Covers the whole mosaic, as another mosaic would; tick it if it is one of the orthoimages.</source>
         <translation>Pokrywa całą ortofotomapę, jak inna ortofotomapa; zaznacz go, jeśli jest jednym z ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="33"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="36"/>
         <source>Could not be compared with the mosaic: {why}</source>
         <translation>Nie można porównać z ortofotomapą: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="36"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="39"/>
         <source>The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z {name} w żadnym z okien, w których brał on udział (liczba: {count}): czy to jeden z jej ortoobrazów?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="40"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
         <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="44"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="47"/>
         <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
         <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
     </message>
@@ -6932,7 +6927,7 @@
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="449"/>
+        <location filename="../plugin/seams/window_summary.py" line="451"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
@@ -6952,7 +6947,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="250"/>
+        <location filename="../plugin/seams/desk/dock.py" line="253"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -10129,12 +10124,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="182"/>
+        <location filename="../plugin/seams/desk/dock.py" line="185"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="182"/>
+        <location filename="../plugin/seams/desk/dock.py" line="185"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -10777,7 +10772,7 @@
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="472"/>
+        <location filename="../plugin/seams/window_summary.py" line="474"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -11366,12 +11361,12 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="168"/>
+        <location filename="../plugin/seams/desk/dock.py" line="171"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="169"/>
+        <location filename="../plugin/seams/desk/dock.py" line="172"/>
         <source>Accept or reject the delivery: by its last scan, or all the way from its files</source>
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
@@ -11451,7 +11446,7 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="396"/>
+        <location filename="../plugin/seams/window_summary.py" line="398"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
@@ -11461,37 +11456,37 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="398"/>
+        <location filename="../plugin/seams/window_summary.py" line="400"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="408"/>
+        <location filename="../plugin/seams/window_summary.py" line="410"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="412"/>
+        <location filename="../plugin/seams/window_summary.py" line="414"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="395"/>
+        <location filename="../plugin/seams/window_summary.py" line="397"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="422"/>
+        <location filename="../plugin/seams/window_summary.py" line="424"/>
         <source>It is less than an eye just sees at 2x.</source>
         <translation>To mniej, niż oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="423"/>
+        <location filename="../plugin/seams/window_summary.py" line="425"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="471"/>
+        <location filename="../plugin/seams/window_summary.py" line="473"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -12044,17 +12039,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="424"/>
+        <location filename="../plugin/seams/desk/dock.py" line="427"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="425"/>
+        <location filename="../plugin/seams/desk/dock.py" line="428"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="426"/>
+        <location filename="../plugin/seams/desk/dock.py" line="429"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -12069,7 +12064,7 @@
         <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="28"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="31"/>
         <source>Holds labels, not an image: {count} different values.</source>
         <translation>Zawiera etykiety, a nie obraz: {count} różnych wartości.</translation>
     </message>
@@ -12277,7 +12272,7 @@
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="60"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="63"/>
         <source>{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, nothing can be told of its seams, so give the orthoimages that it was made from.</source>
         <translation>{name} jest wszędzie taki jak ortofotomapa, a innego źródła nie ma; jeśli jest jej kopią, nic nie da się powiedzieć o jej liniach mozaikowania, więc podaj ortoobrazy, z których ją wykonano.</translation>
     </message>
@@ -12589,7 +12584,7 @@
         <translation>Za mało na własną granicę (z wartością wzdłuż linii mozaikowania: {visible} widocznych, {invisible} niewidocznych).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="78"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="83"/>
         <source>Find the limit that the verdicts support</source>
         <translation>Wyznaczanie granicy, którą wskazują oceny</translation>
     </message>
@@ -12604,7 +12599,7 @@
         <translation>Zaczyna tam, gdzie granica leży głęboko w przedziale tego, co zachowano: tam oko mówi najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="53"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="56"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -12704,7 +12699,7 @@
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="447"/>
+        <location filename="../plugin/seams/window_summary.py" line="449"/>
         <source>it measures detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
@@ -13204,17 +13199,12 @@
         <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="354"/>
+        <location filename="../plugin/seams/window_summary.py" line="356"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="360"/>
-        <source>{said}, {area} in all</source>
-        <translation>{said}, łącznie {area}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="366"/>
+        <location filename="../plugin/seams/window_summary.py" line="365"/>
         <source>{lost} % of detail lost in the whole window</source>
         <translation>{lost} % detali utracono w całym oknie</translation>
     </message>
@@ -13224,22 +13214,17 @@
         <translation>niedopasowanie {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="356"/>
+        <location filename="../plugin/seams/window_summary.py" line="358"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="369"/>
-        <source>{said}, {lost} % along the seam</source>
-        <translation>{said}, {lost} % wzdłuż linii</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="377"/>
+        <location filename="../plugin/seams/window_summary.py" line="379"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="381"/>
+        <location filename="../plugin/seams/window_summary.py" line="383"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
@@ -13317,6 +13302,36 @@
         <location filename="../plugin/seams/measure/messages.py" line="63"/>
         <source>QGIS does not know the mosaic&apos;s reference system, so windows would lie nowhere; restart QGIS, or give the mosaic another one.</source>
         <translation>QGIS nie zna układu współrzędnych ortofotomapy, więc okna nie leżałyby nigdzie; uruchom QGIS ponownie albo nadaj ortofotomapie inny układ.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="91"/>
+        <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}.</source>
+        <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="57"/>
+        <source>These are {count} verdicts; judge some {more} more before you rely on it.</source>
+        <translation>To {count} opinii; zanim zaufasz tej granicy, dodaj jeszcze około {more}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
+        <source>Another state of the mosaic: where they are alike, it goes with the mosaic from one orthoimage to the next.</source>
+        <translation>Inny stan tej ortofotomapy: tam, gdzie są podobne, przechodzi razem z nią z ortoobrazu na ortoobraz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="369"/>
+        <source>{said}, {lost} % more along the seam</source>
+        <translation>{said}, wzdłuż linii jeszcze {lost} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="371"/>
+        <source>{said}, no more along the seam</source>
+        <translation>{said}, wzdłuż linii nie więcej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="337"/>
+        <source>In all {area}.</source>
+        <translation>Łącznie {area}.</translation>
     </message>
 </context>
 </TS>

@@ -8,7 +8,7 @@ from pathlib import Path
 from ..imagery.errors import Message
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.templates import HowMeasured, each_raster, save_page, sentences_once
-from ..toolkit.translation import filled, paper_sentence, shown_number, tr
+from ..toolkit.translation import filled, sentence, shown_number, tr
 from .charts import balance_figure, histogram_figure, step_and_contrast
 from .measure import limits, messages
 from .measure import rules as checks
@@ -138,5 +138,5 @@ def _remarks(result: Assessment) -> list[str]:
     reasons: dict[str, list[CheckedFigure]] = {}
     for checked in result.checked_figures:
         if checked.reason is not None:
-            reasons.setdefault(paper_sentence(checked.reason), []).append(checked)
+            reasons.setdefault(sentence(checked.reason), []).append(checked)
     return [f"{checks_words(concerned)}: {reason}" for reason, concerned in reasons.items()]

@@ -82,11 +82,6 @@ def sentence(message: Message) -> str:
     return message.worded(tr, filled)
 
 
-def paper_sentence(message: Message) -> str:
-    """The same with its shares as the figures beside it on paper are written: 2 %, not 2%."""
-    return re.sub(r"(?<=\d)%", "\u00a0%", sentence(message))
-
-
 class _LocalNumbers(Formatter):
     """``{share:.1%}`` as the user's locale has it; ``{count:window|windows}`` is the word's form for the count."""
 
@@ -99,9 +94,9 @@ class _LocalNumbers(Formatter):
 
 
 def local_digits(number: str) -> str:
-    """A number that Python wrote, as the user writes it; a per cent sign stands off it, but in English."""
+    """A number that Python wrote, as the user writes it; a per cent sign stands off it, as in all texts."""
     locale = QLocale()
-    if number.endswith("%") and locale.language() not in (QLocale.Language.English, QLocale.Language.C):
+    if number.endswith("%"):
         number = f"{number[:-1]}\u00a0%"
     whole, point, rest = number.partition(".")
     if locale.groupSeparator().isspace() and (digits := _LONG.match(whole)):

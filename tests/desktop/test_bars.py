@@ -41,4 +41,4 @@ def test_the_groups_of_a_target_are_drawn_one_after_the_other(tmp_path: Path, sc
     found = float(words[-1].split("along the flight: ")[1].split(" ")[0])
     assert abs(math.log(found / expected, STEP)) < 0.5
     assert "resolved" in words[0]
-    assert "the criterion is 50%" in words[-1]
+    assert "the criterion is 50\u00a0%" in words[-1]

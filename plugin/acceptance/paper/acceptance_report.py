@@ -13,7 +13,7 @@ from ...toolkit.charts.figure_files import svg_text
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import HowMeasured, each_raster, save_page, system_name
 from ...toolkit.resources import plugin_commit
-from ...toolkit.translation import filled, formatted, paper_sentence, shown_number, tr
+from ...toolkit.translation import filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Observers, PlanOutcome
 from .charts import STATE_COLOURS, empty_share, oc_figure, pale, seams_figure
@@ -75,7 +75,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         figures=_key_figures(decision),
         parts=[*_parts(record)],
         radiometry=[*_radiometry_rows(record)],
-        sentences=[paper_sentence(one) for one in decision.sentences[1:]],
+        sentences=[sentence(one) for one in decision.sentences[1:]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
         sheets=[_sheet_row(*one, decision.by_observer) for one in zip(decision.sheets, sheet_words)],
@@ -155,7 +155,7 @@ def _how(record: InspectionRecord) -> HowMeasured:
 
 def _verdict(decision: Decision) -> tuple[str, str, str]:
     """A state, a word, and the first sentence of the decision."""
-    first = paper_sentence(decision.sentences[0]) if decision.sentences else ""
+    first = sentence(decision.sentences[0]) if decision.sentences else ""
     return OUTCOME_STATES[decision.outcome], outcome_title(decision.outcome), first
 
 

@@ -17,7 +17,7 @@ from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
 from ...toolkit.pages.templates import HowMeasured, environment, system_code, whole_path
-from ...toolkit.translation import filled, language, paper_sentence, tr
+from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import AcceptanceOutcome, Decision, MetreFigures, PlanOutcome, RuleOutcome
 from ..measure.delivery import extent_of
@@ -110,7 +110,7 @@ def _acceptance(decision: Decision) -> QualityElement:
         USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery keeps to the rules."),
         Evaluation(DERIVED, tr("All rules together: the delivery is accepted where none of them fails.")),
         conformance=Conformance(
-            decision.rules.name, " ".join(map(paper_sentence, decision.sentences)), decision.accepted
+            decision.rules.name, " ".join(map(sentence, decision.sentences)), decision.accepted
         ),
     )
 
@@ -267,7 +267,7 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
 def _conformance(outcome: RuleOutcome | None) -> Conformance | None:
     if outcome is None:
         return None
-    clause = paper_sentence(outcome.sentence)
+    clause = sentence(outcome.sentence)
     return Conformance(outcome.source, f"{clause[:1].upper()}{clause[1:].rstrip('.')}.", outcome.passed)
 
 
@@ -295,7 +295,7 @@ def quality_document(record: InspectionRecord) -> str:
         sheets=sheets,
         title=f"{record.head.title or tr('Acceptance of an orthophoto mosaic')}: {names}",
         head="; ".join(f"{name}: {value}" for name, value in record.head.rows),
-        sentences=[*map(paper_sentence, decision.sentences)],
+        sentences=[*map(sentence, decision.sentences)],
         system=system_code(decision.delivery.wkt),
         extent=_in_degrees(decision),
         report=Path(record.report).name if record.report else "",

@@ -14,6 +14,7 @@ from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
     QBoxLayout,
+    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QMessageBox,
@@ -102,6 +103,8 @@ class InspectionDock(ToolDock):
         )
         self._make_actions()
         self._lay_out()
+        for choice in self.findChildren(QComboBox):
+            choice.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # after a click letters judge; by Tab they are the choice's
         self.judge.offer_next([self.report, self.accept])
         self._found = FoundMessage(iface.messageBar(), self.session.open_windows, self)
         self.session.windowsFound.connect(self._found.show)

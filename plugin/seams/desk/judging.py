@@ -63,7 +63,7 @@ class JudgingProgress:
     unsure: int
     """Where he looked and was not sure."""
     left: int
-    """To look at yet. The others can't be compared, or are not inspected."""
+    """To look at yet, be there too little for a verdict. The others have no source, or are not inspected."""
 
     @property
     def is_done(self) -> bool:
@@ -88,7 +88,7 @@ class JudgingProgress:
         """What the other windows are."""
         rest = self.count - self.judged - self.unsure - self.left
         said = tr(
-            "Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}."
+            "Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}."
         )
         return filled(said, judged=self.judged, unsure=self.unsure, left=self.left, rest=rest)
 

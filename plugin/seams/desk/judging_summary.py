@@ -42,15 +42,20 @@ def tool_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
 
 
 def limit_words(found: ThresholdCalibration, min_kept: float) -> str:
-    """The limit that the verdicts support, beside the one that is set."""
+    """The limit that the verdicts support, beside the one that is set, and how many more it needs to be relied on."""
+    visible, invisible = len(found.verdicts.visible), len(found.verdicts.invisible)
     if found.best is None or found.best_range is None:
-        visible, invisible = len(found.verdicts.visible), len(found.verdicts.invisible)
         text = tr("Too few for a limit of your own ({visible} visible, {invisible} invisible with a number along the "
                   "seam).")
         return filled(text, visible=visible, invisible=invisible)
     low, high = map(percent, found.best_range)
     text = tr("Your verdicts support a limit of {limit} % kept along the seam ({low} to {high} %); {set} % is set.")
-    return filled(text, limit=percent(found.best.threshold), low=low, high=high, set=percent(min_kept))
+    said = filled(text, limit=percent(found.best.threshold), low=low, high=high, set=percent(min_kept))
+    lacking = sum(max(wanted - count, 0) for wanted, count in zip(found.wanted or (), (visible, invisible)))
+    if not lacking:
+        return said
+    more = tr("These are {count} verdicts; judge some {more} more before you rely on it.")
+    return f"{said} {filled(more, count=visible + invisible, more=lacking)}"
 
 
 class OwnLimit(QObject):

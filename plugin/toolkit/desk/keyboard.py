@@ -5,18 +5,15 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit, QPlainTextEdit, QTextEdit, QWidget
 
-_TEXT_FIELDS = (QLineEdit, QTextEdit, QPlainTextEdit, QAbstractSpinBox)
+_TYPED_IN = (QLineEdit, QTextEdit, QPlainTextEdit, QAbstractSpinBox, QComboBox)
 
 
 def is_keyboard_free() -> bool:
-    """Whether nobody is typing, and no menu or dialog waits for an answer."""
+    """Whether nobody is typing, which finds a line of a choice too, and no menu or dialog waits for an answer."""
     if QApplication.activeModalWidget() is not None or QApplication.activePopupWidget() is not None:
         return False
     focus = QApplication.focusWidget()
-    if focus is None:
-        return True
-    typing = isinstance(focus, _TEXT_FIELDS) or focus.inherits("QsciScintilla")
-    return not typing and not (isinstance(focus, QComboBox) and focus.isEditable())
+    return focus is None or not (isinstance(focus, _TYPED_IN) or focus.inherits("QsciScintilla"))
 
 
 class FocusFilter:

@@ -11,7 +11,7 @@ from pathlib import Path
 from qgis.core import QgsApplication, QgsRectangle
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QComboBox, QWidget
 from qgis.utils import iface
 
 from demo.desk import Desk
@@ -86,6 +86,10 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
     assert line.text() == "vin1", "a text field keeps its letters"
     assert session.selected() == before
     line.clear()
+    choice = next(box for box in desk.dock.findChildren(QComboBox) if box.isVisible())
+    QTest.mouseClick(choice, Qt.MouseButton.LeftButton)
+    choice.hidePopup()
+    assert QApplication.focusWidget() is not choice, "after a click on a choice letters judge"
     desk.pause(0.7)
 
 

@@ -62,7 +62,7 @@ def test_metres_share_and_longest_failure() -> None:
         "ACCEPTED": 0, "TOTAL_METRES": 2525, "MEASURED_METRES": 2525, "FAILED_METRES": 125,
         "FAILED_SHARE": 100 * 125 / 2525, "LONGEST_FAILURE": 75,
     })  # fmt: skip
-    assert f"{found['FAILED_SHARE']:.2f}% of the measured metres failed and only 2% may" in decision(outcome)
+    assert f"{found['FAILED_SHARE']:.2f}\u00a0% of the measured metres failed and only 2\u00a0% may" in decision(outcome)
     assert f"is {found['LONGEST_FAILURE']:.1f} m and the limit is only 50 m" in decision(outcome)
 
 
@@ -97,7 +97,7 @@ def test_what_could_not_be_measured_is_not_passed() -> None:
         "LONGEST_FAILURE": 0,
     })  # fmt: skip
     assert outcome.results["DECISION"] == "undecided"
-    assert "only 70.0% of the metres were measured" in decision(outcome)
+    assert "only 70.0\u00a0% of the metres were measured" in decision(outcome)
     assert "75.0 of 250.0 m of seam could not be measured" in outcome.log.warnings[1]
     assert decide(seams([None] * 3 + [P] * 7), MIN_MEASURED=70).results["ACCEPTED"] == 1
     nothing = decide(seams([None] * 3))
@@ -125,7 +125,7 @@ def test_an_isolated_lot_has_a_plan_of_its_own(
     assert outcome.results["ACCEPTED"] == accepted
     assert f"{failed} of 80 inspected pieces failed" in decision(outcome)
     risk = stats.hypergeom.cdf(1, 1000, 50, 80)
-    assert f"the limiting quality of 5 %, {risk:.1%} are accepted" in decision(outcome)
+    assert f"the limiting quality of 5 %, {100 * risk:.1f}\u00a0% are accepted" in decision(outcome)
     for name in ("r.html", "q.xml"):
         text = (tmp_path / name).read_text(encoding="utf-8")
         assert "ISO 2859-2:1985" in text

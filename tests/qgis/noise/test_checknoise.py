@@ -246,7 +246,7 @@ def test_a_window_that_can_not_be_measured_has_a_row_with_its_reason(scene: Scen
     outcome = run("checknoise", RASTERS=[path], WINDOWS=drawn)
     first, *flat = outcome.rows()[:5]
     assert (first["noise"], first["band"], first["detail_1"]) == ("not measurable", None, None)
-    assert "100.00% of the pixels of holes.tif are invalid" in first["reason"]
+    assert "100.00\u00a0% of the pixels of holes.tif are invalid" in first["reason"]
     assert {row["noise"] for row in flat} == {"not measurable"}
     assert {row["sigma"] for row in flat} == {None}
     assert "holes.tif has no variance in luminance here" in flat[0]["reason"]

@@ -185,7 +185,7 @@ def test_nothing_of_the_chart_is_cut_off(desk: Desk, panel: NoisePanel, width: i
 
 def test_a_window_that_cant_be_measured_says_why(desk: Desk, panel: NoisePanel) -> None:
     assert words(panel) == "Select a window, in the table or on the map, to see its noise."
-    assert "100.00% of the pixels of clean.tif are invalid in the window" in select(desk, panel, 2)
+    assert "100.00\u00a0% of the pixels of clean.tif are invalid in the window" in select(desk, panel, 2)
     assert panel._words.text() == ""
     assert select(desk, panel, 3).startswith("clean.tif has no variance in red here")
     choose(panel, 1)

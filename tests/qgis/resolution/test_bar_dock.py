@@ -142,14 +142,14 @@ def test_the_lines_of_a_target_are_judged_together(operator: Operator) -> None:
     wait_for_tasks()
     wait_until(lambda: "Group 5" in operator.dock.verdict.text(), "for the last line")
     line, together = operator.dock.verdict.text().split("\n")
-    assert re.match(r"Group 5, 63\.00 ± \d\.\d\d cm, resolved \(amplitude \d\d% of the full one\)", line)
+    assert re.match(r"Group 5, 63\.00 ± \d\.\d\d cm, resolved \(amplitude \d\d\u00a0% of the full one\)", line)
     assert re.match(r"All lines: along the flight: 63\.00 ± \d\.\d\d cm; contrast of the target [45]\.\d:1", together)
     assert {result.measured.line.group for result in operator.dock.results} == {5}
 
 
 def kept_share(operator: Operator) -> int:
     """% of the full amplitude, as the dock says."""
-    found = re.search(r"amplitude (\d+)% of the full one", operator.dock.verdict.text())
+    found = re.search(r"amplitude (\d+)\u00a0% of the full one", operator.dock.verdict.text())
     assert found
     return int(found[1])
 

@@ -161,8 +161,8 @@ def test_a_bad_source_does_not_cost_the_good_ones(scene: Scene, good: Run, tmp_p
         ("missing", "No source covers the window"),
         ("far_away", "No source covers the window"),
         ("one_pixel", "No source covers the window|one_pixel.tif does not cover the whole window"),
-        ("nodata", r"100\.00% of the pixels of nodata.tif are invalid"),
-        ("not_a_number", r"100\.00% of the pixels of not_a_number.tif are invalid"),
+        ("nodata", r"100\.00\u00a0% of the pixels of nodata.tif are invalid"),
+        ("not_a_number", r"100\.00\u00a0% of the pixels of not_a_number.tif are invalid"),
         ("constant", "constant.tif has no variance"),
         ("one_band", "one_band.tif has no luminance"),
     ],
@@ -215,10 +215,10 @@ def test_a_bad_mosaic_gets_a_sentence(scene: Scene, tmp_path: Path, kind: str) -
 @pytest.mark.parametrize(
     ("kind", "reason"),
     [
-        ("nodata", r"100\.00% of the pixels of nodata.tif are invalid"),
+        ("nodata", r"100\.00\u00a0% of the pixels of nodata.tif are invalid"),
         ("constant", "The mosaic has no variance"),
-        ("not_a_number", r"100\.00% of the pixels"),
-        ("infinite", r"100\.00% of the pixels"),
+        ("not_a_number", r"100\.00\u00a0% of the pixels"),
+        ("infinite", r"100\.00\u00a0% of the pixels"),
         ("one_pixel", r"needs at least 64 px|outside the mosaic"),
     ],
 )
@@ -243,7 +243,7 @@ def test_a_few_invalid_pixels_are_filled_and_many_are_not(scene: Scene, tmp_path
     pixels[:, 90, 330:345] = np.nan  # 30 in the second
     outcome = inspect(scene, MOSAIC=write_raster(tmp_path / "holes.tif", pixels))
     assert outcome.column("verdict")[0] != "not_comparable"
-    assert_sentence(outcome.column("reason")[1], r"0\.18% of the pixels of holes.tif are invalid .* 0\.1% are allowed")
+    assert_sentence(outcome.column("reason")[1], r"0\.18\u00a0% of the pixels of holes.tif are invalid .* 0\.1\u00a0% are allowed")
 
 
 # --- windows ---------------------------------------------------------------------------------------------------

@@ -302,12 +302,16 @@ class _Look:
         return messages.MOSAIC_OR_ITS_SOURCE() if one.is_whole and origin is Origin.UNKNOWN else None
 
     def _against_others(self, one: _Placed, patches: Sequence[_Patch]) -> Message | None:
-        """Whether it is put together from other candidates: they explain it where the mosaic is not like it."""
+        """Whether it is an altered copy of the mosaic, which turns with it where it is like it, or is put together from
+        other candidates: they explain it where the mosaic is not like it."""
+        like = [patch for patch in patches if patch.like >= MEDIAN_LIKE]
+        turning = [self._compared(patch, one) for patch in like[:MOST_TURNING]] if one.is_whole else []
+        if origin_of(turning, one.is_whole) is Origin.MOSAIC:
+            return messages.MOSAIC_ALTERED()
         unlike = [patch for patch in patches if patch.like < LEAST_LIKE and self._others(patch, one)][:MOST_COMPARED]
         explained = [names for patch in unlike if (names := self._explainers(patch, one))]
         if unlike and 2 * len(explained) >= len(unlike):
-            like = [patch for patch in patches if patch.like >= MEDIAN_LIKE][:MOST_COMPARED]
-            explained += [names for patch in like if (names := self._explainers(patch, one))]
+            explained += [names for patch in like[:MOST_COMPARED] if (names := self._explainers(patch, one))]
             counts = Counter(name for names in explained for name in names)
             first, most = counts.most_common(1)[0]
             if most < SINGLE_SHARE * len(explained):

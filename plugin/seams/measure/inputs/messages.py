@@ -21,6 +21,9 @@ MOSAIC_OR_ITS_SOURCE = Message(
 MOSAIC_PART_AGAIN = Message(
     "A copy of a part of the mosaic: alike wherever they were compared, though other sources lie there.", INFO
 )
+MOSAIC_ALTERED = Message(
+    "Another state of the mosaic: where they are alike, it goes with the mosaic from one orthoimage to the next.", INFO
+)
 MADE_OF_MOSAIC = Message("A VRT of the mosaic. It would hide every loss.", INFO)
 ANOTHER_MOSAIC = Message("Another mosaic: partly {first}, partly {second}.", INFO)
 SAME_IMAGE = Message("The same image as {name}.", INFO)

@@ -184,12 +184,18 @@ def test_relatives_of_brighton(data_folder: Path, tmp_path: Path, name: str) -> 
 
 
 @pytest.mark.slow
-def test_well_registered_sources_stay_and_crops_of_their_mosaic_do_not(tmp_path: Path) -> None:
+def test_well_registered_sources_stay_and_crops_and_earlier_states_of_their_mosaic_do_not(tmp_path: Path) -> None:
     block = make_block(tmp_path, extent_m=(120.0, 100.0))
-    crop = str(tmp_path / "crop.tif")
+    crop, earlier = str(tmp_path / "crop.tif"), str(tmp_path / "earlier.tif")
     gdal.Translate(crop, str(block.mosaic), srcWin=[240, 200, 720, 600])
-    found = reasons(str(block.mosaic), crop, *map(str, block.sources))
-    assert found == {"crop": messages.MOSAIC_PART_AGAIN.template, **{path.stem: "" for path in block.sources}}
+    altered = gdal.GetDriverByName("GTiff").CreateCopy(earlier, gdal.Open(str(block.mosaic)))
+    altered.WriteArray(altered.ReadAsArray(0, 0, 300, 300)[..., ::-1])
+    del altered
+    found = reasons(str(block.mosaic), crop, earlier, *map(str, block.sources))
+    assert found == {
+        "crop": messages.MOSAIC_PART_AGAIN.template, "earlier": messages.MOSAIC_ALTERED.template,
+        **{path.stem: "" for path in block.sources},
+    }
 
 
 @pytest.mark.parametrize(("here", "there", "origin"), [

@@ -11,6 +11,7 @@ from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import (
     QAction,
     QApplication,
+    QComboBox,
     QDialog,
     QDockWidget,
     QLineEdit,
@@ -37,9 +38,9 @@ class _Desk:
         self.window = QMainWindow()
         self.body = body = QWidget()
         layout = QVBoxLayout(body)
-        self.line, self.text, self.number = QLineEdit(), QTextEdit(), QSpinBox()
+        self.line, self.text, self.number, self.choice = QLineEdit(), QTextEdit(), QSpinBox(), QComboBox()
         self.button, self.tree = QPushButton("next"), QTreeWidget()
-        for widget in (self.line, self.text, self.number, self.button, self.tree):
+        for widget in (self.line, self.text, self.number, self.choice, self.button, self.tree):
             layout.addWidget(widget)
         self.window.setCentralWidget(body)
         self.shortcut = QAction("of QGIS", self.window)
@@ -123,7 +124,7 @@ def test_keys_of_the_map_are_a_button_s_where_that_has_the_focus(desk: _Desk) ->
 
 
 def test_text_fields_keep_their_letters(desk: _Desk) -> None:
-    for widget in (desk.line, desk.text, desk.number):
+    for widget in (desk.line, desk.text, desk.number, desk.choice):
         assert "V" not in desk.press(widget)
     assert (desk.line.text(), desk.text.toPlainText()) == ("v", "v")
 

@@ -46,10 +46,14 @@ def test_the_limit_is_the_one_that_the_algorithm_finds() -> None:
     assert found.best_range is not None
     said = limit_words(found, 0.7)
     low, high = (f"{100 * end:.0f}" for end in found.best_range)
+    assert found.wanted is not None
+    lacking = sum(max(wanted - 6, 0) for wanted in found.wanted)
+    assert lacking > 0
     assert said == (
         f"Your verdicts support a limit of {100 * found.best.threshold:.0f} % kept along the seam ({low} to {high} %); "
-        "70 % is set."
+        f"70 % is set. These are 12 verdicts; judge some {lacking} more before you rely on it."
     )
+    assert limit_words(replace(found, wanted=(6, 5)), 0.7).endswith("70 % is set.")
     assert 0.62 <= found.best.threshold <= 0.75
     few = calibrate(verdicts_of("kept_1", values[:3]), 1.0)
     assert "(3 visible, 0 invisible" in limit_words(few, 0.7)
