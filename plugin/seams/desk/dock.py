@@ -251,6 +251,8 @@ class InspectionDock(ToolDock):
         for place, tab in enumerate(self._tabs):
             self._tab_widget.setTabVisible(place, not (tab.tells_verdict and is_blind))
         allow(self.lost.action, tr("What was found is hidden while you judge blind.") if is_blind else "")
+        if is_blind:
+            self._iface.statusBarIface().clearMessage()  # of QGIS, which says what the selected window is
         if self.layout_of_judging.is_on:
             self._fold(True)
 

@@ -114,7 +114,12 @@ def annotate(desk: Desk, shots: Path) -> None:
 def judge_blind(desk: Desk, shots: Path) -> None:
     """A second operator, who is told nothing."""
     session, model = desk.session, desk.dock.judging.model
+    selected = [row.fid for row in session.windows() if row.verdict == "significant"][:1]
+    session.select(selected)
+    desk.pause(0.3)
     model.change(operator=2, is_blind=True)
+    desk.pause(0.3)
+    assert "significant" not in iface.statusBarIface().currentMessage()
     press(desk, desk.canvas, Qt.Key.Key_N)
     for number in range(20):
         press(desk, desk.canvas, WORDS[number % 5 % 2][0])
