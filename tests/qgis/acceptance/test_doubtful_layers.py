@@ -141,7 +141,10 @@ def test_a_share_that_is_the_limit_but_for_its_last_digits_passes() -> None:
 def test_risks_are_those_of_whole_pieces() -> None:
     """6 of 41 are accepted by 13 pieces without a failure with 8.4 % (hypergeometric), 5 of 41 with 13.1 %."""
     (said,) = (text for text in decide(seams([P] * 41), PLAN="iso2859").log.infos if text.startswith("Accepted"))
-    assert "of lots with 0 failing pieces, the AQL of 1.0, 0.0\u00a0% are rejected, of those with 6 (14.6\u00a0%) 8.4\u00a0%" in said
+    assert (
+        "of lots with 0 failing pieces, the AQL of 1.0, 0.0\u00a0% are rejected, of those with 6 "
+        "(14.6\u00a0%) 8.4\u00a0%"
+    ) in said
     whole = run("planinspection", SEAMS=[seams([P] * 13)], PLAN="iso2859", OUTPUT="TEMPORARY_OUTPUT")
     assert any("all of the lot of 13 inspected" in text for text in whole.log.infos)
 

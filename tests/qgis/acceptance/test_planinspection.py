@@ -133,7 +133,8 @@ def test_the_risks_that_a_plan_keeps_are_told() -> None:
     risks = {"GOOD_SHARE": 1, "PRODUCERS_RISK": 5, "BAD_SHARE": 5, "CONSUMERS_RISK": 10}
     plain = plan(*made, PLAN="risk", CORRELATION=0, **risks)
     assert numbers(plain)[:3] == (128, 3, 1000)  # hypergeometric; the binomial asks for 132
-    assert any("rejected with 2.9\u00a0%, with 5.00\u00a0% accepted with 9.7\u00a0%" in text for text in plain.log.infos)
+    said = "rejected with 2.9\u00a0%, with 5.00\u00a0% accepted with 9.7\u00a0%"
+    assert any(said in text for text in plain.log.infos)
     assert plain.log.warnings == []
     few = plan(*made, PLAN="risk", **risks)
     assert few.results["SAMPLE_SIZE"] == 1000

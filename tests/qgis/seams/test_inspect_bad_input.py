@@ -243,7 +243,9 @@ def test_a_few_invalid_pixels_are_filled_and_many_are_not(scene: Scene, tmp_path
     pixels[:, 90, 330:345] = np.nan  # 30 in the second
     outcome = inspect(scene, MOSAIC=write_raster(tmp_path / "holes.tif", pixels))
     assert outcome.column("verdict")[0] != "not_comparable"
-    assert_sentence(outcome.column("reason")[1], r"0\.18\u00a0% of the pixels of holes.tif are invalid .* 0\.1\u00a0% are allowed")
+    assert_sentence(
+        outcome.column("reason")[1], r"0\.18\u00a0% of the pixels of holes.tif are invalid .* 0\.1\u00a0% are allowed"
+    )
 
 
 # --- windows ---------------------------------------------------------------------------------------------------
