@@ -239,9 +239,10 @@ class OpenRaster:
         return self.read(window, (max(1, window.width // step), max(1, window.height // step)))
 
     def is_valid(self, window: PixelWindow) -> bool:
-        """Whether enough pixels of a window are valid, by every fourth pixel."""
-        invalid = self.thinned(window, 4).invalid
-        return invalid is None or bool(invalid.mean() <= limits.MAX_INVALID_SHARE)
+        """Whether enough pixels of a window are valid: by every fourth pixel where that tells for sure, else by all."""
+        share = _share_of(self.thinned(window, 4).invalid)
+        is_near = 0 < share <= 2 * limits.MAX_INVALID_SHARE
+        return (_share_of(self.read(window).invalid) if is_near else share) <= limits.MAX_INVALID_SHARE
 
     def blocks(self, window: PixelWindow, most_pixels: int) -> Iterator[PixelWindow]:
         """Pieces that together are the window, row by row, each on whole tiles or strips of the file.
@@ -397,3 +398,7 @@ def _with_grid(raster: Raster) -> Raster:
     if not raster.is_north_up:
         raise RasterError(messages.NOT_NORTH_UP(name=raster.ref.name))
     return raster
+
+
+def _share_of(invalid: np.ndarray | None) -> float:
+    return 0.0 if invalid is None else float(invalid.mean())

@@ -316,9 +316,13 @@ def _by_ratio(row: WindowRecord, found: Explanation | None) -> str:
 
 def is_lost_along_the_seam(row: WindowRecord) -> bool:
     """Whether the loss that was found lies there; what is kept there says nothing where the whole is blurred badly."""
-    is_blurred = (1.0 if row.sharpness is None else row.sharpness) ** 2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
     has_kept = row.kept_1 is not None and row.kept_low is not None and row.kept_high is not None
-    return row.verdict in LOSSES and has_kept and (row.kept_high or 0.0) < 1 and not is_blurred
+    return row.verdict in LOSSES and has_kept and (row.kept_high or 0.0) < 1 and not _is_blurred(row)
+
+
+def _is_blurred(row: WindowRecord) -> bool:
+    """Whether the whole is blurred so badly that the ground around tells nothing of the seam."""
+    return (1.0 if row.sharpness is None else row.sharpness) ** 2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
 
 
 def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
@@ -362,12 +366,13 @@ def _lost_along(row: WindowRecord, lost: float, is_whole: bool) -> str:
 
 def _lost_in_whole(row: WindowRecord, lost: float, is_along: bool) -> str:
     """``is_along``: more of it was lost along the seam, of the ground around it."""
-    said = filled(tr("{lost} % of detail lost in the whole window"), lost=percent(lost))
+    said = filled(tr("{lost} % of the window's detail lost"), lost=percent(lost))
     if row.loss is not None:
         said = f"{said} ({shown_area(row.loss)})"
     if is_along:
-        return filled(tr("{said}, {lost} % more along the seam"), said=said, lost=percent(1 - (row.kept_1 or 0.0)))
-    is_even = row.verdict != "significant" and (row.kept_1 or 0.0) >= _ALL_KEPT
+        text = tr("{said}, {lost} % of the rest along the seam")
+        return filled(text, said=said, lost=percent(1 - (row.kept_1 or 0.0)))
+    is_even = not _is_blurred(row) and (row.kept_1 or 0.0) >= _ALL_KEPT
     return filled(tr("{said}, no more along the seam"), said=said) if is_even else said
 
 
@@ -408,8 +413,7 @@ def _interval(row: WindowRecord) -> list[str]:
     low, high = percent(row.kept_low), percent(row.kept_high)
     if not is_lost_along_the_seam(row):
         text = tr("Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).")
-        said = filled(text, kept=percent(row.kept_1), low=low, high=high)
-        return [] if row.verdict in LOSSES else [said]
+        return [] if _is_blurred(row) else [filled(text, kept=percent(row.kept_1), low=low, high=high)]
     least, most = percent(1 - row.kept_high), percent(1 - row.kept_low)
     text = tr("The loss along the seam lies between {least} and {most} % (95 % interval).")
     said = filled(text, least=least, most=most)
@@ -417,11 +421,9 @@ def _interval(row: WindowRecord) -> list[str]:
 
 
 def _to_an_eye(row: WindowRecord) -> list[str]:
-    """What the loss along the seam means to an eye; one that is significant is judged by what an eye saw."""
-    if row.visibility is None or (row.visibility < 1 and row.verdict == "significant"):
+    """What the loss along the seam means to an eye, by a model of one."""
+    if row.visibility is None:
         return []
-    if row.visibility < 1:
-        return [tr("It is less than an eye just sees at 2x.")]
     return [filled(tr("It is {times} times what an eye just sees at 2x."), times=shown_number(row.visibility, 1))]
 
 

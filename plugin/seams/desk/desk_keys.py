@@ -103,7 +103,8 @@ class DeskKeys(QObject):
             if window is not self._main_window and not isinstance(window, QDockWidget):
                 return None
             is_drawing = self._tool is not None and self._canvas.mapTool() is self._tool
-            action = self._steps.meant(name, key, self._desk in around or (is_drawing and self._canvas in around))
+            is_ours = self._desk in around or self._steps.is_active(self._canvas.currentLayer())
+            action = self._steps.meant(name, key, is_ours or (is_drawing and self._canvas in around))
             return action.trigger if action is not None else None
         if window not in (self._main_window, self._desk.window()) or self._is_editing():
             return None

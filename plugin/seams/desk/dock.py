@@ -97,7 +97,8 @@ class InspectionDock(ToolDock):
         self.steps = UndoActions(self.session, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
-            {**self.judging.key_actions(), "layout": self._switch_layout, "flicker": self._kept(self.flicker.press),
+            {**self.judging.key_actions(), "layout": _triggered(self.layout_of_judging.action),
+             "lost detail": _triggered(self.lost.action), "flicker": self._kept(self.flicker.press),
              "next place": self._kept(self._view.show_next_place)},
             {"flicker": self.flicker.release},
         )
@@ -225,11 +226,6 @@ class InspectionDock(ToolDock):
         toolbars, and Space would press what it led to."""
         return lambda: act() or self.layout_of_judging.is_on
 
-    def _switch_layout(self) -> bool:
-        """By its key."""
-        self.layout_of_judging.action.trigger()
-        return True
-
     def _fold(self, is_folded: bool) -> None:
         """Leave what judging takes: what was found, the profile with it unless that is hidden, and the buttons."""
         curves, is_blind = self.panels.get("curves"), self.judging.model.is_blind
@@ -251,6 +247,7 @@ class InspectionDock(ToolDock):
         for place, tab in enumerate(self._tabs):
             self._tab_widget.setTabVisible(place, not (tab.tells_verdict and is_blind))
         allow(self.lost.action, tr("What was found is hidden while you judge blind.") if is_blind else "")
+        self.steps.keep_steps(is_blind)
         if is_blind:
             self._iface.statusBarIface().clearMessage()  # of QGIS, which says what the selected window is
         if self.layout_of_judging.is_on:
@@ -327,6 +324,16 @@ class InspectionDock(ToolDock):
         if news is not None:
             self.scan_progress.setValue(int(1000 * news.share))
             self.scan_progress.setFormat(self.scans.progress())
+
+
+def _triggered(action: QAction) -> Callable[[], bool]:
+    """By its key."""
+
+    def trigger() -> bool:
+        action.trigger()
+        return True
+
+    return trigger
 
 
 _HIGH_LINES = 44  # of text: from this height on there is room for more windows, and for a long sentence

@@ -9,7 +9,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
 from qgis.gui import QgisInterface, QgsMapCanvas
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QIcon, QImage, QKeySequence, QPainter, QPaintEvent
+from qgis.PyQt.QtGui import QColor, QIcon, QImage, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QAction, QWidget
 
 from ....imagery.grids import Grid, PixelWindow
@@ -19,7 +19,6 @@ from ....toolkit.painting import painting
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
 from ...words import LOSS_OPACITY, loss_legend, loss_rgba
-from ..keys import keys_for
 from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 if TYPE_CHECKING:
@@ -37,7 +36,6 @@ class LostDetail(QObject):
 
     def __init__(self, iface: QgisInterface, session: Session, parent: QObject) -> None:
         super().__init__(parent)
-        self._window = iface.mainWindow()
         self.overlay = LossOverlay(iface.mapCanvas(), session, self)
         self.profile = ProfileOnMap(iface.mapCanvas(), session, self)
         self.action = QAction(QIcon(icon_path("loss")), tr("Lost detail"), parent)
@@ -45,11 +43,8 @@ class LostDetail(QObject):
             tr("Show where detail was lost, over the map and the images (L). One scale for all windows")
         )
         self.action.setCheckable(True)
-        self.action.setShortcut(QKeySequence(*keys_for("lost detail")))  # text fields keep their letters
-        self.action.setShortcutContext(Qt.ShortcutContext.WindowShortcut)
         self.action.toggled.connect(session.loss_view.show)
         session.loss_view.changed.connect(self.action.setChecked)
-        self._window.addAction(self.action)  # the map's window, also while the dock floats in one of its own
 
     def follow_chart(self, panel: ProfilePanel) -> None:
         """What is pointed at in the chart is marked on the map, and the other way round."""
@@ -58,9 +53,7 @@ class LostDetail(QObject):
         self.profile.distanceChanged.connect(panel.mark)
 
     def close(self) -> None:
-        """Take all off the canvas and the window."""
-        if not sip.isdeleted(self._window):
-            self._window.removeAction(self.action)
+        """Take all off the canvas."""
         self.profile.close()
         self.overlay.close()
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsApplication, QgsVectorLayer
+from qgis.core import QgsApplication, QgsMapLayer, QgsVectorLayer
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtGui import QKeySequence
@@ -25,6 +25,7 @@ class UndoActions(QObject):
         super().__init__(parent)
         self._session = session
         self._stack: QUndoStack | None = None
+        self._kept: int | None = None  # of the steps, those that are not undone; None: all may be
         self.undo = QAction(QgsApplication.getThemeIcon("/mActionUndo.svg"), tr("Undo"), self)
         self.redo = QAction(QgsApplication.getThemeIcon("/mActionRedo.svg"), tr("Redo"), self)
         self.undo.triggered.connect(self._undo)
@@ -39,6 +40,12 @@ class UndoActions(QObject):
     def close(self) -> None:
         """Follow no steps any more."""
         self._follow(None)
+
+    def keep_steps(self, are_kept: bool) -> None:
+        """Let nobody undo what was done until now, whose traces who judges blind does not see; or let everybody."""
+        if are_kept != (self._kept is not None):
+            self._kept = (self._stack.index() if self._stack is not None else 0) if are_kept else None
+            self.refresh()
 
     def meant(self, name: str, key: str, is_ours: bool) -> QAction | None:
         """The action that a key is for; None where QGIS takes it itself, or there is nothing to do.
@@ -58,7 +65,9 @@ class UndoActions(QObject):
         stack = layer.undoStack() if layer is not None else None
         self._follow(stack)
         undo_name, redo_name = (stack.undoText(), stack.redoText()) if stack is not None else ("", "")
-        self.undo.setEnabled(stack is not None and stack.canUndo())
+        if self._kept is not None:
+            self._kept = min(self._kept, stack.index() if stack is not None else 0)
+        self.undo.setEnabled(stack is not None and stack.index() > (self._kept or 0))
         self.redo.setEnabled(stack is not None and stack.canRedo())
         self.undo.setToolTip(_tip(tr("Undoes the last change to the windows ({keys})."), "undo", undo_name))
         self.redo.setToolTip(_tip(tr("Redoes what was undone ({keys})."), "redo", redo_name))
@@ -77,8 +86,12 @@ class UndoActions(QObject):
         layer = self._session.window_layer()
         return layer if layer is not None and layer.isEditable() else None
 
+    def is_active(self, layer: QgsMapLayer | None) -> bool:
+        """Whether QGIS's active layer holds the windows, whose steps are ours and QGIS's alike."""
+        return layer is not None and layer is self._layer()
+
     def _undo(self) -> None:
-        if (layer := self._layer()) is not None:
+        if (layer := self._layer()) is not None and self.undo.isEnabled():
             layer.undoStack().undo()
 
     def _redo(self) -> None:

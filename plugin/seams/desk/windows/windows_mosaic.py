@@ -8,6 +8,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.documents import json_document
 from ....imagery.rasters import RasterRef
+from ....toolkit import layers
 from .. import messages
 from ..inputs.block_cache import BlockCache, KnownMosaic
 
@@ -54,12 +55,17 @@ class WindowsMosaic(QObject):
         """The windows or the mosaic are others than before."""
         self._block.doubt = None
         layer, now, before = self._watch.layer, self._block.known_mosaic(), self._of_layer()
+        block = self._block.silent()
+        if layer is not None and block is not None and not layer.crs().isValid():
+            layer.setCrs(layers.mosaic_crs(block.mosaic))  # else the map goes nowhere while keys judge
         if layer is None or now is None or before is None or before == now:
             return
         if before.content == now.content or not self._holds_something():
             self.take()
             return
         names = RasterRef(before.path).name, RasterRef(now.path).name
+        if names[0] == names[1]:
+            names = before.path, now.path
         message = messages.WINDOWS_OF_ANOTHER_MOSAIC(name=layer.name(), older=names[0], newer=names[1])
         if before.path == now.path:
             message = messages.MOSAIC_IS_ANOTHER_NOW(name=layer.name(), mosaic=names[1])

@@ -12,6 +12,8 @@ from scipy import ndimage
 from ....imagery.wavelets import placed_components
 from ..following.boxes import enlarged
 from ..following.expected_mosaic import ExpectedMosaic
+from ..limits import SHARPNESS_TOLERANCE
+from ..seam_cells import UNKNOWN, present
 from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells, whole_cells
 from .detail_sums import (
     compared_planes,
@@ -117,7 +119,7 @@ _SMOOTH_CELLS = 1.0  # standard deviation: with less, sound ground shows spots; 
 _SMOOTH_ROUGH_CELLS = 2.5
 """Where the ground itself is rough, as compression leaves it."""
 _ROUGH = 0.04  # scatter of log kept over the ground: 0.00 as cut, 0.02 with noise of 5 DN, 0.1 and more after JPEG
-_SURE = 1.645  # standard deviations of that scatter: less far below 1, a cell may have kept all
+_SURE = 2.5  # standard deviations of that scatter: less far below 1, a cell may have kept all
 _LEAST_EXPLAINED = 0.5  # of a cell, for it to be told
 
 
@@ -164,7 +166,30 @@ def loss_picture(
     kept[may_be_all] = np.maximum(kept[may_be_all], 1)
     rows, columns = inside or (slice(0, labels.shape[0]), slice(0, labels.shape[1]))
     own_cells = tuple(slice(part.start // LOSS_CELL_PX, -(-part.stop // LOSS_CELL_PX)) for part in (rows, columns))
-    return LossPicture(kept[own_cells], seam=np.argwhere(seam_samples(labels[rows, columns])).astype(np.uint16))
+    samples = tuple(slice(part.start // SAMPLE_PX, part.stop // SAMPLE_PX) for part in (rows, columns))
+    kept, labels = kept[own_cells], labels[rows, columns]
+    _lower_to_sources(kept, expected[own_cells], finest[(..., *samples)], labels)
+    return LossPicture(kept, seam=np.argwhere(seam_samples(labels)).astype(np.uint16))
+
+
+def _lower_to_sources(kept: np.ndarray, expected: np.ndarray, finest: np.ndarray, labels: np.ndarray) -> None:
+    """In place, what is kept of the ground becomes what is kept of each source: where one is followed, all that is lost
+    is what is missing of it, be it blurred alone or moved."""
+    middle = labels[LOSS_CELL_PX // 2 :: LOSS_CELL_PX, LOSS_CELL_PX // 2 :: LOSS_CELL_PX]
+    followed = np.full(kept.shape, UNKNOWN, np.uint8)
+    followed[: middle.shape[0], : middle.shape[1]] = middle
+    samples = labels[::SAMPLE_PX, ::SAMPLE_PX]
+    for number in present(labels):
+        where = (followed == number) & ~np.isnan(kept)
+        its = samples == number
+        own, plain = (float(np.einsum("dij,dij,ij->", one, one, its)) for one in (finest[:, 0], finest[:, -1]))
+        most_1, weights = np.minimum(kept[where], 1), expected[where]
+        around = float(most_1 @ weights)
+        if plain <= 0 or around <= 0:
+            continue
+        lowered = own / plain * float(weights.sum()) / around
+        if lowered < (1 - SHARPNESS_TOLERANCE) ** 2:
+            kept[where] = most_1 * np.float32(lowered)
 
 
 def _smooth_kept(

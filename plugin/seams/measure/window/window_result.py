@@ -1,11 +1,8 @@
 """What is known of one window: the curves of its clips, which come first, and all that was measured."""
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from dataclasses import dataclass, field
 from typing import Union
-
-import numpy as np
 
 from ....imagery.errors import Message
 from ....imagery.grids import PixelWindow
@@ -114,17 +111,10 @@ class WindowResult:
         found = self.explanation.profile if self.explanation else None
         return None if found is not None and found.low > MAX_KEPT_LOW else found
 
-    @cached_property
+    @property
     def loss(self) -> LossPicture | None:
-        """The picture of where the sources' detail was lost; None where that can't be told. Where the ground lost some
-        too, all that is lost in it is what the sharpness of the whole says."""
-        explained = self.explanation
-        found = explained.loss if explained else None
-        if explained is None or found is None or explained.sharpness is None or explained.ground_left == 1:
-            return found
-        kept = np.minimum(found.kept, np.float32(1))
-        around = float(np.nanmean(kept)) if np.isfinite(kept).any() else 1.0
-        return replace(found, kept=kept * np.float32(min(explained.sharpness**2 / around, 1.0)))
+        """The picture of where the sources' detail was lost; None where that can't be told."""
+        return self.explanation.loss if self.explanation else None
 
     @property
     def ground_left(self) -> float:

@@ -90,11 +90,21 @@ def test_the_line_lies_where_the_seam_is(place: int) -> None:
     assert float((lost.sum(axis=0) * middles).sum() / lost.sum()) == pytest.approx(place, abs=1.2)
 
 
-def test_what_was_done_to_the_whole_mosaic_leaves_it_even() -> None:
+def test_noise_all_over_the_mosaic_leaves_it_even() -> None:
     made = blend(0)
     noise = 3 * np.random.default_rng(3).standard_normal(made.hard.shape)
-    for mosaic in (0.6 * made.hard + 30, made.hard + noise):
-        assert (kept_of(made, mosaic) > 0.9).mean() > 0.995
+    assert (kept_of(made, made.hard + noise) > 0.9).mean() > 0.995
+
+
+@pytest.mark.parametrize(("first", "second"), [(1.0, 0.6), (0.6, 1.0), (0.6, 0.6)])
+def test_of_images_that_lost_detail_themselves_each_shows_its_own_loss(first: float, second: float) -> None:
+    """One was blurred before it was cut, and the other is byte for byte what it was."""
+    made = blend(0)
+    left = np.where(made.labels == 0, first, second)
+    found, far = kept_of(made, 120 + (made.hard - 120) * left), made.distance[4::8, 4::8] > 48
+    of_first = made.labels[4::8, 4::8] == 0
+    for where, amplitude in ((of_first & far, first), (~of_first & far, second)):
+        assert np.median(np.minimum(found[where], 1)) == pytest.approx(amplitude**2, abs=0.05)
 
 
 def test_ground_that_compression_left_rough_is_not_called_lost() -> None:

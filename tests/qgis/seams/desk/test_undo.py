@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsProject, QgsVectorLayer
 from qgis.PyQt.QtWidgets import QMainWindow
+from seam_inspector.plugin.imagery.statistics import SECOND
 from seam_inspector.plugin.seams.desk.windows.undo_actions import UndoActions
 
 from tests.qgis.scenes import BLURRED, SHARP, outline, saved, windows
@@ -159,3 +160,24 @@ def test_placed_windows_can_be_undone_by_the_button_as_soon_as_they_are_there(de
     actions.redo.trigger()
     assert len(desk.session.windows()) == count
     actions.close()
+
+
+def test_who_judges_blind_undoes_no_steps_of_others(desk: Desk) -> None:
+    """What the first operator said is out of sight, and would go unseen."""
+    window = QMainWindow()
+    steps = UndoActions(desk.session, window, window)
+    first = desk.add()
+    desk.session.judge([first], "visible")
+    steps.keep_steps(True)
+    assert not steps.undo.isEnabled()
+    desk.session.judge([first], "invisible", SECOND)
+    settle()
+    assert steps.undo.isEnabled()
+    for _ in range(3):
+        steps.undo.trigger()
+        settle()
+    (row,) = desk.session.windows()
+    assert (row.observer, row.observer_2) == ("visible", "")
+    steps.keep_steps(False)
+    assert steps.undo.isEnabled()
+    steps.close()

@@ -5,10 +5,10 @@ import shutil
 from pathlib import Path
 
 import pytest
-from qgis.core import QgsProject, QgsVectorLayer
+from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsVectorLayer
 from seam_inspector.plugin.imagery.errors import Message
 
-from tests.qgis.scenes import Scene
+from tests.qgis.scenes import SHARP, Scene, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
 
 
@@ -47,6 +47,30 @@ def test_another_mosaic_asks_and_changes_nothing(
     desk.set(desk.inputs())  # the first one is back
     assert desk.session.problem() is None
     assert len(asked) == 1
+
+
+def test_windows_that_lost_their_reference_system_have_the_mosaics(desk: Desk) -> None:
+    """They lie where they were drawn, and the map goes there."""
+    drawn = windows(SHARP)
+    drawn.setCrs(QgsCoordinateReferenceSystem())
+    desk.use(drawn)
+    settle()
+    mosaic = desk.session.mosaic_layer()
+    assert mosaic is not None
+    assert drawn.crs() == mosaic.crs()
+    desk.session.inspect([row.fid for row in desk.session.windows()])
+    desk.wait()
+    assert all(row.verdict for row in desk.session.windows())
+
+
+def test_mosaics_of_one_name_are_told_apart_by_their_folders(
+    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
+) -> None:
+    path = tmp_path / scene.mosaic.name
+    shutil.copyfile(scene.west, path)
+    desk.set(desk.inputs(mosaic=desk.raster(path).id()))
+    (message,) = asked
+    assert (message.values["older"], message.values["newer"]) == (str(scene.mosaic), str(path))
 
 
 def test_new_windows_lie_where_the_others_lie(desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]) -> None:
