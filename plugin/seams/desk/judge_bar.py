@@ -317,7 +317,7 @@ class JudgeBar(QWidget):
             is_other = button.defaultAction() is (self.operators.agreement if self._judging.is_first else self._second)
             button.setVisible(is_over and not is_other)
         for number, button in enumerate(button for button in self._steps if not button.isHidden()):
-            self._next_steps.addWidget(button, *divmod(number, 2 if self._is_large else 3))
+            self._next_steps.addWidget(button, *divmod(number, 2))
         for judging_button in (self._visible, self._invisible, self._unsure, self._next):
             judging_button.setVisible(not (is_over and self._is_large))  # they make room for what comes next
         self._chip.setVisible(shows_chip)

@@ -50,6 +50,7 @@ def flip(desk: Desk, fid: int, shots: Path) -> None:
     desk.screenshot(shots / "see_composite.png")
     send_space(panel.large, QEvent.Type.KeyRelease)
     desk.report["flipped_back"] = panel.large.shown.is_mosaic
+    desk.canvas.setFocus()
     QTest.keyClick(desk.canvas, Qt.Key.Key_L)
     desk.report["loss_shown"] = desk.session.loss_view.is_shown
     desk.screenshot(shots / "see_loss.png")
