@@ -66,8 +66,8 @@ class OrthorectifyPhotos(OrthoAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..imagery.rasters import RasterRef
+        from .measure.oriented_frames import block_photos, project_photos, project_terrain
         from .measure.orthorectification import orthorectify
-        from .measure.photo_block import block_photos, project_photos, project_terrain
         from .measure.rpc import open_image
 
         self.check(run)

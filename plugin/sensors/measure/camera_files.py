@@ -15,8 +15,7 @@ import numpy as np
 from ...imagery.documents import json_document, looks_like_xml, xml_root
 from ...imagery.errors import SensorModelError
 from . import messages
-from .frames import FrameInterior
-from .lenses import BrownLens, FisheyeLens, Lens
+from .frames import BrownLens, FisheyeLens, FrameInterior, Lens
 from .sensor_model import file_content, yaml_document
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
