@@ -4,7 +4,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsProcessing, QgsProcessingOutputString, QgsProcessingParameterFeatureSink
+from qgis.core import QgsProcessingOutputString
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.algorithms import parameters as common
@@ -32,13 +32,11 @@ class CompareSensorModels(SensorAlgorithm):
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
         self.addFittingParameters()
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Models"), QgsProcessing.SourceType.TypeVector),
-            tr("One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."),
-        )
-        self.addDescribed(
-            *common.report(tr("The table with a chart and the recommendation."), tr("HTML files (*.html)"))
-        )
+        self.addTable(OUTPUT, tr("Models"), tr(
+            "One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."
+        ))
+        report = tr("The table with a chart and the recommendation.")
+        self.addDescribed(*common.report(report, tr("HTML files (*.html)")))
         self.addOutput(QgsProcessingOutputString(RECOMMENDED, tr("Recommended model")))
         self.addOutput(QgsProcessingOutputString(RECOMMENDATION, tr("Recommendation with its reason")))
         self.addNumbers({MODEL_COUNT: tr("Models judged")})

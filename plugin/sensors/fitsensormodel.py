@@ -10,7 +10,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingParameterBoolean,
-    QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
     QgsWkbTypes,
@@ -44,9 +43,7 @@ MODEL_TITLES = {
     "polynomial_2d": QT_TR_NOOP("polynomials of the plane, as in a georeferencer, without heights"),
     "polynomial_3d": QT_TR_NOOP("polynomials of space, without physics"),
     "rational": QT_TR_NOOP("quotients of polynomials as in an RPC, without physics"),
-    "rational_terms": QT_TR_NOOP(
-        "quotients of order 2 at most, without the terms that the points do not support"
-    ),
+    "rational_terms": QT_TR_NOOP("quotients of order 2 at most, without the terms that the points do not support"),
     "dlt": QT_TR_NOOP("the direct linear transformation, without physics"),
     "pushbroom": QT_TR_NOOP("the parametric model of a line scanner"),
     "rpc_bias": QT_TR_NOOP("the RPC that came with the image, corrected"),
@@ -73,9 +70,7 @@ class FitSensorModel(SensorAlgorithm):
             " ".join(map(_described, registry.KINDS.values())),
         )
         self.addDescribed(
-            QgsProcessingParameterNumber(
-                ORDER, tr("Order"), QgsProcessingParameterNumber.Type.Integer, 1, minValue=1, maxValue=3
-            ),
+            QgsProcessingParameterNumber(ORDER, tr("Order"), defaultValue=1, minValue=1, maxValue=3),
             tr("Of polynomials and quotients. Higher orders need many points and swing between them."),
         )
         self.addDescribed(
@@ -88,37 +83,28 @@ class FitSensorModel(SensorAlgorithm):
         )
         self.addFittingParameters()
         self.addTerrainError()
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Residuals"), QgsProcessing.SourceType.TypeVectorPoint),
-            tr("The points with residuals, model minus measured: in pixels, and in metres at the point's height."),
-        )
+        self.addTable(OUTPUT, tr("Residuals"), tr(
+            "The points with residuals, model minus measured: in pixels, and in metres at the point's height."
+        ), QgsProcessing.SourceType.TypeVectorPoint)
         for name, label, kinds, purpose in (
             (MODEL_FILE, tr("Model file"), tr("Model files (*.json)"), tr("The whole model, for orthorectification.")),
             (
-                RPC,
-                tr("RPC"),
-                tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
+                RPC, tr("RPC"), tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
                 tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB."),
             ),
             (
-                RPC_IMAGE,
-                tr("Image with the RPC"),
-                tr("GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)"),
+                RPC_IMAGE, tr("Image with the RPC"), tr("GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)"),
                 tr("A copy of the image that carries the model as RPC in its tags, and no other georeference."),
             ),
             (
-                POINTS,
-                tr("Points for the georeferencer"),
-                tr("GCP files (*.points)"),
+                POINTS, tr("Points for the georeferencer"), tr("GCP files (*.points)"),
                 tr("The points with their residuals in pixels; check points and blunders are switched off."),
             ),
-        ):
-            self.addDescribed(
-                QgsProcessingParameterFileDestination(name, label, kinds, optional=True, createByDefault=False), purpose
-            )
-        self.addDescribed(
-            *common.report(tr("Accuracy, warnings and a plot of the residuals."), tr("HTML files (*.html)"))
-        )
+        ):  # fmt: skip
+            file = QgsProcessingParameterFileDestination(name, label, kinds, optional=True, createByDefault=False)
+            self.addDescribed(file, purpose)
+        report = tr("Accuracy, warnings and a plot of the residuals.")
+        self.addDescribed(*common.report(report, tr("HTML files (*.html)")))
         for group, label in (("CHECK", tr("check points")), ("CONTROL", tr("control points"))):
             for error in _ERRORS:
                 kind = tr("Root mean square") if error.startswith("RMSE") else tr("Largest error")
@@ -126,8 +112,7 @@ class FitSensorModel(SensorAlgorithm):
                 self.addNumbers({f"{group}_{error}": words})
         self.addViewNumbers()
         self.addNumbers({
-            CONTROL_COUNT: tr("Control points used"),
-            CHECK_COUNT: tr("Check points used"),
+            CONTROL_COUNT: tr("Control points used"), CHECK_COUNT: tr("Check points used"),
             CONDITION: tr("Condition number"),
             BIAS_COLUMN: tr("Correction of the RPC in the middle of the image, columns (px)"),
             BIAS_ROW: tr("Correction of the RPC in the middle of the image, rows (px)"),
@@ -148,10 +133,10 @@ class FitSensorModel(SensorAlgorithm):
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
         notices = self._notices(done) + coverage_warnings(coverage)
         files = FitFiles(done, image, box, run.is_cancelled)
-        bias, column, row = files.rpc_bias, None, None
-        if bias is not None:
-            column, row = bias[0].tolist()
-            most = max(math.hypot(*place) for place in bias.tolist())
+        column, row = None, None
+        if files.rpc_bias is not None:
+            (column, row), *_ = biases = files.rpc_bias.tolist()
+            most = max(math.hypot(*bias) for bias in biases)
             notices.append(messages.RPC_BIAS_FOUND(columns=column, rows=row, most=most))
         view = files.view
         if view is not None:
@@ -182,18 +167,14 @@ class FitSensorModel(SensorAlgorithm):
             (common.REPORT, write_report),
         ):  # fmt: skip
             results.update(run.save(name, write))
-        control, check = done.control, done.check
-        for group, errors in (("CHECK", check), ("CONTROL", control)):
-            for name, value in zip(_ERRORS, (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y)):
-                results[f"{group}_{name}"] = value
+        for group, errors in (("CHECK", done.check), ("CONTROL", done.control)):
+            results[f"{group}_COUNT"] = errors.count
+            for name in _ERRORS:
+                results[f"{group}_{name}"] = getattr(errors, name.lower())
             if errors.count:
                 run.inform(_errors_told(group, errors))
-        condition = done.fitted.condition
-        results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
-        results[CONDITION] = condition if math.isfinite(condition) else None
-        results.update(view_numbers(run, view))
-        results.update({BIAS_COLUMN: column, BIAS_ROW: row})
-        return results
+        condition = done.fitted.condition if math.isfinite(done.fitted.condition) else None
+        return {**results, CONDITION: condition, **view_numbers(run, view), BIAS_COLUMN: column, BIAS_ROW: row}
 
     def _request(self, run: Run, image: OpenRaster | None, rpc: Rational | None) -> ModelRequest:
         kind = registry.KINDS[run.text(MODEL)]
@@ -211,21 +192,19 @@ class FitSensorModel(SensorAlgorithm):
         from .measure.adjustment import suspects
         from .measure.polynomials import Rational, terms_told
 
-        notices: list[Message] = []
-        if not done.fitted.converged:
-            notices.append(messages.NOT_CONVERGED(iterations=done.fitted.iterations))
-        if done.fitted.condition > MAX_CONDITION:
-            notices.append(messages.ILL_CONDITIONED(condition=done.fitted.condition))
-        if done.request.kind is registry.RATIONAL_TERMS and isinstance(done.fitted.model, Rational):
-            notices.append(messages.TERMS_KEPT(terms=terms_told(done.fitted.model)))
+        fitted, notices = done.fitted, []
+        if not fitted.converged:
+            notices.append(messages.NOT_CONVERGED(iterations=fitted.iterations))
+        if fitted.condition > MAX_CONDITION:
+            notices.append(messages.ILL_CONDITIONED(condition=fitted.condition))
+        if done.request.kind is registry.RATIONAL_TERMS and isinstance(fitted.model, Rational):
+            notices.append(messages.TERMS_KEPT(terms=terms_told(fitted.model)))
         if done.check.count == 0:
             notices.append(messages.CHECK_POINTS_MISSING())
-        if done.blunder.any():
-            names = done.points.named(done.blunder)
-            notices.append(messages.BLUNDERS_FOUND(count=len(names), names=", ".join(names[:20])))
-        elif (doubted := suspects(done)).any():
-            names = done.points.named(doubted)
-            notices.append(messages.BLUNDERS_POSSIBLE(count=len(names), names=", ".join(names[:20])))
+        is_found = done.blunder.any()
+        told = messages.BLUNDERS_FOUND if is_found else messages.BLUNDERS_POSSIBLE
+        if names := done.points.named(done.blunder if is_found else suspects(done)):
+            notices.append(told(count=len(names), names=", ".join(names[:20])))
         return notices
 
 

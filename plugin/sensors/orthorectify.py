@@ -5,12 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessingParameterCrs,
-    QgsProcessingParameterExtent,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterRasterDestination,
-)
+from qgis.core import QgsProcessingParameterCrs, QgsProcessingParameterExtent, QgsProcessingParameterRasterDestination
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SensorModelError, SettingsError
@@ -43,22 +38,15 @@ class OrthoAlgorithm(SensorAlgorithm):
 
     def addOrientations(self) -> None:
         """Of aerial photos."""
-        every = tr("All files (*)")  # *.*, QGIS's own, leaves out folders
-        self.addDescribed(
-            QgsProcessingParameterFile(EXTERIOR, tr("Exterior orientation"), optional=True, fileFilter=every),
-            tr(
-                "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, "
-                "phi and kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, "
-                "Applanix, Inpho, PATB, ContextCapture, orthority or MicMac."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFile(INTERIOR, tr("Interior orientation"), optional=True),
-            tr(
-                "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or "
-                "MicMac write it. Empty: in the file of the exterior orientation."
-            ),
-        )
+        self.addFile(EXTERIOR, tr("Exterior orientation"), tr(
+            "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and "
+            "kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, Applanix, Inpho, "
+            "PATB, ContextCapture, orthority or MicMac."
+        ), filters=tr("All files (*)"))  # *.*, QGIS's own, leaves out folders
+        self.addFile(INTERIOR, tr("Interior orientation"), tr(
+            "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac "
+            "write it. Empty: in the file of the exterior orientation."
+        ))
         self.addDescribed(
             QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), optional=True),
             tr("Projected, in metres. Empty: what its file says, else the image's own."),
@@ -93,10 +81,8 @@ class OrthoAlgorithm(SensorAlgorithm):
         self.addDescribed(
             common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic"), tr("How pixels are interpolated.")
         )
-        self.addDescribed(
-            common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS),
-            tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."),
-        )
+        kinds = common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS)
+        self.addDescribed(kinds, tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."))
 
     def _block(self, run: Run, exterior: str) -> FrameBlock:
         """The orientations and the ground. Raises SettingsError without an exterior one."""
@@ -144,18 +130,11 @@ class Orthorectify(OrthoAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addImage(optional=False)
-        for name, label, purpose in (
-            (MODEL_FILE, tr("Model file"), tr("As Fit sensor model writes it.")),
-            (
-                RPC,
-                tr("RPC file"),
-                tr(
-                    "_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS's text or a YAML file of orthority. Without it and "
-                    "without a model file: the image's own RPC."
-                ),
-            ),
-        ):
-            self.addDescribed(QgsProcessingParameterFile(name, label, optional=True), purpose)
+        self.addFile(MODEL_FILE, tr("Model file"), tr("As Fit sensor model writes it."))
+        self.addFile(RPC, tr("RPC file"), tr(
+            "_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS's text or a YAML file of orthority. Without it and without "
+            "a model file: the image's own RPC."
+        ))
         self.addOrientations()
         self.addGround(tr("Terrain heights under the whole image, in any reference system."))
         self.addTerrainError()
@@ -202,11 +181,13 @@ class Orthorectify(OrthoAlgorithm):
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
         run.inform(told(made))
-        results = {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
         view = view_direction(*sight[:3])
         if view is not None:
             run.tell(view.told(run.real(TERRAIN_ERROR)))
-        return {**results, **view_numbers(run, view)}
+        return {
+            OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered,
+            **view_numbers(run, view),
+        }  # fmt: skip
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
         """The model in the image's own pixels, its system, where it is used, and what the terrain's heights are taken
@@ -236,7 +217,7 @@ class Orthorectify(OrthoAlgorithm):
 
 def told(made: Ortho) -> str:
     """What an orthoimage is like."""
-    words = tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.")
     return filled(
-        words, columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px
-    )
+        tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."),
+        columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px,
+    )  # fmt: skip

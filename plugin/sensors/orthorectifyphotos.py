@@ -36,10 +36,8 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 PHOTOS, tr("Folder of an OpenDroneMap project, or of photos"),
                 QgsProcessingParameterFile.Behavior.Folder, optional=True,
             ),
-            tr(
-                "Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
-                "project, else in the folder of its file."
-            ),
+            tr("Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
+               "project, else in the folder of its file."),
         )
         self.addOrientations()
         self.addGround(tr(

@@ -28,14 +28,12 @@ from .heights import Datum, Terrain, constant_terrain, load_terrain
 from .photo_warp import MapGrid, PhotoWarp
 from .point_checks import HIGHEST_M, LOWEST_M
 from .polynomials import Rational
-from .rpc import Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
+from .rpc import CREATION, Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
 from .sensor_model import WGS84, Map, SensorModel, bounding_box, reprojected
 
 ORTHO_GRID = 21  # places a side of the image that are looked for on the ground
 TOLERATED_PX = 0.5  # how far an RPC may be from the model that it stands for without a warning
 _NO_HEIGHT = -32768.0
-_COMPRESSED = ("COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
-_CREATION = {"GTiff": [*_COMPRESSED, "TILED=YES"], "COG": [*_COMPRESSED]}
 _STRIP_ROWS = 256
 COVER_GRID = 256  # places a side that terrain heights are looked for at
 FINEST_MESH_M, COARSEST_MESH_M = 9.0, 32.0  # 10 to 30 m (Kurczynski and Wolniewicz, conclusion 7); SRTM has 31
@@ -320,7 +318,7 @@ def _warp(
                 width=grid.columns, height=grid.rows, resampleAlg=request.resampling, rpc=True,
                 transformerOptions=options, errorThreshold=0, multithread=not is_virtual,
                 warpOptions=["NUM_THREADS=ALL_CPUS", "UNIFIED_SRC_NODATA=YES"],
-                dstNodata=0 if nodata is None else nodata, creationOptions=_CREATION[request.format], callback=report,
+                dstNodata=0 if nodata is None else nodata, creationOptions=CREATION[request.format], callback=report,
             )
             error = gdal.GetLastErrorMsg() if made is None else ""
         except RuntimeError as raised:
@@ -364,5 +362,5 @@ def _warp_photo(
         plain = f"{unfinished}.tif"
         write(plain)
         with gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=request.output)):
-            gdal.Translate(unfinished, plain, format=request.format, creationOptions=_CREATION[request.format])
+            gdal.Translate(unfinished, plain, format=request.format, creationOptions=CREATION[request.format])
         os.remove(plain)
