@@ -9,6 +9,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
+from ..toolkit.table_fields import column_features, column_fields
 from ..toolkit.translation import sentence, tr
 from .sensor_parameters import IMAGE_RPC, ROBUST, SensorAlgorithm, image_box
 
@@ -42,10 +43,10 @@ class CompareSensorModels(SensorAlgorithm):
         self.addNumbers({MODEL_COUNT: tr("Models judged")})
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from . import point_tables
         from .measure import adjustment
         from .measure.heights import is_flat
         from .measure.point_checks import control_coverage, coverage_warnings
+        from .point_tables import MODELS
 
         image = self._image()
         rpc = self._rpc(run, IMAGE_RPC, image)
@@ -57,8 +58,8 @@ class CompareSensorModels(SensorAlgorithm):
             points, adjustment.all_requests(rpc, self._orbit_height_m(run, image), size), run.flag(ROBUST),
             is_flat(points), run.progress, run.is_cancelled,
         )
-        sink, output = run.sink(OUTPUT, point_tables.comparison_fields())
-        run.write(sink, point_tables.comparison_features(result))
+        sink, output = run.sink(OUTPUT, column_fields(MODELS))
+        run.write(sink, column_features(MODELS, [(result, row) for row in result.rows]))
         run.tell(result.reason)
 
         def write_report(path: Path) -> None:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessingParameterNumber, QgsProcessingParameterString
@@ -10,6 +11,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
+from ..toolkit.table_fields import column_features, column_fields
 from ..toolkit.translation import tr
 from .measure import limits, messages, registry
 from .sensor_parameters import IMAGE, IMAGE_RPC, ORBIT_HEIGHT, SensorAlgorithm
@@ -95,21 +97,21 @@ class PlanPoints(SensorAlgorithm):
         self._image_ref = run.raster(IMAGE)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from . import point_tables
         from .measure.point_planning import PointPlan, expected_accuracies
+        from .point_tables import PLANS
 
         counts = _counts(run.text(COUNTS))
         request, scene = self._planned(run)
         plan = PointPlan(run.word(SPREAD), run.real(CORNER_SHARE), run.real(SIGMA), run.real(SIGMA_PX))
-        draws = {"progress": run.progress, "cancelled": run.is_cancelled}
-        found = list(expected_accuracies(request, scene, plan, counts, run.whole(SEED), **draws))
+        draws = partial(expected_accuracies, progress=run.progress, cancelled=run.is_cancelled)
+        found = list(draws(request, scene, plan, counts, run.whole(SEED)))
         for row in found:
             if row.image_usual is not None and row.image_most is not None:
                 run.tell(messages.PLAN_TOLD(count=row.count, usual=row.image_usual, most=row.image_most))
             if row.reason is not None:
                 run.tell(messages.PLAN_DRAWS_FAILED(count=row.count, failed=row.failed, why=row.reason))
-        sink, output = run.sink(OUTPUT, point_tables.plan_fields())
-        run.write(sink, point_tables.plan_features(request.name, found))
+        sink, output = run.sink(OUTPUT, column_fields(PLANS))
+        run.write(sink, column_features(PLANS, [(request.name, row) for row in found]))
         return {OUTPUT: output}
 
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -23,11 +23,11 @@ from qgis.core import (
 
 from ..imagery.errors import Message, SensorModelError
 from ..imagery.gdal_calls import FEATURES, gdal_silenced, open_dataset
+from ..imagery.records import Column
 from ..toolkit.layers import features, layer_path, system_wkt
-from ..toolkit.table_fields import Attributes, attributes, feature, number, table_fields, text
-from ..toolkit.translation import sentence
+from ..toolkit.table_fields import Attributes, attributes, column_fields, column_values, feature, number, text
 from .measure import messages
-from .measure.adjustment import Adjustment, Comparison
+from .measure.adjustment import Adjustment, Comparison, JudgedModel
 from .measure.point_planning import ExpectedAccuracy
 from .measure.points import CHECK, CONTROL, Points, control_points
 from .measure.rpc import PIXEL_CENTRE
@@ -127,78 +127,66 @@ def _numbers(row: Attributes, place: tuple[float, float] | None = None) -> list[
     return [column, line, x, y, height if math.isnan(z) else z, sigma]
 
 
+_Judged = tuple[Comparison, JudgedModel]
+_RESIDUALS: tuple[Column[tuple[Adjustment, int]], ...] = (
+    Column("id", "text", lambda one: one[0].points.ids[one[1]]),
+    Column("role", "text", lambda one: CHECK if one[0].points.check[one[1]] else CONTROL),
+    Column("column", "real", lambda one: one[0].points.image[one[1], 0]),
+    Column("row", "real", lambda one: one[0].points.image[one[1], 1]),
+    Column("z", "real", lambda one: _finite(one[0].points.ground[one[1], 2])),
+    Column("residual_column", "real", lambda one: one[0].residuals_px[one[1], 0]),
+    Column("residual_row", "real", lambda one: one[0].residuals_px[one[1], 1]),
+    Column("residual_x", "real", lambda one: one[0].residuals_m[one[1], 0]),
+    Column("residual_y", "real", lambda one: one[0].residuals_m[one[1], 1]),
+    Column("blunder", "integer", lambda one: int(one[0].blunder[one[1]])),
+)
+"""OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
+MODELS: tuple[Column[_Judged], ...] = (
+    Column("model", "text", lambda one: one[1].request.kind.name),
+    Column("order", "integer", lambda one: _order(one[1])),
+    Column("variant", "text", lambda one: None if _order(one[1]) else one[1].request.variant.name or None),
+    Column("mean_x", "real", lambda one: one[1].errors and one[1].errors.rmse_x),
+    Column("mean_y", "real", lambda one: one[1].errors and one[1].errors.rmse_y),
+    Column("max_x", "real", lambda one: one[1].errors and one[1].errors.max_x),
+    Column("max_y", "real", lambda one: one[1].errors and one[1].errors.max_y),
+    Column("control_count", "integer", lambda one: one[1].control_count),
+    Column("check_count", "integer", lambda one: one[1].errors.count if one[1].errors else 0),
+    Column("method", "text", lambda one: one[0].method),
+    Column("control_mean_x", "real", lambda one: one[1].control and one[1].control.rmse_x),
+    Column("control_mean_y", "real", lambda one: one[1].control and one[1].control.rmse_y),
+    Column("condition", "real", lambda one: _finite(one[1].condition)),
+    Column("recommended", "integer", lambda one: int(one[1] is one[0].recommended)),
+    Column("reason", "text", lambda one: one[1].reason),
+)
+"""OUTPUT of ``comparesensormodels``: one row per model."""
+PLANS: tuple[Column[tuple[str, ExpectedAccuracy]], ...] = (
+    Column("model", "text", lambda one: one[0]),
+    Column("control_count", "integer", lambda one: one[1].count),
+    Column("image_50", "real", lambda one: one[1].image_usual),
+    Column("image_90", "real", lambda one: one[1].image_most),
+    Column("check_50", "real", lambda one: one[1].check_usual),
+    Column("check_90", "real", lambda one: one[1].check_most),
+    Column("failed", "integer", lambda one: one[1].failed),
+    Column("reason", "text", lambda one: one[1].reason),
+)
+"""OUTPUT of ``planpoints``: one row per number of points."""
+
+
+def _order(row: JudgedModel) -> int | None:
+    name = row.request.variant.name
+    return int(name) if name.isdigit() else None
+
+
+def _finite(value: float | None) -> float | None:
+    return float(value) if value is not None and math.isfinite(value) else None
+
+
 def residual_fields() -> QgsFields:
-    """OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
-    return table_fields(
-        ("id", "text"), ("role", "text"), ("column", "real"), ("row", "real"), ("z", "real"),
-        ("residual_column", "real"), ("residual_row", "real"), ("residual_x", "real"), ("residual_y", "real"),
-        ("blunder", "integer"),
-    )  # fmt: skip
+    return column_fields(_RESIDUALS)
 
 
 def residual_features(done: Adjustment) -> Iterator[QgsFeature]:
-    """The rows of that table."""
-    points, layout = done.points, residual_fields()
-    for index, name in enumerate(points.ids):
-        x, y, z = points.ground[index]
-        values: list[object] = [
-            name,
-            CHECK if points.check[index] else CONTROL,
-            *map(float, points.image[index]),
-            float(z) if math.isfinite(z) else None,
-            *map(float, done.residuals_px[index]),
-            *map(float, done.residuals_m[index]),
-            int(done.blunder[index]),
-        ]
-        yield feature(layout, values, QgsGeometry.fromPointXY(QgsPointXY(float(x), float(y))))
-
-
-def comparison_fields() -> QgsFields:
-    """OUTPUT of ``comparesensormodels``: one row per model."""
-    return table_fields(
-        ("model", "text"), ("order", "integer"), ("variant", "text"), ("mean_x", "real"), ("mean_y", "real"),
-        ("max_x", "real"), ("max_y", "real"), ("control_count", "integer"), ("check_count", "integer"),
-        ("method", "text"), ("control_mean_x", "real"), ("control_mean_y", "real"), ("condition", "real"),
-        ("recommended", "integer"), ("reason", "text"),
-    )  # fmt: skip
-
-
-def comparison_features(result: Comparison) -> Iterator[QgsFeature]:
-    """The rows of that table."""
-    for row in result.rows:
-        request, errors = row.request, row.errors
-        variant = request.variant.name
-        ordered = variant.isdigit()
-        yield feature(
-            comparison_fields(),
-            [
-                request.kind.name,
-                int(variant) if ordered else None,
-                None if ordered else variant or None,
-                *((errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y) if errors else (None,) * 4),
-                row.control_count,
-                errors.count if errors else 0,
-                result.method,
-                row.control.rmse_x if row.control else None,
-                row.control.rmse_y if row.control else None,
-                row.condition if row.condition is not None and math.isfinite(row.condition) else None,
-                int(row is result.recommended),
-                sentence(row.reason) if row.reason else None,
-            ],
-        )
-
-
-def plan_fields() -> QgsFields:
-    """OUTPUT of ``planpoints``: one row per number of points."""
-    return table_fields(
-        ("model", "text"), ("control_count", "integer"), ("image_50", "real"), ("image_90", "real"),
-        ("check_50", "real"), ("check_90", "real"), ("failed", "integer"), ("reason", "text"),
-    )  # fmt: skip
-
-
-def plan_features(model: str, found: Iterable[ExpectedAccuracy]) -> Iterator[QgsFeature]:
-    """The rows of that table."""
-    for row in found:
-        errors = (row.image_usual, row.image_most, row.check_usual, row.check_most)
-        reason = sentence(row.reason) if row.reason else None
-        yield feature(plan_fields(), [model, row.count, *errors, row.failed, reason])
+    fields = residual_fields()
+    for index, place in enumerate(done.points.ground[:, :2].tolist()):
+        point = QgsGeometry.fromPointXY(QgsPointXY(*place))
+        yield feature(fields, column_values(_RESIDUALS, (done, index)), point)

@@ -1,6 +1,7 @@
 """Heights above the ellipsoid: what heights refer to, terrain models, and the heights of points."""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Union
@@ -51,31 +52,23 @@ class Geoid:
         if transform is None or not source.raster.is_north_up:
             raise RasterError(messages.NO_GEOID(name=self.ref.name))
         places = transform_points(geographic, WGS84, wkt)
-        round_earth = False
+        around = 0  # columns of a grid that goes around the Earth
         if is_geographic(wkt):  # from 0 to 360 degrees, or from -180 to 180
             middle = transform[0] + transform[1] * source.columns / 2
             places[:, 0] += TURN * np.round((middle - places[:, 0]) / TURN)
-            round_earth = abs(transform[1]) * source.columns >= TURN - 1e-6
-        column = (places[:, 0] - transform[0]) / transform[1] - 0.5
-        row = (places[:, 1] - transform[3]) / transform[5] - 0.5
-        edge = 0.5 + 1e-6
-        outside = (row < -edge) | (row > source.rows - 1 + edge)
-        if not round_earth:
-            outside |= (column < -edge) | (column > source.columns - 1 + edge)
-        if outside.any():
+            around = round(TURN / abs(transform[1])) if abs(transform[1]) * source.columns >= TURN - 1e-6 else 0
+        column, row = grid_places(places, transform[0::3], transform[1::4]).T
+        column = column % around if around else column
+        last = np.array([source.columns - 1, source.rows - 1])
+        inside = np.clip(np.column_stack([column, row]), 0, [around or last[0], last[1]])
+        if np.abs(inside - np.column_stack([column, row])).max(initial=0) > 0.5 + 1e-6:
             raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
-        row = np.clip(row, 0, source.rows - 1)
-        top, bottom = int(row.min()), min(int(row.max()) + 2, source.rows)
-        if round_earth:
-            column %= round(TURN / abs(transform[1]))
-            grid = first_band(source, PixelWindow(0, top, source.columns, bottom - top))
-            grid = np.pad(grid, ((0, 0), (0, 1)), mode="wrap")
-        else:
-            column = np.clip(column, 0, source.columns - 1)
-            left, right = int(column.min()), min(int(column.max()) + 2, source.columns)
-            grid = first_band(source, PixelWindow(left, top, right - left, bottom - top))
-            column -= left
-        found = bilinear(grid, column, row - top)
+        (left, top), (right, bottom) = inside.min(axis=0).astype(int), np.minimum(inside.max(axis=0) + 2, last + 1)
+        if around:
+            left, right = 0, source.columns
+        grid = first_band(source, PixelWindow(int(left), int(top), int(right) - int(left), int(bottom) - int(top)))
+        grid = np.pad(grid, ((0, 0), (0, 1)), mode="wrap") if around else grid
+        found = bilinear(grid, *(inside - [left, top]).T)
         if not np.isfinite(found).all():
             raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
         if np.abs(found).max(initial=0) > MAX_UNDULATION_M:
@@ -94,6 +87,11 @@ def first_band(source: OpenRaster, window: PixelWindow, size: tuple[int, int] | 
         heights += np.float32(band.GetOffset() or 0)
     heights[~block.valid] = np.nan
     return heights
+
+
+def grid_places(places: np.ndarray, origin: Sequence[float], step: Sequence[float]) -> np.ndarray:
+    """(n, 2) columns and rows of x and y (n, 2) in a grid, (0, 0) the middle of its first pixel."""
+    return np.asarray((places[:, :2] - origin) / step - 0.5)
 
 
 def bilinear(grid: np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
@@ -138,11 +136,9 @@ def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
         return heights_above_ellipsoid(geographic, vertical)
     except RasterError as error:
         there = []
-        for name, code in VERTICAL.items():
+        for name in (name for name, code in VERTICAL.items() if code != vertical):
             with suppress(RasterError):
-                if code == vertical:
-                    continue
-                heights_above_ellipsoid(geographic[:1], code)
+                heights_above_ellipsoid(geographic[:1], VERTICAL[name])
                 there.append(name)
         if not there:
             raise
@@ -178,13 +174,10 @@ class Terrain:
 
     def at(self, geographic: np.ndarray) -> np.ndarray:
         """Bilinear heights (n,) at longitudes and latitudes (n, 2 or more); NaN where there are none."""
-        places = transform_points(geographic, WGS84, self.wkt)
-        columns = (places[:, 0] - self.origin[0]) / self.step[0] - 0.5
-        rows = (places[:, 1] - self.origin[1]) / self.step[1] - 0.5
-        last_row, last_column = self.heights.shape[0] - 1, self.heights.shape[1] - 1
-        inside = (columns >= -0.5) & (rows >= -0.5) & (columns <= last_column + 0.5) & (rows <= last_row + 0.5)
-        heights = bilinear(self.heights, np.clip(columns, 0, last_column), np.clip(rows, 0, last_row))
-        return np.where(inside, heights, np.nan)
+        places = grid_places(transform_points(geographic, WGS84, self.wkt), self.origin, self.step)
+        inside = np.clip(places, 0, np.array(self.heights.shape[::-1]) - 1)
+        known = (np.abs(inside - places) <= 0.5).all(axis=1)
+        return np.where(known, bilinear(self.heights, *inside.T), np.nan)
 
 
 def constant_terrain(height: float, extent: Extent) -> Terrain:
@@ -209,23 +202,22 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
         xmin, ymin, xmax, ymax = extent_on(extent, WGS84, wkt)
     except RasterError:
         raise RasterError(elsewhere) from None
-    left = max(int((xmin - transform[0]) / transform[1]) - 2, 0)
-    top = max(int((ymax - transform[3]) / transform[5]) - 2, 0)
-    right = min(int((xmax - transform[0]) / transform[1]) + 3, source.columns)
-    bottom = min(int((ymin - transform[3]) / transform[5]) + 3, source.rows)
-    if right <= left or bottom <= top:
+    left, right = (int((x - transform[0]) / transform[1]) for x in (xmin, xmax))
+    top, bottom = (int((y - transform[3]) / transform[5]) for y in (ymax, ymin))
+    around = PixelWindow(left - 2, top - 2, right - left + 5, bottom - top + 5)
+    window = around.cut_to(source.columns, source.rows)
+    if window.width <= 0 or window.height <= 0:
         raise RasterError(elsewhere)
-    count = (right - left) * (bottom - top)
-    if count > MAX_DEM_PIXELS:
-        most = MAX_DEM_PIXELS // 10**6
-        raise RasterError(messages.DEM_TOO_LARGE(name=ref.name, count=count // 10**6, most=most))
-    heights = first_band(source, PixelWindow(left, top, right - left, bottom - top))
+    count, most = window.width * window.height, MAX_DEM_PIXELS
+    if count > most:
+        raise RasterError(messages.DEM_TOO_LARGE(name=ref.name, count=count // 10**6, most=most // 10**6))
+    heights = first_band(source, window)
     if np.isnan(heights).all():
         raise RasterError(elsewhere)
     low, high = float(np.nanmin(heights)), float(np.nanmax(heights))
     if low < LOWEST_M or high > HIGHEST_M:
         raise RasterError(messages.DEM_HEIGHTS_IMPLAUSIBLE(name=ref.name, low=low, high=high))
-    origin = (transform[0] + left * transform[1], transform[3] + top * transform[5])
+    origin = (transform[0] + window.column * transform[1], transform[3] + window.row * transform[5])
     vertical, notices = vertical_system(wkt, datum, ref.name)
     terrain = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, notices)
     if not vertical:

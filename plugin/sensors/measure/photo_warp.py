@@ -273,20 +273,15 @@ class PhotoWarp:
 
     def _step_px(self) -> tuple[float, float]:
         """How far apart the photo shows neighbouring pixels of the orthoimage, along its columns and rows, px."""
-        grid, steps = self.grid, np.linspace(0.1, 0.9, 9)
+        grid, steps, heights, ground = self.grid, np.linspace(0.1, 0.9, 9), self._heights(), []
         columns, rows = (side.ravel() for side in np.meshgrid(steps * grid.columns, steps * grid.rows))
-        heights, ground = self._heights(), []
-        height = [
-            float(self._height_of(heights, PixelWindow(int(x), int(y), 1, 1))[0, 0]) for x, y in zip(columns, rows)
-        ]
+        height = [self._height_of(heights, PixelWindow(int(x), int(y), 1, 1))[0, 0] for x, y in zip(columns, rows)]
         for right, down in ((0, 0), (1, 0), (0, 1)):
             places = transform_points(grid.places(columns + right, rows + down), grid.wkt, self.wkt)
             ground.append(self.camera.project(np.column_stack([places, height])))
         changes = np.stack([ground[1] - ground[0], ground[2] - ground[0]])
         known = np.isfinite(changes).all(axis=(0, 2))
-        if not known.any():
-            return 1.0, 1.0
-        along = np.median(np.linalg.norm(changes[:, known], axis=0), axis=0)
+        along = np.median(np.linalg.norm(changes[:, known], axis=0), axis=0) if known.any() else np.ones(2)
         return float(along[0]), float(along[1])
 
 

@@ -164,7 +164,7 @@ def _errors(
     )
     done = adjust(request, points)
     groups = slice(count + checks, None), slice(count, count + checks)
-    found = [accuracy(done.residuals_px[group], done.residuals_m[group]).rmse for group in groups]
+    found = [accuracy(done.residuals_px, done.residuals_m, group).rmse for group in groups]
     over_image, at_checks = (value if value is not None and np.isfinite(value) else np.inf for value in found)
     return over_image, at_checks
 

@@ -76,14 +76,12 @@ def control_points(ids: Sequence[str], image: np.ndarray, ground: np.ndarray, wk
 def choose_check_points(points: Points, share: float) -> Points:
     """The points with a share of them made check points, evenly spread, away from the outline, the same for the same
     points."""
-    wanted = round(share * len(points))
-    check = np.zeros(len(points), bool)
-    extent = np.ptp(points.image, axis=0)
+    check, extent = np.zeros(len(points), bool), np.ptp(points.image, axis=0)
     places = (points.image - points.image.min(axis=0)) / np.where(extent > 0, extent, 1)
     middle = np.abs(places - 0.5).max(axis=1)
     distance = 1 - middle  # the first one lies in the middle, then the one farthest from all chosen and the border
     nearest = np.full(len(points), np.inf)
-    for _ in range(wanted):
+    for _ in range(round(share * len(points))):
         index = int(np.argmax(np.where(check, -1.0, distance)))
         check[index] = True
         nearest = np.minimum(nearest, np.linalg.norm(places - places[index], axis=1))
@@ -120,26 +118,24 @@ def file_points(path: Path, wkt: str, geotransform: Sequence[float] | None) -> t
     if -1 in indices:
         raise SensorModelError(messages.NO_POINTS_FILE(name=path.name))
     enable = header.index("enable") if "enable" in header else -1
-    found, ids = [], []
+    found = {}
     for count, (number, line) in enumerate(rows[1:], 1):
         try:
             parts = next(csv.reader([line]))
             values = [float(parts[index]) for index in indices]
-            on = enable < 0 or len(parts) <= enable or parts[enable].strip().lower() not in ("0", "false", "")
         except (ValueError, IndexError, csv.Error):
             raise SensorModelError(messages.POINTS_LINE_UNREADABLE(name=path.name, line=number)) from None
-        if on:
-            found.append(values)
-            ids.append(str(count))
+        if enable < 0 or len(parts) <= enable or parts[enable].strip().lower() not in ("0", "false", ""):
+            found[str(count)] = values
     if not found:
         raise SensorModelError(messages.NO_POINTS())
     if not named and not wkt:
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=path.name))
-    numbers = np.array(found)
+    numbers = np.array([*found.values()])
     image = _transformed(numbers[:, :2], gdal.InvGeoTransform(_source_transform(geotransform)))
     disabled = len(rows) - 1 - len(found)
     notices = [messages.POINTS_DISABLED(count=disabled)] if disabled else []
-    return control_points(ids, image, numbers[:, 2:], named or wkt), notices
+    return control_points([*found], image, numbers[:, 2:], named or wkt), notices
 
 
 def write_point_file(
@@ -149,10 +145,10 @@ def write_point_file(
     off. Raises SettingsError where no file can be."""
     lines = [f"#CRS: {' '.join(points.wkt.split())}", "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual"]
     source = _transformed(points.image, _source_transform(geotransform))
-    length = np.linalg.norm(residuals_px, axis=1)
-    for place, measured, on, residual, size in zip(points.ground[:, :2], source, used, residuals_px, length):
-        numbers = [repr(float(value)) for value in (*place, *measured)]
-        lines.append(",".join([*numbers, str(int(on)), *(repr(float(value)) for value in (*residual, size))]))
+    before = np.column_stack([points.ground[:, :2], source])
+    after = np.column_stack([residuals_px, np.linalg.norm(residuals_px, axis=1)])
+    for first, on, last in zip(before.tolist(), used, after.tolist()):
+        lines.append(",".join([*map(repr, first), str(int(on)), *map(repr, last)]))
     save_text("\n".join(lines) + "\n", path)
 
 
