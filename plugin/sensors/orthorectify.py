@@ -190,8 +190,7 @@ class Orthorectify(OrthoAlgorithm):
         }  # fmt: skip
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
-        """The model in the image's own pixels, its system, where it is used, and what the terrain's heights are taken
-        as."""
+        """In the image's own pixels; its system, where it is used, and what the terrain's heights are taken as."""
         from .measure.fit_files import load_model
         from .measure.orthorectification import rpc_domain
         from .measure.sensor_model import WGS84

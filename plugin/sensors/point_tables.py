@@ -34,8 +34,7 @@ from .measure.rpc import PIXEL_CENTRE
 
 
 def heights_wkt(layer: QgsVectorLayer) -> str:
-    """The system that says what a layer's heights are, or empty: QGIS forgets it, so the code and the file are
-    asked."""
+    """What says what a layer's heights are, or empty: QGIS forgets it, so the code and the file are asked."""
     system = osr.SpatialReference()
     with gdal_silenced(), suppress(RuntimeError):
         system.SetFromUserInput(layer.crs().authid())

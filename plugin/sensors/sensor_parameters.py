@@ -174,8 +174,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     def _points(
         self, run: Run, image: OpenRaster | None, rpc: Rational | None, request: ModelRequest | None = None
     ) -> Points:
-        """The points with roles, and heights where the model (None: any) needs them, held against the image's own
-        ``rpc``."""
+        """With roles, and heights where the model (None: any) needs them, held against the image's own ``rpc``."""
         from .measure.heights import with_heights
         from .measure.point_checks import check_against_rpc, check_inside, check_plausible
         from .measure.points import choose_check_points

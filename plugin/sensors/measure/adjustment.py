@@ -31,8 +31,7 @@ CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
 
 def fit_model(request: ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
-    """Fit a model to points with weights (n,), 1 / standard deviation in px, 0 for none. Raises SensorModelError,
-    SettingsError."""
+    """Fit to points of weights (n,), 1 / standard deviation, px; 0 for none. Raises SensorModelError, SettingsError."""
     used = weights > 0
     points, weights = points.only(used), weights[used]
     fewest = request.variant.fewest
@@ -210,8 +209,7 @@ def _without_blunders(request: ModelRequest, control: Points) -> np.ndarray:
 
 
 def _blunder_limit(redundancy: float) -> float:
-    """The longest residual of a good point, in standard deviations of a coordinate: half its square is
-    F-distributed."""
+    """The longest residual of a good point, in standard deviations: half its square is F-distributed."""
     return float(np.sqrt(redundancy * (BLUNDER_PROBABILITY ** (-2 / redundancy) - 1)))
 
 
@@ -240,19 +238,15 @@ class JudgedModel:
     """One model of the table."""
 
     request: ModelRequest
-    errors: Accuracy | None
-    """On points that the fit has not seen; None where it could not be fitted."""
-    control: Accuracy | None
-    """On the control points themselves."""
+    errors: Accuracy | None  # on points that the fit has not seen; None where it could not be fitted
+    control: Accuracy | None  # on the control points themselves
     control_count: int
     condition: float | None
-    reason: Message | None = None
-    """Why there are no errors, or why to distrust them."""
+    reason: Message | None = None  # why there are no errors, or why to distrust them
     misses: np.ndarray = field(default_factory=lambda: np.zeros(0))
     """(n,) errors of points that a fit has not seen, m on the ground: check points, control points left out in turn;
     NaN for blunders."""
-    unknowns: float = 0.0
-    """How many the points have determined."""
+    unknowns: float = 0.0  # how many the points have determined
 
 
 @dataclass(frozen=True)
@@ -260,8 +254,7 @@ class Comparison:
     """The paper's table."""
 
     rows: tuple[JudgedModel, ...]
-    method: str
-    """``check_points`` or ``leave_one_out``."""
+    method: str  # ``check_points`` or ``leave_one_out``
     recommended: JudgedModel | None
     reason: Message
 

@@ -45,10 +45,8 @@ PIX4D_LINES = 9  # of a photo: three of the camera's matrix, two of its lens, it
 class FileCamera:
     """A camera as a file has it."""
 
-    interior: FrameInterior
-    """In its own pixels."""
-    size: np.ndarray
-    """(2,) its columns and rows."""
+    interior: FrameInterior  # in its own pixels
+    size: np.ndarray  # (2,) its columns and rows
     mount: np.ndarray
     """(2, 2) its columns and rows by the axes that its file's rotations turn, x to the right and y upwards."""
 
@@ -57,14 +55,11 @@ class FileCamera:
 class Cameras:
     """The cameras of a file."""
 
-    name: str
-    """The file's."""
-    cameras: Mapping[str, Callable[[], FileCamera]]
-    """What makes each, by its name."""
+    name: str  # the file's
+    cameras: Mapping[str, Callable[[], FileCamera]]  # what makes each, by its name
 
     def chosen(self, camera: str) -> FileCamera:
-        """The one of that name, of any part of a reconstruction what follows the slash, or the only one. Raises
-        SensorModelError."""
+        """By its name, of any part of a reconstruction after the slash, or the only one. Raises SensorModelError."""
         names = [camera, camera.partition("/")[2], *(self.cameras if len(self.cameras) == 1 else ())]
         found = next((name for name in names if name in self.cameras), None)
         if found is None and self.cameras:
@@ -74,8 +69,7 @@ class Cameras:
             return self.cameras[str(found)]()
 
     def of(self, camera: str, size: tuple[int, int]) -> FrameInterior:
-        """One by its name, scaled to an image of ``size`` (columns, rows). Raises SensorModelError for what can't be
-        its camera."""
+        """One scaled to an image of ``size`` (columns, rows). Raises SensorModelError for what can't be its camera."""
         try:
             found = self.chosen(camera)
             made, own_size = found.interior, found.size
@@ -110,8 +104,7 @@ def read_cameras(content: Any, path: Path) -> Cameras:
 
 
 def orientation_file(path: Path) -> Path:
-    """The file itself, or the reconstruction of an OpenDroneMap project's folder. Raises SensorModelError for another
-    folder."""
+    """The file, or the reconstruction of an OpenDroneMap project. Raises SensorModelError for another folder."""
     if not os.path.isdir(path):
         return path
     inside = (path / "opensfm" / _RECONSTRUCTION, path / _RECONSTRUCTION)
@@ -294,8 +287,7 @@ def numbers_of(element: Element, *names: str) -> list[float]:
 
 
 def pix4d_photos(content: str) -> dict[str, list[float]]:
-    """Of each photo of Pix4D's ``..._calibrated_camera_parameters.txt`` by its name: columns and rows, the camera's
-    matrix, three radial and two tangential terms, position, rotation; {} for another file."""
+    """Of each photo of ``..._calibrated_camera_parameters.txt``: sides, matrix, lens, position, rotation; or {}."""
     lines = content.splitlines()
     if not lines or not lines[0].startswith("fileName imageWidth imageHeight"):
         return {}

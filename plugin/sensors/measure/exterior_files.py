@@ -57,18 +57,12 @@ _DOWN = np.diag([1.0, -1.0, -1.0])  # from x right, y up, z back to columns, row
 class FrameExterior:
     """Where a camera was and how it looked."""
 
-    position: np.ndarray
-    """(3,) x, y, height, m."""
-    axes: np.ndarray
-    """(3, 3), as ``FrameCamera.axes``."""
-    camera: str = ""
-    """The camera's name, where the file says it."""
-    wkt: str = ""
-    """Reference system of x and y, anything that GDAL understands; empty where the file names none."""
-    curvature: float = 0.0
-    """As ``FrameCamera.curvature``."""
-    notices: tuple[Message, ...] = ()
-    """What to say of how it was read."""
+    position: np.ndarray  # (3,) x, y, height, m
+    axes: np.ndarray  # (3, 3), as ``FrameCamera.axes``
+    camera: str = ""  # the camera's name, where the file says it
+    wkt: str = ""  # reference system of x and y, anything that GDAL understands; empty where the file names none
+    curvature: float = 0.0  # as ``FrameCamera.curvature``
+    notices: tuple[Message, ...] = ()  # what to say of how it was read
 
 
 Named = list[tuple[str, Callable[[], FrameExterior]]]
@@ -79,8 +73,7 @@ Named = list[tuple[str, Callable[[], FrameExterior]]]
 class Exteriors:
     """The orientations of a file."""
 
-    name: str
-    """The file's."""
+    name: str  # the file's
     photos: Named
 
     @property
@@ -89,8 +82,7 @@ class Exteriors:
         return [name for name, _ in self.photos]
 
     def of(self, image: str) -> FrameExterior:
-        """That of an image by its file's name, with or without its ending. Raises SensorModelError where there is not
-        just one."""
+        """That of an image by its file's name, with ending or without. Raises SensorModelError for none or several."""
         stem = Path(image).stem
         alike = [one for one in self.photos if one[0] == image or stem in (one[0], Path(one[0]).stem)]
         found = [one for one in alike if one[0] == image] or alike
@@ -109,8 +101,7 @@ class Exteriors:
 
 
 def read_exteriors(content: Any, path: Path, angles: str = AUTO) -> Exteriors:
-    """The orientations of a ``document``; ``angles`` is one of ``limits.ANGLE_UNITS``. Raises SensorModelError without
-    any."""
+    """Those of a ``document``; ``angles``: of ``limits.ANGLE_UNITS``. Raises SensorModelError without any."""
     try:
         return Exteriors(path.name, _photos(content, path, angles))
     except (*UNREADABLE, csv.Error):
@@ -157,9 +148,8 @@ def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:
 
 
 def _opensfm_photos(content: Any, path: Path) -> Named:
-    """The shots of all parts of a reconstruction, each in the plane that touches the Earth at its part's reference.
-    OpenDroneMap replaces it by one in UTM and keeps the exact one beside it; else the offset stands in another
-    folder."""
+    """The shots of all parts, each in the plane that touches the Earth at its part's reference. OpenDroneMap replaces
+    it by one in UTM and keeps the exact one beside it; else the offset stands in another folder."""
     exact, offset = path.with_name("reconstruction.topocentric.json"), None
     coordinates = path.parent.parent / "odm_georeferencing" / "coords.txt"
     told = messages.PLANE_TAKEN(name=path.name)
@@ -310,8 +300,7 @@ def _local_axes(longitude: float, latitude: float) -> np.ndarray:
 
 
 def _patb_photos(content: str) -> Named:
-    """A number, perhaps a focal length, a position, nine elements of the rotation from camera to ground; else no
-    photos."""
+    """A number, perhaps a focal length, a position, nine elements of the rotation to the ground; else no photos."""
     records = [line.split() for line in content.splitlines() if line.strip() and line.strip() != "-99"]
     photos: Named = []
     while len(records) > 2:
@@ -372,8 +361,7 @@ def _table_exterior(
 
 
 def _header(line: str) -> tuple[dict[str, int], int]:
-    """Where each column stands, {} for a line that names too few; and how many there are where blanks part them, which
-    a name may hold as well: then rows have to have as many."""
+    """Where each column stands, {} for too few; and how many there are where blanks part them: rows have as many."""
     line = re.sub(_PAIRS, r"\1\2", re.sub(r"(?i)#\s*event", "event", line)).strip().lstrip("#")
     line = re.sub(r" +([(\[])", r"\1", line)  # a unit is no column of its own
     for parted in (";", "\t", ",", None):

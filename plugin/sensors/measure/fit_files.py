@@ -34,11 +34,9 @@ class ModelFile:
     """What a model file holds."""
 
     model: SensorModel
-    wkt: str
-    """System of the points it was fitted to; models in longitude and latitude ignore it."""
+    wkt: str  # system of the points it was fitted to; models in longitude and latitude ignore it
     domain: Domain
-    facts: dict[str, Any]
-    """Accuracy, condition, points and the like, for the reader."""
+    facts: dict[str, Any]  # accuracy, condition, points and the like, for the reader
 
 
 def save_model(file: ModelFile, path: Path) -> None:
@@ -96,12 +94,9 @@ def _built(kind: Any, plain: Any) -> Any:
 class ViewDirection:
     """The line of sight, at the ground."""
 
-    angle: float
-    """From the vertical, degrees, in the middle of the image."""
-    azimuth: float
-    """Where it was taken from, degrees from north over east."""
-    largest: float
-    """The largest angle from the vertical in the image's corners, degrees."""
+    angle: float  # from the vertical, degrees, in the middle of the image
+    azimuth: float  # where it was taken from, degrees from north over east
+    largest: float  # the largest angle from the vertical in the image's corners, degrees
 
     def shift_m(self, terrain_error_m: float) -> float:
         """How far an error in the terrain's heights moves the middle of the orthoimage, m."""
@@ -137,8 +132,7 @@ class FitFiles:
 
     done: Adjustment
     image: OpenRaster | None
-    box: ImageBox
-    """The image's rectangle, or that of the points."""
+    box: ImageBox  # the image's rectangle, or that of the points
     cancelled: Callable[[], bool]
 
     @cached_property

@@ -56,14 +56,10 @@ class Lens:
 class BrownLens(Lens):
     """Brown's (1971) with OpenCV's later terms: a quotient of radial polynomials and a thin prism."""
 
-    radial: tuple[float, ...]
-    """k1, k2, k3 ...: coefficients of r^2, r^4 ..."""
-    tangential: tuple[float, float] = (0.0, 0.0)
-    """p1 (rows) and p2 (columns)."""
-    divisor: tuple[float, ...] = ()
-    """k4, k5, k6: coefficients of r^2, r^4, r^6 of what it is divided by."""
-    prism: tuple[float, ...] = ()
-    """s1 and s2 (columns), s3 and s4 (rows): coefficients of r^2 and r^4."""
+    radial: tuple[float, ...]  # k1, k2, k3 ...: coefficients of r^2, r^4
+    tangential: tuple[float, float] = (0.0, 0.0)  # p1 (rows) and p2 (columns)
+    divisor: tuple[float, ...] = ()  # k4, k5, k6: coefficients of r^2, r^4, r^6 of what it is divided by
+    prism: tuple[float, ...] = ()  # s1 and s2 (columns), s3 and s4 (rows): coefficients of r^2 and r^4
 
     def scale(self, squared: np.ndarray) -> np.ndarray:
         scale = _polynomial(self.radial, squared)
@@ -85,8 +81,7 @@ class BrownLens(Lens):
 class FisheyeLens(Lens):
     """OpenCV's and OpenSfM's: the distance grows with the angle off the axis (Kannala and Brandt 2006)."""
 
-    angular: tuple[float, ...]
-    """k1, k2, k3, k4: coefficients of the angle's 2nd, 4th, 6th and 8th power."""
+    angular: tuple[float, ...]  # k1, k2, k3, k4: coefficients of the angle's 2nd, 4th, 6th and 8th power
 
     def scale(self, squared: np.ndarray) -> np.ndarray:
         distance = np.sqrt(squared)
@@ -109,14 +104,10 @@ def _polynomial(coefficients: tuple[float, ...], value: np.ndarray) -> np.ndarra
 class FrameInterior:
     """A camera, in pixels of the image that it is used for: (0, 0) is the upper left corner of the first pixel."""
 
-    focal: np.ndarray
-    """(2,) focal length along columns and rows, px."""
-    principal: np.ndarray
-    """(2,) column and row of the principal point."""
-    lens: Lens
-    """Its distortion, about ``centre``."""
-    centre: np.ndarray
-    """(2,) column and row that distortion is symmetric about."""
+    focal: np.ndarray  # (2,) focal length along columns and rows, px
+    principal: np.ndarray  # (2,) column and row of the principal point
+    lens: Lens  # its distortion, about ``centre``
+    centre: np.ndarray  # (2,) column and row that distortion is symmetric about
 
     def shown(self, across: np.ndarray, down: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column and row of views whose tangents along the camera's columns and rows are given."""
@@ -136,16 +127,13 @@ class FrameInterior:
 
 @dataclass(frozen=True)
 class FrameCamera(SensorModel):
-    """Collinearity: x, y of a plane system and heights are one Cartesian space. A point behind the camera has no place:
-    NaN."""
+    """Collinearity: x, y of a plane system and heights are one Cartesian space. What is behind the camera is NaN."""
 
     GEOGRAPHIC: ClassVar[bool] = False
 
     interior: FrameInterior
-    position: np.ndarray
-    """(3,) projection centre: x, y, height, m."""
-    axes: np.ndarray
-    """(3, 3) columns: the camera's axes along columns, along rows and along the view, on the ground."""
+    position: np.ndarray  # (3,) projection centre: x, y, height, m
+    axes: np.ndarray  # (3, 3) columns: the camera's axes along columns, along rows and along the view, on the ground
     curvature: float = 0.0
     """1/m, of the ground: 0 where x and y are taken as Cartesian, else the Earth's, and x and y are those of a
     projection about the camera that keeps distances there."""
@@ -157,8 +145,7 @@ class FrameCamera(SensorModel):
     def seen(
         self, x: np.ndarray, y: np.ndarray, height: np.ndarray, kind: type = np.float64
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Column and row of places given in arrays that numpy broadcasts; float32 halves the time and is 0.001 px off
-        at 10,000."""
+        """Column and row of arrays of places; float32 halves the time and is 0.001 px off at 10,000."""
         if self.curvature:
             swelling = 1 + self.curvature * height  # further from the Earth's middle, further apart
             x, y = (x - self.position[0]) * swelling, (y - self.position[1]) * swelling
@@ -182,8 +169,7 @@ class FrameCamera(SensorModel):
         return self.places_at(self.views(image), heights)  # exact, however oblique
 
     def views(self, image: np.ndarray) -> np.ndarray:
-        """(n, 3) unit vectors on the ground towards (n, 2) column, row. Raises SensorModelError for what the lens can't
-        show."""
+        """(n, 3) unit vectors towards (n, 2) column, row. Raises SensorModelError for what the lens can't show."""
         tangents = self.interior.tangents(image)
         if not np.isfinite(tangents).all():
             raise SensorModelError(messages.LENS_FOLDS())

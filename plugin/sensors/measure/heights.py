@@ -45,8 +45,7 @@ class Geoid:
     ref: RasterRef
 
     def undulation(self, geographic: np.ndarray) -> np.ndarray:
-        """(n,) m, bilinear, at (n, 2 or more) longitude, latitude. Raises RasterError where the grid is none or does
-        not cover all."""
+        """(n,) m, bilinear, at (n, 2 or more) longitude, latitude. Raises RasterError where the grid has none."""
         source = OpenRaster(self.ref)
         wkt, transform = source.raster.wkt or WGS84, source.raster.geotransform
         if transform is None or not source.raster.is_north_up:
@@ -127,8 +126,7 @@ def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Mes
 
 
 def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
-    """(n,) above the ellipsoid of (n, 3) longitude, latitude and height. Raises RasterError without a grid, and names
-    another."""
+    """(n,) of (n, 3) longitude, latitude and height. Raises RasterError without a grid, and names another."""
     if isinstance(vertical, Geoid):
         moved: np.ndarray = geographic[:, 2] + vertical.undulation(geographic)
         return moved
@@ -158,12 +156,9 @@ class Terrain:
 
     name: str
     wkt: str
-    origin: tuple[float, float]
-    """x of the left and y of the upper edge."""
-    step: tuple[float, float]
-    """Map units per column and per row; the second is negative."""
-    heights: np.ndarray
-    """(rows, columns) float32, m; NaN where there are none."""
+    origin: tuple[float, float]  # x of the left and y of the upper edge
+    step: tuple[float, float]  # map units per column and per row; the second is negative
+    heights: np.ndarray  # (rows, columns) float32, m; NaN where there are none
     notices: tuple[Message, ...]
 
     def mesh_m(self) -> tuple[float, float]:

@@ -36,16 +36,12 @@ _TERRAINS = ("odm_dem/dtm.tif", "odm_dem/dsm.tif")  # of a project: the ground, 
 class FrameFiles:
     """What a photo's orientation is read from."""
 
-    interior: Path | None
-    """None: the file of the exterior orientation holds the camera, too."""
-    exterior: Path
-    """A file, or an OpenDroneMap project's folder."""
+    interior: Path | None  # none: the file of the exterior orientation holds the camera, too
+    exterior: Path  # A file, or an OpenDroneMap project's folder
     wkt: str
     """Reference system of the exterior orientation, if it is stated; empty: what its file says, else the image's."""
-    datum: Datum
-    """What the projection centre's height refers to: one of ``limits.EXTERIOR_DATUMS``, or a grid."""
-    angles: str = AUTO
-    """What the angles of a table are in: one of ``limits.ANGLE_UNITS``."""
+    datum: Datum  # what the projection centre's height refers to: one of ``limits.EXTERIOR_DATUMS``, or a grid
+    angles: str = AUTO  # what the angles of a table are in: one of ``limits.ANGLE_UNITS``
 
 
 @dataclass(frozen=True)
@@ -53,11 +49,9 @@ class OrientedFrame:
     """A photo's camera on the ground."""
 
     camera: FrameCamera
-    wkt: str
-    """Reference system of its position."""
+    wkt: str  # reference system of its position
     domain: Domain
-    terrain_datum: Datum
-    """What the terrain model's heights are to be taken as: the camera's are of the same kind then."""
+    terrain_datum: Datum  # what the terrain model's heights are to be taken as: the camera's are of the same kind then
     notices: tuple[Message, ...]
 
     @property
@@ -73,14 +67,11 @@ class FrameBlock:
     files: FrameFiles
     exteriors: Exteriors
     cameras: Cameras
-    heights: tuple[float, float]
-    """Lowest and highest terrain, m."""
-    terrain_datum: Datum
-    """As in ``OrientedFrame``."""
+    heights: tuple[float, float]  # lowest and highest terrain, m
+    terrain_datum: Datum  # as in ``OrientedFrame``
 
     def frame(self, image: OpenRaster, name: str = "") -> OrientedFrame:
-        """The camera of an image, by its file's name or another. Raises SensorModelError where it does not see the
-        ground."""
+        """The camera of an image, by its file's name or another. Raises SensorModelError where it sees no ground."""
         exterior = self.exteriors.of(name or image.ref.name)
         interior = self.cameras.of(exterior.camera, (image.columns, image.rows))
         wkt, notices = _system(image, self.files, exterior.wkt)
@@ -126,8 +117,7 @@ def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tupl
 
 
 def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
-    """Lowest and highest terrain as the terrain model has it, m; over all of it, which costs an overview only. Raises
-    SensorModelError where it is huge and has none."""
+    """Lowest and highest terrain, m, by an overview. Raises SensorModelError where it is huge and has none."""
     source = OpenRaster(dem)
     count, band = source.columns * source.rows, source.dataset.GetRasterBand(1)
     if count > MOST_WITHOUT_OVERVIEWS and not band.GetOverviewCount():
@@ -165,11 +155,9 @@ def project_terrain(exterior: Path) -> RasterRef:
 class BlockPhoto:
     """One photo of a block."""
 
-    name: str
-    """As its orientation calls it."""
+    name: str  # as its orientation calls it
     path: Path
-    ortho: Path
-    """What is made of it."""
+    ortho: Path  # what is made of it
 
 
 def block_photos(

@@ -1,5 +1,4 @@
-"""Orthorectification: an image, a model in space and terrain heights. Photos are seen by their own camera, pixel by
-pixel; all other models go through GDAL's warper with an RPC."""
+"""Orthoimages: of photos pixel by pixel by their own camera, of all others by GDAL's warper with an RPC."""
 from __future__ import annotations
 
 import os
@@ -145,11 +144,9 @@ class _Plan:
     """All that the warper needs."""
 
     image: OpenRaster
-    rpc: RpcOfModel | None
-    """What GDAL sees it by; None for a photo, which is seen by its camera."""
+    rpc: RpcOfModel | None  # what GDAL sees it by; None for a photo, which is seen by its camera
     terrain: Terrain
-    footprint: np.ndarray
-    """(n, 3) longitude, latitude, height of places all over the image."""
+    footprint: np.ndarray  # (n, 3) longitude, latitude, height of places all over the image
     uncovered: float
 
 

@@ -58,8 +58,7 @@ class Resampler:
 
     tables: tuple[np.ndarray, np.ndarray]
     """(taps, phases + 1) float32 weights along columns and rows, the sum of each phase 1."""
-    nearest: bool
-    """Whether the pixel that a place lies in is all."""
+    nearest: bool  # whether the pixel that a place lies in is all
 
     @classmethod
     def of(cls, name: str, step_px: tuple[float, float]) -> Resampler:
@@ -133,7 +132,6 @@ class MapGrid(Grid):
     """The pixels of an orthoimage, all of them square."""
 
     wkt: str = ""
-    """Reference system."""
 
     @property
     def geotransform(self) -> GeoTransform:
@@ -150,15 +148,10 @@ class PhotoWarp:
     """A photo, its camera and the ground that it shows."""
 
     image: OpenRaster
-    """The photo."""
-    camera: FrameCamera
-    """In its pixels."""
-    wkt: str
-    """Reference system of the camera's position."""
-    terrain: gdal.Dataset
-    """Heights in the camera's own kind, with nodata where there are none."""
-    grid: MapGrid
-    """What is made."""
+    camera: FrameCamera  # in its pixels
+    wkt: str  # reference system of the camera's position
+    terrain: gdal.Dataset  # heights in the camera's own kind, with nodata where there are none
+    grid: MapGrid  # what is made
 
     def strips(
         self, resampling: str, nodata: float, cancelled: Callable[[], bool]
@@ -254,8 +247,7 @@ class PhotoWarp:
         )  # fmt: skip
 
     def _seen(self, part: PixelWindow, height: np.ndarray, count: int = 0) -> tuple[np.ndarray, np.ndarray]:
-        """(rows, columns) each, or ``count`` places a side: where the photo shows a part's places at their ``height``,
-        or NaN."""
+        """(rows, columns), or ``count`` places a side: where the photo shows places at their ``height``, or NaN."""
         columns, rows = (
             np.linspace(first, first + size, count) if count else first + np.arange(size) + 0.5
             for first, size in ((part.column, part.width), (part.row, part.height))

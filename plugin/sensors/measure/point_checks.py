@@ -50,9 +50,8 @@ def check_plausible(points: Points) -> None:
 
 
 def check_inside(points: Points, size: tuple[int, int], rpc: Rational | None) -> list[Message]:
-    """What to say of points outside an image of ``size`` (columns, rows) that its RPC, but for a shift, sees there too:
-    it is a part. Raises SensorModelError for others: rows counted upwards, columns and rows interchanged, or out of the
-    image."""
+    """What to say of points outside an image of ``size`` that its RPC, but for a shift, sees there too: it is a part.
+    Raises SensorModelError for others: rows counted upwards, columns and rows interchanged, or out of the image."""
     inside = _inside(points.image, size)
     if inside.all():
         return []
@@ -105,8 +104,7 @@ def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
 
 
 def _feet_told(in_metres: np.ndarray, in_feet: np.ndarray) -> list[Message]:
-    """What to say of misses (n, 2) px of heights in metres that are much smaller in feet; a shift may have another
-    cause. Raises SensorModelError where they tell more than a shift."""
+    """What to say of misses (n, 2) px that are much smaller in feet. Raises SensorModelError for more than a shift."""
     for share, leaves in IN_FEET_LEAVES:
         missed, left = (_scatter(misses, share) for misses in (in_metres, in_feet))
         if missed > IN_FEET_PX and left < leaves * missed:
@@ -166,12 +164,9 @@ ImageBox = tuple[float, float, float, float]
 class ControlCoverage:
     """What part of an image control points cover."""
 
-    extrapolated: float
-    """Share of the image outside the points' outline."""
-    spread: float
-    """Their shorter extent over the longer one: near 0 on a line."""
-    outline: np.ndarray
-    """(k, 2) corners of the points' convex hull, px; the last is the first."""
+    extrapolated: float  # share of the image outside the points' outline
+    spread: float  # their shorter extent over the longer one: near 0 on a line
+    outline: np.ndarray  # (k, 2) corners of the points' convex hull, px; the last is the first
 
 
 def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:

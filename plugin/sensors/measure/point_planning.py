@@ -30,12 +30,9 @@ _DRIFTS = slice(9, 18)  # of the same: rate, acceleration and jerk of the attitu
 class PlannedScene:
     """The image that points are planned for."""
 
-    model: SensorModel
-    """From longitude, latitude and height to the image: taken for true."""
-    size: tuple[float, float]
-    """Columns and rows."""
-    middle: tuple[float, float]
-    """Longitude and latitude of a place in it, degrees."""
+    model: SensorModel  # from longitude, latitude and height to the image: taken for true
+    size: tuple[float, float]  # columns and rows
+    middle: tuple[float, float]  # longitude and latitude of a place in it, degrees
     heights: tuple[float, float]
     """Lowest and highest terrain, m above the ellipsoid; points lie anywhere between, each by itself."""
 
@@ -52,14 +49,10 @@ class PlannedScene:
 class PointPlan:
     """How points are going to be measured."""
 
-    spread: str
-    """``grid`` (one in each cell of a grid over the image), ``random`` or ``corner``."""
-    corner_share: float
-    """Of the image's area that holds all points, for ``corner``."""
-    sigma_m: float
-    """Standard deviation of each of the three ground coordinates."""
-    sigma_px: float
-    """Standard deviation of each coordinate in the image."""
+    spread: str  # ``grid`` (one in each cell of a grid over the image), ``random`` or ``corner``
+    corner_share: float  # of the image's area that holds all points, for ``corner``
+    sigma_m: float  # standard deviation of each of the three ground coordinates
+    sigma_px: float  # standard deviation of each coordinate in the image
 
 
 @dataclass(frozen=True)
@@ -67,17 +60,13 @@ class ExpectedAccuracy:
     """The outcome for a number of points. Errors are root mean squares in m, of both coordinates together."""
 
     count: int
-    failed: int
-    """Draws that no model could be fitted to; they count as the largest errors."""
+    failed: int  # draws that no model could be fitted to; they count as the largest errors
     image_usual: float | None
     """Over the whole image, against the truth: half of the draws have at most this; None where they failed."""
-    image_most: float | None
-    """90 % of the draws have at most this."""
-    check_usual: float | None
-    """At check points that are measured as well as the control points."""
+    image_most: float | None  # 90 % of the draws have at most this
+    check_usual: float | None  # at check points that are measured as well as the control points
     check_most: float | None
-    reason: Message | None = None
-    """Why draws failed: what the first of them said."""
+    reason: Message | None = None  # why draws failed: what the first of them said
 
 
 def scene_of_rpc(rpc: Rational, size: tuple[float, float] | None, heights: tuple[float, float]) -> PlannedScene:
@@ -119,8 +108,7 @@ def expected_accuracies(
     request: ModelRequest, scene: PlannedScene, plan: PointPlan, counts: tuple[int, ...], seed: int, draws: int = DRAWS,
     progress: Callable[[float], None] = lambda share: None, cancelled: Callable[[], bool] = lambda: False,
 ) -> Iterator[ExpectedAccuracy]:
-    """For each number of points, the same for a seed whatever others are asked for. Raises SettingsError for too
-    few."""
+    """For each number of points, whatever others are asked for. Raises SettingsError for too few."""
     fewest = request.variant.fewest
     few = [count for count in counts if count < fewest]
     if few:

@@ -74,8 +74,7 @@ def control_points(ids: Sequence[str], image: np.ndarray, ground: np.ndarray, wk
 
 
 def choose_check_points(points: Points, share: float) -> Points:
-    """The points with a share of them made check points, evenly spread, away from the outline, the same for the same
-    points."""
+    """The points with a share of them for check, evenly spread, away from the outline, always the same."""
     check, extent = np.zeros(len(points), bool), np.ptp(points.image, axis=0)
     places = (points.image - points.image.min(axis=0)) / np.where(extent > 0, extent, 1)
     middle = np.abs(places - 0.5).max(axis=1)
@@ -107,9 +106,8 @@ def image_points(image: OpenRaster) -> Points:
 
 
 def file_points(path: Path, wkt: str, geotransform: Sequence[float] | None) -> tuple[Points, list[Message]]:
-    """The enabled points of a georeferencer's file, all for control and without heights, and what was left out. ``wkt``
-    is the system of files from before QGIS 3.26, which name none; ``geotransform`` the image's own. A point is called
-    by its number. Raises SensorModelError."""
+    """The enabled points of a georeferencer's file by their number, all for control, and what was left out. ``wkt``: of
+    files from before QGIS 3.26; ``geotransform``: the image's own. Raises SensorModelError."""
     lines = file_content(path).decode("utf-8-sig", errors="replace").splitlines()
     named = next((line[len("#CRS:") :].strip() for line in lines if line.startswith("#CRS:")), "")
     rows = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]

@@ -1,5 +1,4 @@
-"""Polynomials and their quotients, of the plane and of space, and the direct linear transformation. Terms stand in the
-order of RPC00B."""
+"""Polynomials and their quotients, of plane and space, and the DLT; terms in the order of RPC00B."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -59,10 +58,8 @@ class Rational(SensorModel):
     order: int
     ground: Scaling
     image: Scaling
-    numerators: np.ndarray
-    """(terms, 2) of column and row, in the order of RPC00B."""
-    denominators: np.ndarray
-    """(terms, 2), the first of each 1."""
+    numerators: np.ndarray  # (terms, 2) of column and row, in the order of RPC00B
+    denominators: np.ndarray  # (terms, 2), the first of each 1
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         terms = terms_3d(self.ground.to(ground), self.order)
@@ -103,15 +100,13 @@ class Dlt(SensorModel):
 
 
 def fit_rational(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
-    """Fit quotients by iterated least squares, each step divided by the last one's denominator; ``weights`` (n,) 1 /
-    standard deviation. Source: Tao and Hu, A comprehensive study of the rational function model, 2001 (without their
-    ridge)."""
+    """Fit by iterated least squares, each step divided by the last one's denominator; ``weights`` (n,) 1 / standard
+    deviation. Source: Tao and Hu, A comprehensive study of the rational function model, 2001 (without their ridge)."""
     return _fit_quotients(ground, image, weights, order)
 
 
 def fit_chosen_terms(ground: np.ndarray, image: np.ndarray, weights: np.ndarray) -> FittedModel:
-    """Fit quotients of order 2: linear numerators, and of all other terms those that an F-test finds significant, one
-    by one."""
+    """Fit of order 2: linear numerators, and of other terms those that an F-test finds significant, one by one."""
     return _fit_quotients(ground, image, weights, CHOSEN_ORDER, _significant_terms)
 
 
@@ -227,8 +222,7 @@ class Polynomial3D(SensorModel):
     order: int
     ground: Scaling
     image: Scaling
-    coefficients: np.ndarray
-    """(terms, 2) of the scaled column and row, in the order of RPC00B."""
+    coefficients: np.ndarray  # (terms, 2) of the scaled column and row, in the order of RPC00B
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         return self.image.back(terms_3d(self.ground.to(ground), self.order) @ self.coefficients)
@@ -246,11 +240,9 @@ class Polynomial2D(SensorModel):
     SPATIAL: ClassVar[bool] = False
 
     order: int
-    ground: Scaling
-    """Of x and y."""
+    ground: Scaling  # of x and y
     image: Scaling
-    coefficients: np.ndarray
-    """(terms, 2) of the scaled column and row, or of the scaled x and y when ``to_ground``."""
+    coefficients: np.ndarray  # (terms, 2) of the scaled column and row, or of the scaled x and y when ``to_ground``
     to_ground: bool
     """Whether x and y are the polynomials and column and row their arguments, as QGIS's georeferencer fits them."""
 

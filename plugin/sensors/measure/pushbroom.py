@@ -1,5 +1,4 @@
-"""The parametric model, one perspective per line: a nominal orbit from the affine camera, then an adjustment with
-priors."""
+"""The parametric model, one perspective per line: a nominal orbit, then an adjustment with priors."""
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
@@ -65,30 +64,22 @@ def unit(vectors: np.ndarray) -> np.ndarray:
 class Orbit:
     """The nominal geometry that the unknowns correct, geocentric (WGS 84), in m and m per line."""
 
-    position: np.ndarray
-    """(3,) of the projection centre at the central line."""
-    motion: np.ndarray
-    """(3,) per line."""
-    camera: np.ndarray
-    """(3, 3) rows: along the detectors, along the track, along the view."""
+    position: np.ndarray  # (3,) of the projection centre at the central line
+    motion: np.ndarray  # (3,) per line
+    camera: np.ndarray  # (3, 3) rows: along the detectors, along the track, along the view
     track: np.ndarray
     """(3, 3) rows: along the orbit, across it, back along the view; the directions of the position's unknowns."""
-    distance: float
-    """To the ground along the view, m."""
+    distance: float  # to the ground along the view, m
     focal_px: float
     """Focal length in detector widths; it grows with the distance, so that a pixel keeps its size on the ground."""
-    centre: np.ndarray
-    """(2,) principal column, and the row that time starts from."""
-    half_lines: float
-    """Lines from the centre to the ends: time runs from -1 to 1."""
-    principal_sigma_px: float
-    """Prior standard deviation of the principal column."""
+    centre: np.ndarray  # (2,) principal column, and the row that time starts from
+    half_lines: float  # lines from the centre to the ends: time runs from -1 to 1
+    principal_sigma_px: float  # prior standard deviation of the principal column
 
 
 @dataclass(frozen=True)
 class Pushbroom(SensorModel):
-    """Collinearity in every line, position linear and attitude cubic in time (Kurczynski and Wolniewicz, model
-    parametryczny)."""
+    """Collinearity in every line, position linear and attitude cubic in time (Kurczynski and Wolniewicz)."""
 
     GEOGRAPHIC: ClassVar[bool] = True
 
@@ -98,8 +89,7 @@ class Pushbroom(SensorModel):
     then linear, quadratic and cubic in time; scale; principal column."""
 
     def project(self, ground: np.ndarray) -> np.ndarray:
-        """(n, 3) longitude, latitude, ellipsoidal height -> (n, 2) column, row. Raises SensorModelError for what no
-        line sees."""
+        """(n, 3) longitude, latitude, height -> (n, 2) column, row. Raises SensorModelError for what no line sees."""
         places = geocentric(ground)
         rows = np.full(len(places), self.orbit.centre[1])
         columns, slip = self.in_line(places, rows)
@@ -134,9 +124,8 @@ def fit_pushbroom(
     ground: np.ndarray, image: np.ndarray, weights: np.ndarray, orbit_height_m: float,
     size: tuple[float, float] | None = None, estimate_sigma: bool = True,
 ) -> FittedModel:
-    """Adjust the parametric model to points and to its priors; ``size`` the image's columns and rows, whose middle is
-    the nominal principal column. With ``estimate_sigma`` the weights (n,) are relative, and their common factor follows
-    from the residuals. Raises SensorModelError for points on a plane and where it diverges."""
+    """Adjust to points and priors; ``size``: columns and rows, whose middle is the nominal principal column. With
+    ``estimate_sigma`` weights (n,) are relative. Raises SensorModelError for points on a plane, or if it diverges."""
     places = geocentric(ground)
     model = Pushbroom(nominal_orbit(places, image, orbit_height_m, size), np.zeros(len(SIGMAS)))
     sigma_px = 1 / np.maximum(weights, np.finfo(float).tiny)
@@ -160,8 +149,7 @@ class _Adjusted:
     """A model after Gauss and Newton's iteration with given standard deviations."""
 
     model: Pushbroom
-    residuals: np.ndarray
-    """(2n,) px, of the last step but one, which differs by less than a millionth."""
+    residuals: np.ndarray  # (2n,) px, of the last step but one, which differs by less than a millionth
     jacobian: np.ndarray
     condition: float
     iterations: int
@@ -219,8 +207,7 @@ def nominal_orbit(
 
 
 def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Residuals (2n,) px, column and row in turn, and their derivatives (2n, 20), by one Newton step from the measured
-    line."""
+    """Residuals (2n,) px, column and row in turn, and derivatives (2n, 20), by a Newton step from the measured line."""
     columns, slip = model.in_line(places, image[:, 1])
     next_columns, next_slip = model.in_line(places, image[:, 1] + 1)
     slope, drift = next_slip - slip, next_columns - columns

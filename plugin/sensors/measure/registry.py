@@ -22,35 +22,28 @@ if TYPE_CHECKING:
 class Variant:
     """One form of a model: an order, a term or a correction."""
 
-    name: str
-    """Empty for a model's plain form."""
-    unknowns: int
-    """How many the points have to fix; of a model with priors those that the priors leave open."""
-    fewest: int
-    """The fewest control points."""
+    name: str  # empty for a model's plain form
+    unknowns: int  # how many the points have to fix; of a model with priors those that the priors leave open
+    fewest: int  # the fewest control points
     rank: int
     """Place in the preference of Kurczynski and Wolniewicz, the smallest first: parametric, the vendor's RPC corrected,
     quotients by their order, polynomials for small areas, those of the plane where it is flat."""
-    with_priors: int | None = None
-    """All unknowns, where priors hold some of them."""
+    with_priors: int | None = None  # all unknowns, where priors hold some of them
 
 
 @dataclass(frozen=True)
 class ModelKind:
     """A sensor model that can be chosen."""
 
-    name: str
-    """As parameters, tables and model files call it."""
+    name: str  # as parameters, tables and model files call it
     variants: tuple[Variant, ...]
     code: tuple[str, str, str]
     """Module, class (what a model file holds), and the fit: it takes ground (n, 3), image (n, 2) and weights (n,) of
     points, and the options."""
-    recommendation: Message
-    """Why it is the one to take; with ``model``, ``rmse`` and ``best``."""
+    recommendation: Message  # why it is the one to take
     options: Callable[[ModelRequest, Points], Sequence[object]] = lambda request, points: (int(request.variant.name),)
     """What the fit takes beside points: the order, unless said otherwise."""
-    corrects_rpc: bool = False
-    """Whether it starts from the vendor's RPC and its unknowns are a correction in the image."""
+    corrects_rpc: bool = False  # whether it starts from the vendor's RPC and its unknowns are a correction in the image
 
     def model_class(self) -> type[SensorModel]:
         """Imported when it is asked for, as is the fit."""

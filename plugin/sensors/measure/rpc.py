@@ -86,8 +86,7 @@ class RpcOfModel:
     """An RPC and how closely it follows the model it was made from."""
 
     rpc: Rational
-    rms_px: float
-    """Against the model, on places between those it was fitted to; 0 for a model that is an RPC already."""
+    rms_px: float  # against the model, on places between those it was fitted to; 0 for a model that is an RPC already
     max_px: float
 
     @property
@@ -97,8 +96,7 @@ class RpcOfModel:
 
 
 def rpc_of(model: SensorModel, wkt: str, domain: Domain) -> RpcOfModel:
-    """A model in space as RPC: itself where it has that form, else by a terrain-independent fit. Raises
-    SensorModelError."""
+    """A model in space: itself where it has that form, else a terrain-independent fit. Raises SensorModelError."""
     if not model.SPATIAL:
         raise SensorModelError(messages.PLANE_MODEL_HAS_NO_RPC())
     exact = model.as_rational() if same_system(model.ground_system(wkt), WGS84) else None
@@ -146,8 +144,7 @@ class BiasedRpc(SensorModel):
     GEOGRAPHIC: ClassVar[bool] = True
 
     rpc: Rational
-    correction: np.ndarray
-    """(3, 2) px: constant, per scaled column, per scaled row; of column and row."""
+    correction: np.ndarray  # (3, 2) px: constant, per scaled column, per scaled row; of column and row
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         seen = self.rpc.project(ground)
@@ -167,8 +164,7 @@ class BiasedRpc(SensorModel):
 def fit_bias(
     ground: np.ndarray, image: np.ndarray, weights: np.ndarray, form: str, rpc: Rational | None
 ) -> FittedModel:
-    """Fit the correction; ``shift_drift`` lets the column or the row grow with the line. Raises SettingsError without
-    an RPC."""
+    """``shift_drift`` lets the column or the row grow with the line. Raises SettingsError without an RPC."""
     if rpc is None:
         raise SettingsError(messages.NO_RPC())
     seen = rpc.project(ground)

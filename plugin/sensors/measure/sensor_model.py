@@ -55,8 +55,7 @@ class SensorModel:
 
     GEOGRAPHIC: ClassVar[bool] = False
     """Whether the ground is longitude and latitude (WGS 84) instead of the points' own reference system."""
-    SPATIAL: ClassVar[bool] = True
-    """Whether heights play a part; without them there is no RPC."""
+    SPATIAL: ClassVar[bool] = True  # whether heights play a part; without them there is no RPC
 
     @classmethod
     def ground_system(cls, wkt: str) -> str:
@@ -98,10 +97,8 @@ class FittedModel:
 class Solution:
     """Of a linear least squares problem."""
 
-    values: np.ndarray
-    """The unknowns."""
-    condition: float
-    """Largest over smallest singular value of the design matrix with columns of length 1."""
+    values: np.ndarray  # the unknowns
+    condition: float  # largest over smallest singular value of the design matrix with columns of length 1
     rank: int
 
 
@@ -122,10 +119,8 @@ def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
 class Scaling:
     """Coordinates brought to -1..1: (value - offset) / scale."""
 
-    offset: np.ndarray
-    """(k,) the middle of the range."""
-    scale: np.ndarray
-    """(k,) half the range, never 0."""
+    offset: np.ndarray  # (k,) the middle of the range
+    scale: np.ndarray  # (k,) half the range, never 0
 
     @classmethod
     def of(cls, coordinates: np.ndarray) -> Scaling:
