@@ -26,11 +26,9 @@ UNREADABLE = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, A
 _ORTHORITY = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 _BROWN = ("k1", "k2", "k3", "p1", "p2")
 _LENSES = {
-    "pinhole": (),
-    "brown": _BROWN,
-    "opencv": (*_BROWN, "k4", "k5", "k6", "s1", "s2", "s3", "s4"),
+    "pinhole": (), "brown": _BROWN, "opencv": (*_BROWN, "k4", "k5", "k6", "s1", "s2", "s3", "s4"),
     "fisheye": ("k1", "k2", "k3", "k4"),
-}
+}  # fmt: skip
 """Types of lenses and the coefficients of each, as orthority and OpenCV name them."""
 _OPENSFM = {
     "perspective": "brown", "simple_radial": "brown", "radial": "brown", "brown": "brown", "fisheye": "fisheye",
@@ -245,9 +243,8 @@ def _block_camera(group: Element, path: Path) -> FileCamera:
     if kind != "Perspective" or skew:
         raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=kind if not skew else "Skew"))
     size = numbers_of(group, "ImageDimensions/Width", "ImageDimensions/Height")
-    if group.find("FocalLengthPixels") is not None:
-        (focal,) = numbers_of(group, "FocalLengthPixels")
-    else:
+    focal = float(group.findtext("FocalLengthPixels") or 0)
+    if not focal:
         length, sensor = numbers_of(group, "FocalLength", "SensorSize")
         focal = length / sensor * max(size)
     ratio = float(group.findtext("AspectRatio") or 1)
@@ -260,9 +257,7 @@ def _block_camera(group: Element, path: Path) -> FileCamera:
 
 def _micmac_camera(root: Element, path: Path) -> FileCamera:
     """A conical camera without distortion, or with a radial one about a centre of its own (NoDist, ModRad)."""
-    inner = root if root.tag == "CalibrationInternConique" else root.find(".//CalibrationInternConique")
-    if inner is None:
-        raise ValueError
+    inner = next(root.iter("CalibrationInternConique"))
     focal, size = numbers_of(inner, "F"), numbers_of(inner, "SzIm")
     principal, centre = numbers_of(inner, "PP"), None
     radial: tuple[float, ...] = ()
@@ -292,10 +287,10 @@ def pix4d_photos(content: str) -> dict[str, list[float]]:
     if not lines or not lines[0].startswith("fileName imageWidth imageHeight"):
         return {}
     photos = {}
-    for number, line in enumerate(lines):
+    for number, line in enumerate(lines, 1):
         named = re.fullmatch(r"\s*(.*\S)\s+(\d+)\s+(\d+)\s*", line)
         if named and not re.fullmatch(r"[-+\d.eE\s]+", named[1]):
-            words = " ".join([*named.groups()[1:], *lines[number + 1 : number + 1 + PIX4D_LINES]]).split()
+            words = " ".join([named[2], named[3], *lines[number : number + PIX4D_LINES]]).split()
             photos[named[1]] = [float(word) for word in words]
     return photos
 

@@ -130,16 +130,11 @@ def _photos(content: Any, path: Path, angles: str) -> Named:
     return _patb_photos(content) or _table_photos(content, path, angles)
 
 
-# --- documents -------------------------------------------------------------------------------------------------
-
-
 def _micmac_exterior(root: Element) -> FrameExterior:
     """``Orientation-IMAGE.xml``: centre and axes (rows down, view forward) as a matrix; one file an image."""
-    outer = root if root.tag == "Externe" else root.find(".//Externe")
-    if outer is None:
-        raise ValueError
-    rows = [(outer.findtext(f"ParamRotation/CodageMatr/L{number}") or "").split() for number in (1, 2, 3)]
-    return FrameExterior(np.array((outer.findtext("Centre") or "").split(), float), np.array(rows, float))
+    outer = next(root.iter("Externe"))
+    rows = numbers_of(outer, *(f"ParamRotation/CodageMatr/L{number}" for number in (1, 2, 3)))
+    return FrameExterior(np.array(numbers_of(outer, "Centre")), np.reshape(rows, (3, 3)))
 
 
 def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:
@@ -162,10 +157,8 @@ def _opensfm_photos(content: Any, path: Path) -> Named:
     def exterior(shot: dict[str, Any], part: int, origin: list[float]) -> FrameExterior:
         axes = Rotation.from_rotvec(np.array(shot["rotation"], float)).as_matrix().T
         position = -axes @ np.array(shot["translation"], float)
-        if offset is not None:
-            made = FrameExterior(position + offset, axes, wkt=system)
-        else:
-            made = _from_plane(origin, position, axes)
+        is_plane = offset is None
+        made = _from_plane(origin, position, axes) if is_plane else FrameExterior(position + offset, axes, wkt=system)
         return replace(made, camera=f"{part}/{str(shot['camera']).removeprefix(VERSION)}", notices=(told,))
 
     photos: Named = []
@@ -198,11 +191,8 @@ def _metashape_photos(root: Element) -> Named:
 
 
 def _metashape_exterior(camera: Element, placed: Element) -> FrameExterior:
-    own = np.reshape((camera.findtext("transform") or "").split(), (4, 4)).astype(float)
-    turn = np.reshape((placed.findtext("rotation") or "").split(), (3, 3)).astype(float)
-    shift = np.array((placed.findtext("translation") or "").split(), float)
-    scale = float(placed.findtext("scale") or 1)
-    centre = scale * turn @ own[:3, 3] + shift
+    own, turn = np.reshape(numbers_of(camera, "transform"), (4, 4)), np.reshape(numbers_of(placed, "rotation"), (3, 3))
+    centre = float(placed.findtext("scale") or 1) * turn @ own[:3, 3] + numbers_of(placed, "translation")
     if not 0.9 < np.linalg.norm(centre) / WGS84_SEMI_MAJOR_M < 1.1:  # a system of its own, and not the Earth's
         raise ValueError
     return replace(_from_geocentric(centre, turn @ own[:3, :3]), camera=camera.get("sensor_id", ""))
@@ -212,31 +202,25 @@ def _block_photos(root: Element) -> Named:
     """ContextCapture's: the rotation takes the ground to the camera, whose y is up or down as the group says."""
     systems = {one.findtext("Id"): (one.findtext("Definition") or "").strip() for one in root.iter("SRS")}
     photos: Named = []
-    number = 0
-    for block in root.iter("Block"):
-        for group in block.iter("Photogroup"):
-            system = systems.get(group.findtext("SRSId") or block.findtext("SRSId"), "")
-            for photo in group.iter("Photo"):
-                name = re.split(r"[\\/]", photo.findtext("ImagePath") or "")[-1]
-                photos.append((name, partial(_block_exterior, photo, group, str(number), system)))
-            number += 1
+    groups = [(block, group) for block in root.iter("Block") for group in block.iter("Photogroup")]
+    for number, (block, group) in enumerate(groups):
+        system = systems.get(group.findtext("SRSId") or block.findtext("SRSId"), "")
+        for photo in group.iter("Photo"):
+            name = re.split(r"[\\/]", photo.findtext("ImagePath") or "")[-1]
+            photos.append((name, partial(_block_exterior, photo, group, str(number), system)))
     return photos
 
 
 def _block_exterior(photo: Element, group: Element, camera: str, system: str) -> FrameExterior:
-    turn, pose = photo.find("Pose/Rotation"), photo.find("Pose/Center")
-    if turn is None or pose is None:
-        raise ValueError
+    turn = next(photo.iterfind("Pose/Rotation"))
     if turn.find("Omega") is not None:
         from_camera = Rotation.from_euler("XYZ", numbers_of(turn, "Omega", "Phi", "Kappa"), degrees=True).as_matrix()
     else:
         names = [f"M_{row}{column}" for row in range(3) for column in range(3)]
         from_camera = np.reshape(numbers_of(turn, *names), (3, 3)).T
-    y = group.findtext("CameraOrientation") or "XRightYDown"
-    if y not in ("XRightYDown", "XRightYUp"):
-        raise ValueError
-    axes = from_camera if y == "XRightYDown" else from_camera @ _DOWN
-    centre = np.array(numbers_of(pose, "x", "y", "z"))
+    own = {"XRightYDown": np.eye(3), "XRightYUp": _DOWN}
+    axes = from_camera @ own[group.findtext("CameraOrientation") or "XRightYDown"]
+    centre = np.array(numbers_of(photo, *(f"Pose/Center/{axis}" for axis in "xyz")))
     plane = re.match(r"ENU:([-\d.]+),([-\d.]+)", system)
     if plane:
         return replace(_from_plane([float(plane[2]), float(plane[1]), 0.0], centre, axes), camera=camera)
@@ -296,9 +280,6 @@ def _local_axes(longitude: float, latitude: float) -> np.ndarray:
     return Rotation.from_euler("ZX", [longitude + 90, 90 - latitude], degrees=True).as_matrix().T
 
 
-# --- tables ----------------------------------------------------------------------------------------------------
-
-
 def _patb_photos(content: str) -> Named:
     """A number, perhaps a focal length, a position, nine elements of the rotation to the ground; else no photos."""
     records = [line.split() for line in content.splitlines() if line.strip() and line.strip() != "-99"]
@@ -345,19 +326,14 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
         notices = (messages.ANGLES_PERHAPS_RADIANS(name=path.name),)
     elif not unit and largest > 180:
         notices = (messages.ANGLES_PERHAPS_GON(name=path.name, angle=largest),)
-    degrees = turned * _IN_DEGREES[unit or DEGREES]
     system = _named_system(lines[:start])
-    cameras = [row[0][fields["camera"]] if "camera" in fields else "" for row in rows]
-    return [
-        (row[0][fields["filename"]], partial(_table_exterior, row[1][:3], turn, camera, system, notices))
-        for row, turn, camera in zip(rows, degrees, cameras)
-    ]
 
+    def exterior(cells: list[str], numbers: list[float]) -> FrameExterior:
+        axes = camera_axes(*(np.array(numbers[3:]) * _IN_DEGREES[unit or DEGREES]).tolist())
+        camera = cells[fields["camera"]] if "camera" in fields else ""
+        return FrameExterior(np.array(numbers[:3]), axes, camera, system, notices=notices)
 
-def _table_exterior(
-    position: Sequence[float], degrees: np.ndarray, camera: str, system: str, notices: tuple[Message, ...]
-) -> FrameExterior:
-    return FrameExterior(np.array(position), camera_axes(*degrees.tolist()), camera, system, notices=notices)
+    return [(row[0][fields["filename"]], partial(exterior, *row)) for row in rows]
 
 
 def _header(line: str) -> tuple[dict[str, int], int]:
@@ -402,6 +378,6 @@ def _row(line: str, parted: str, places: Sequence[int], count: int) -> tuple[lis
     cells = [cell.strip() for cell in next(csv.reader([line.strip()], delimiter=parted, quotechar=quote))]
     cells = [cell for cell in cells if cell] if parted == " " else cells
     is_whole = len(cells) > max(places) and count in (0, len(cells))
-    numbers = [_number(cells[place]) for place in places] if is_whole else [None]
+    numbers = [_number(cells[place]) for place in places] if is_whole else []
     values = [one for one in numbers if one is not None and math.isfinite(one)]
     return (cells, values) if len(values) == len(places) else None

@@ -50,33 +50,21 @@ def uncovered_share(image: OpenRaster, project: Map, terrain: Terrain, footprint
     ground = np.column_stack([places, np.where(missing, footprint[:, 2].mean(), heights)])
     column, row = project(ground).T
     inside = (column >= 0) & (row >= 0) & (column < image.columns) & (row < image.rows)
-    held = _held(image)
-    down, across = held.shape
-    inside[inside] = held[
-        (row[inside] * down / image.rows).astype(int), (column[inside] * across / image.columns).astype(int)
-    ]
-    return float(np.count_nonzero(missing & inside) / max(np.count_nonzero(inside), 1))
-
-
-def _held(image: OpenRaster) -> np.ndarray:
-    """(rows, columns) bool, at most ``COVER_GRID`` a side: where the image holds something."""
-    band = image.dataset.GetRasterBand(1)
-    if band.GetMaskFlags() & gdal.GMF_ALL_VALID:
-        return np.ones((1, 1), bool)
     size = min(image.columns, COVER_GRID), min(image.rows, COVER_GRID)
     with gdal_silenced():
-        mask = band.GetMaskBand().ReadAsArray(buf_xsize=size[0], buf_ysize=size[1])
-    return np.ones((1, 1), bool) if mask is None else mask != 0
+        held = image.dataset.GetRasterBand(1).GetMaskBand().ReadAsArray(buf_xsize=size[0], buf_ysize=size[1])
+    if held is not None:
+        down, across = (row / image.rows * size[1])[inside], (column / image.columns * size[0])[inside]
+        inside[inside] = held[down.astype(int), across.astype(int)] != 0
+    return float(np.count_nonzero(missing & inside) / max(np.count_nonzero(inside), 1))
 
 
 def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
     """What is to be said of meshes beyond those that the paper found to serve; aerial photos may need finer ones."""
-    if not terrain.name:
-        return []  # one constant height
     shorter, longer = terrain.mesh_m()
-    if longer > COARSEST_MESH_M:
+    if terrain.name and longer > COARSEST_MESH_M:  # a constant height has no name
         return [messages.MESH_COARSE(name=terrain.name, mesh=longer)]
-    if shorter < FINEST_MESH_M and not of_photo:
+    if terrain.name and shorter < FINEST_MESH_M and not of_photo:
         return [messages.MESH_FINE(name=terrain.name, mesh=shorter)]
     return []
 
@@ -165,24 +153,21 @@ def orthorectify(
     grid = _target(request, plan)
     if grid.columns > 2**31 - 1 or grid.rows > 2**31 - 1 or grid.columns * grid.rows > 1e12:
         raise SettingsError(messages.ORTHO_TOO_LARGE(width=grid.columns, height=grid.rows))
-    meshes = mesh_warnings(plan.terrain, plan.rpc is None)
-    name, notices, uncovered = plan.terrain.name, [*plan.terrain.notices, *meshes], plan.uncovered
+    image, rpc, uncovered = plan.image, plan.rpc, plan.uncovered
+    notices = [*plan.terrain.notices, *mesh_warnings(plan.terrain, rpc is None)]
     if uncovered > 0:
-        notices.append(messages.DEM_PARTLY_COVERING(name=name, share=uncovered))
-    rms, most = (plan.rpc.rms_px, plan.rpc.max_px) if plan.rpc is not None else (0.0, 0.0)
+        notices.append(messages.DEM_PARTLY_COVERING(name=plan.terrain.name, share=uncovered))
+    rms, most = (rpc.rms_px, rpc.max_px) if rpc is not None else (0.0, 0.0)
     if most > TOLERATED_PX:
         notices.append(messages.ORTHO_APPROXIMATE(most=most))
     with _heights(plan.terrain) as heights:
-        source = image_with_rpc(plan.image, plan.rpc.rpc) if plan.rpc is not None else None
         del plan  # GDAL has the terrain now
-        if source is None:
+        if rpc is None:
             _warp_photo(request, heights, grid, progress, cancelled)
         else:
-            _warp(request, source, heights, grid, progress, cancelled)
-    size = grid.columns, grid.rows
-    return Ortho(
-        request.output, grid.wkt, grid.extent, grid.pixel_width, *size, rms, most, uncovered, tuple(notices)
-    )
+            _warp(request, image_with_rpc(image, rpc.rpc), heights, grid, progress, cancelled)
+    made = grid.wkt, grid.extent, grid.pixel_width, grid.columns, grid.rows
+    return Ortho(request.output, *made, rms, most, uncovered, tuple(notices))
 
 
 def rpc_domain(rpc: Rational, image: Raster) -> Domain:
@@ -190,9 +175,6 @@ def rpc_domain(rpc: Rational, image: Raster) -> Domain:
     height, half = float(rpc.ground.offset[2]), float(rpc.ground.scale[2])
     middle = (float(rpc.ground.offset[0]), float(rpc.ground.offset[1]))
     return Domain((0, image.columns), (0, image.rows), (height - half, height + half), middle)
-
-
-# --- the plan --------------------------------------------------------------------------------------------------
 
 
 def _seen_by(request: OrthoRequest, domain: Domain) -> tuple[SensorModel, str, Domain, RpcOfModel | None]:
@@ -219,11 +201,10 @@ def _plan(request: OrthoRequest) -> _Plan:
     around = np.concatenate([on_ground(np.full(len(places), height)) for height in domain.heights])[:, :2]
     margin = 0.02 * np.ptp(around, axis=0) + 1e-4
     extent = bounding_box(np.concatenate([around - margin, around + margin]))
-    if request.dem is None:
-        assert request.height is not None
-        terrain = constant_terrain(request.height, extent)
-    else:
+    if request.dem is not None:
         terrain = load_terrain(request.dem, extent, request.datum)
+    else:
+        terrain = constant_terrain(domain.heights[0], extent)
     heights = np.full(len(places), float(np.nanmean(terrain.heights)))
     for _ in range(limits.MAX_NEWTON_ITERATIONS):
         ground = on_ground(heights)
@@ -254,23 +235,17 @@ def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
     size = request.pixel_size
     if size is None:
         grid = places.reshape(ORTHO_GRID, ORTHO_GRID, 2)
-        steps = [np.median(np.linalg.norm(np.diff(grid, axis=axis), axis=2)) for axis in (1, 0)]
-        cells = ORTHO_GRID - 1
-        size = float(f"{min(steps[0] * cells / plan.image.columns, steps[1] * cells / plan.image.rows):.2g}")
+        across, down = (np.median(np.linalg.norm(np.diff(grid, axis=axis), axis=2)) for axis in (1, 0))
+        size = float(f"{min(across / plan.image.columns, down / plan.image.rows) * (ORTHO_GRID - 1):.2g}")
     if not 0 < size < np.inf:
         raise SettingsError(messages.PIXEL_SIZE_NOT_POSITIVE(size=size))
     bounds = request.extent or bounding_box(places)
-    if request.extent is not None:
-        own = extent_on(bounding_box(plan.footprint), WGS84, wkt)
-        if not extents_meet(bounds, own):  # nor do those that are no numbers
-            raise SettingsError(messages.EXTENT_OUTSIDE())
+    if request.extent and not extents_meet(bounds, extent_on(bounding_box(plan.footprint), WGS84, wkt)):
+        raise SettingsError(messages.EXTENT_OUTSIDE())  # nor meet those that are no numbers
     left, bottom = (float(np.floor(bounds[i] / size) * size) for i in (0, 1))
     right, top = (float(np.ceil(bounds[i] / size) * size) for i in (2, 3))
     columns, rows = max(round((right - left) / size), 1), max(round((top - bottom) / size), 1)
     return MapGrid(left, top, size, size, columns, rows, wkt=wkt)
-
-
-# --- GDAL ------------------------------------------------------------------------------------------------------
 
 
 @contextmanager
