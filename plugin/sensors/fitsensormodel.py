@@ -65,22 +65,19 @@ class FitSensorModel(SensorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
-        self.addDescribed(
-            common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name),
-            " ".join(map(_described, registry.KINDS.values())),
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(ORDER, tr("Order"), defaultValue=1, minValue=1, maxValue=3),
-            tr("Of polynomials and quotients. Higher orders need many points and swing between them."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterBoolean(DLT_XY, tr("Term a12 xy of the direct linear transformation"), False),
-            tr("Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."),
-        )
-        self.addDescribed(
-            common.choice(BIAS, tr("Correction of the RPC"), _BIASES),
-            tr("For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."),
-        )
+        kinds = common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name)
+        self.addDescribed(kinds, " ".join(map(_described, registry.KINDS.values())))
+        order = QgsProcessingParameterNumber(ORDER, tr("Order"), defaultValue=1, minValue=1, maxValue=3)
+        self.addDescribed(order, tr(
+            "Of polynomials and quotients. Higher orders need many points and swing between them."
+        ))
+        product = QgsProcessingParameterBoolean(DLT_XY, tr("Term a12 xy of the direct linear transformation"), False)
+        self.addDescribed(product, tr(
+            "Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."
+        ))
+        self.addDescribed(common.choice(BIAS, tr("Correction of the RPC"), _BIASES), tr(
+            "For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."
+        ))
         self.addFittingParameters()
         self.addTerrainError()
         self.addTable(OUTPUT, tr("Residuals"), tr(
@@ -143,9 +140,8 @@ class FitSensorModel(SensorAlgorithm):
             notices.append(view.told(run.real(TERRAIN_ERROR)))
         run.tell(*notices)
         run.progress(0.6)
-        crs = reference_system(points.wkt)
-        if not crs.isValid():
-            crs = QgsCoordinateReferenceSystem(points.wkt)
+        system = reference_system(points.wkt)
+        crs = system if system.isValid() else QgsCoordinateReferenceSystem(points.wkt)
         sink, output = run.sink(OUTPUT, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs)
         run.write(sink, point_tables.residual_features(done))
 
@@ -180,12 +176,10 @@ class FitSensorModel(SensorAlgorithm):
         kind = registry.KINDS[run.text(MODEL)]
         if kind.corrects_rpc and rpc is None:
             raise SensorModelError(messages.NO_RPC())
-        return kind.request(
-            str(run.whole(ORDER)), run.text(BIAS), "xy" if run.flag(DLT_XY) else "",
-            orbit_height_m=self._orbit_height_m(run, image),
-            size=(float(image.columns), float(image.rows)) if image is not None else None,
-            rpc=rpc if kind.corrects_rpc else None,
-        )
+        words = str(run.whole(ORDER)), run.text(BIAS), "xy" if run.flag(DLT_XY) else ""
+        size = (float(image.columns), float(image.rows)) if image is not None else None
+        orbit_m = self._orbit_height_m(run, image)
+        return kind.request(*words, orbit_height_m=orbit_m, size=size, rpc=rpc if kind.corrects_rpc else None)
 
     @staticmethod
     def _notices(done: Adjustment) -> list[Message]:

@@ -47,21 +47,15 @@ class OrthoAlgorithm(SensorAlgorithm):
             "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac "
             "write it. Empty: in the file of the exterior orientation."
         ))
-        self.addDescribed(
-            QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), optional=True),
-            tr("Projected, in metres. Empty: what its file says, else the image's own."),
-            advanced=True,
-        )
+        system = QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), None, True)
+        self.addDescribed(system, tr("Projected, in metres. Empty: what its file says, else the image's own."), True)
         self.addDescribed(
             common.choice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS),
             tr("as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."),
             advanced=True,
         )
-        self.addDescribed(
-            common.choice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS),
-            tr("Of a table. auto: what its header says, else degrees."),
-            advanced=True,
-        )
+        angles = common.choice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS)
+        self.addDescribed(angles, tr("Of a table. auto: what its header says, else degrees."), advanced=True)
 
     def addGround(self, terrain: str) -> None:
         """A terrain model or a height."""
@@ -139,14 +133,10 @@ class Orthorectify(OrthoAlgorithm):
         self.addGround(tr("Terrain heights under the whole image, in any reference system."))
         self.addTerrainError()
         self.addGrid(tr("Of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre."))
-        self.addDescribed(
-            QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True),
-            tr("Empty: the whole image. It is widened to whole pixels."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage")),
-            tr("A GeoTIFF; empty where the image or the terrain model ends."),
-        )
+        extent = QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True)
+        self.addDescribed(extent, tr("Empty: the whole image. It is widened to whole pixels."))
+        output = QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage"))
+        self.addDescribed(output, tr("A GeoTIFF; empty where the image or the terrain model ends."))
         self.addViewNumbers()
         self.addNumbers({
             ERROR_RMS: tr("Root mean square against the exact model (px)"),

@@ -117,24 +117,18 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addFile(IMAGE_RPC, tr("RPC of the image"), tr(
             "The vendor's RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom."
         ))
-        self.addTerrain(
-            tr("Gives heights to points that have none."),
-            (HEIGHTS, tr("Heights of the points")),
-            (DEM_HEIGHTS, tr("Heights of the terrain model")),
-        )
+        heights = (HEIGHTS, tr("Heights of the points")), (DEM_HEIGHTS, tr("Heights of the terrain model"))
+        self.addTerrain(tr("Gives heights to points that have none."), *heights)
         self.addReal(CHECK_SHARE, tr("Share of check points"), DEFAULT_CHECK_SHARE, tr(
             "Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. "
             "The same points give the same choice."
         ), minValue=0, maxValue=MOST_CHECK_SHARE)
-        self.addDescribed(
-            QgsProcessingParameterBoolean(ROBUST, tr("Look for blunders"), defaultValue=False),
-            tr("Flags points that contradict the others and fits the model without them."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True),
-            tr("For files from before QGIS 3.26, which do not name the reference system of their map coordinates."),
-            advanced=True,
-        )
+        robust = QgsProcessingParameterBoolean(ROBUST, tr("Look for blunders"), defaultValue=False)
+        self.addDescribed(robust, tr("Flags points that contradict the others and fits the model without them."))
+        system = QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True)
+        self.addDescribed(system, tr(
+            "For files from before QGIS 3.26, which do not name the reference system of their map coordinates."
+        ), advanced=True)
         self.addReal(ORBIT_HEIGHT, tr("Height of the orbit (km)"), None, tr(
             "Nominal, for the model pushbroom. Empty: by the satellite that the image's metadata name, else 694 "
             "km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617."
@@ -241,22 +235,17 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _orbit_height_m(self, run: Run, image: OpenRaster | None) -> float:
         """As given, else by the satellite that the image's metadata name, else the default."""
-        given = run.real(ORBIT_HEIGHT)
-        if given > 0:
-            return given * 1000
         from .measure.rpc import satellite_name
 
         name = satellite_name(image).upper() if image is not None else ""
         known = (height for word, height in ORBIT_HEIGHTS_KM.items() if name.startswith(word))
-        return next(known, limits.DEFAULT_ORBIT_HEIGHT_KM) * 1000
+        return (run.real(ORBIT_HEIGHT) or next(known, limits.DEFAULT_ORBIT_HEIGHT_KM)) * 1000
 
 
 def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None]:
     """What is told of a view; nothing for a plane model."""
-    if view is None:
-        return dict.fromkeys((VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT))
-    shift = view.shift_m(run.real(TERRAIN_ERROR))
-    return {VIEW_ANGLE: view.angle, VIEW_AZIMUTH: view.azimuth, TERRAIN_SHIFT: shift}
+    found = (None,) * 3 if view is None else (view.angle, view.azimuth, view.shift_m(run.real(TERRAIN_ERROR)))
+    return dict(zip((VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT), found))
 
 
 def height_datums(run: Run, *names: str) -> list[Datum]:

@@ -154,14 +154,11 @@ class FrameCamera(SensorModel):
             x, y, height = (one - origin for one, origin in zip((x, y, height), self.position))
         x, y, height = (np.asarray(one, kind) for one in (x, y, height))
         east, north, up = self.axes.tolist()
-        depth = x * east[2] + y * north[2] + height * up[2]
+        across, down, depth = (x * east[axis] + y * north[axis] + height * up[axis] for axis in (0, 1, 2))
         depth[depth <= 0] = np.nan
-        ideal = []
-        for axis in (0, 1):
-            along = x * east[axis] + y * north[axis] + height * up[axis]
-            along /= depth
-            ideal.append(along)
-        return self.interior.shown(*ideal)
+        across /= depth
+        down /= depth
+        return self.interior.shown(across, down)
 
     def places(
         self, image: np.ndarray, heights: np.ndarray, middle: np.ndarray, metres: tuple[float, float]

@@ -115,10 +115,8 @@ def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Mes
     """What heights of the system ``wkt`` are to be converted from, empty for nothing, and what to say about it."""
     if isinstance(datum, Geoid):
         return datum, ()
-    if datum in VERTICAL:
-        return VERTICAL[datum], ()
-    if datum == ELLIPSOID:
-        return "", ()
+    if datum != AUTO:
+        return VERTICAL.get(datum, ""), ()
     part = vertical_part(wkt)
     if not part:
         return "", (messages.HEIGHTS_ASSUMED(name=name),)
@@ -178,7 +176,7 @@ class Terrain:
 def constant_terrain(height: float, extent: Extent) -> Terrain:
     """A plane at a height above the ellipsoid, over longitudes and latitudes (west, south, east, north)."""
     west, south, east, north = extent
-    step = ((east - west) / 2, (south - north) / 2)
+    step = (east - west) / 2, (south - north) / 2
     return Terrain("", WGS84, (west, north), step, np.full((2, 2), height, np.float32), ())
 
 
@@ -217,23 +215,20 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
     terrain = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, notices)
     if not vertical:
         return terrain
-    added = _add_undulation(terrain, vertical)
-    return replace(terrain, notices=(heights_converted(added, wkt, datum, ref.name),))
+    return replace(terrain, notices=(heights_converted(_add_undulation(terrain, vertical), wkt, datum, ref.name),))
 
 
 def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
     """Bring heights to the ellipsoid where they stand, by a coarse grid, since the geoid is smooth; that grid, m."""
-    rows, columns = terrain.heights.shape
-    step = UNDULATION_STEP_PX
-    knots = [np.unique(np.append(np.arange(0, size, step), size - 1)) for size in (rows, columns)]
+    step, sides = UNDULATION_STEP_PX, terrain.heights.shape
+    knots = [np.unique(np.append(np.arange(0, side, step), side - 1)) for side in sides]
     row, column = np.meshgrid(*knots, indexing="ij")
-    x = terrain.origin[0] + (column.ravel() + 0.5) * terrain.step[0]
-    y = terrain.origin[1] + (row.ravel() + 0.5) * terrain.step[1]
-    places = transform_points(np.column_stack([x, y]), terrain.wkt, WGS84)
+    pixels = np.column_stack([column.ravel(), row.ravel()]) + 0.5
+    places = transform_points(terrain.origin + pixels * terrain.step, terrain.wkt, WGS84)
     coarse = above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
-    down, across = (np.interp(np.arange(one[-1] + 1), one, np.arange(len(one))) for one in knots)
+    down, across = (np.interp(np.arange(side), one, np.arange(len(one))) for side, one in zip(sides, knots))
     for heights, place in zip(terrain.heights, down):
-        heights += bilinear(coarse, across, np.full(columns, place))
+        heights += bilinear(coarse, across, np.full(len(across), place))
     return coarse
 
 

@@ -10,7 +10,6 @@ import numpy as np
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, SensorModelError, SettingsError
-from ...imagery.grids import PixelWindow
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
@@ -81,18 +80,16 @@ class FrameBlock:
         if vertical is not None:
             place = reprojected(camera.position[None], wkt, WGS84)
             camera = replace(camera, position=np.append(camera.position[:2], above_ellipsoid(place, vertical)))
-        low, high = self.heights
-        if camera.position[2] <= high:
-            height = float(camera.position[2])
-            raise SensorModelError(
-                messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=height, low=low, high=high)
-            )
-        corners = np.array([[0, 0], [image.columns, 0], [0, image.rows], [image.columns, image.rows]], float)
-        views = camera.views(np.vstack([corners, corners.mean(axis=0)]))
+        (low, high), height = self.heights, float(camera.position[2])
+        if height <= high:
+            below = messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=height, low=low, high=high)
+            raise SensorModelError(below)
+        domain = Domain((0.0, image.columns), (0.0, image.rows), self.heights, (0.0, 0.0))
+        views = camera.views(domain.middle_and_corners)
         if views[:, 2].max() > -MIN_DIP:
             raise SensorModelError(messages.CAMERA_LOOKS_UP(name=image.ref.name))
-        (middle,) = camera.places_at(views[-1:], np.array([(low + high) / 2]))
-        domain = Domain((0.0, image.columns), (0.0, image.rows), self.heights, (float(middle[0]), float(middle[1])))
+        ((x, y),) = camera.places_at(views[:1], np.array([(low + high) / 2])).tolist()
+        domain = replace(domain, middle=(x, y))
         return OrientedFrame(camera, wkt, domain, self.terrain_datum, (*notices, *exterior.notices))
 
 
@@ -122,10 +119,9 @@ def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
     count, band = source.columns * source.rows, source.dataset.GetRasterBand(1)
     if count > MOST_WITHOUT_OVERVIEWS and not band.GetOverviewCount():
         raise SensorModelError(messages.DEM_WITHOUT_OVERVIEWS(name=dem.name, count=count // 10**6))
-    whole = PixelWindow(0, 0, source.columns, source.rows)
     share = max(source.columns, source.rows) / HEIGHTS_PX
-    size = (max(round(source.rows / share), 1), max(round(source.columns / share), 1)) if share > 1 else None
-    heights = first_band(source, whole, size)
+    size = (max(round(source.columns / share), 1), max(round(source.rows / share), 1)) if share > 1 else None
+    heights = first_band(source, source.raster.whole, size)
     heights = heights[(heights >= LOWEST_M) & (heights <= HIGHEST_M)]  # others stand for none, and no nodata says so
     if not heights.size:
         raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))

@@ -60,15 +60,11 @@ def check_inside(points: Points, size: tuple[int, int], rpc: Rational | None) ->
         shift = np.median(misses, axis=0) if len(points) >= _FEWEST_TURNED else np.zeros(2)
         agrees = (np.abs(misses - shift) <= TURNED_MISS * np.abs(rpc.image.scale)).all(axis=1)
         if agrees[~inside].all():
-            return [messages.POINTS_BEYOND_IMAGE(
-                count=int(np.count_nonzero(~inside)), names=", ".join(points.named(~inside)[:_SHOWN])
-            )]
+            names = points.named(~inside)
+            return [messages.POINTS_BEYOND_IMAGE(count=len(names), names=", ".join(names[:_SHOWN]))]
         inside |= agrees
-    whys = (
-        (points.image * [1, -1], messages.ROWS_NEGATIVE),
-        (points.image[:, ::-1], messages.COLUMNS_AND_ROWS_INTERCHANGED),
-    )
-    for turned, why in whys:
+    upwards, interchanged = points.image * [1, -1], points.image[:, ::-1]
+    for turned, why in ((upwards, messages.ROWS_NEGATIVE), (interchanged, messages.COLUMNS_AND_ROWS_INTERCHANGED)):
         if _inside(turned, size).mean() > max(inside.mean(), FEWEST_INSIDE):
             raise SensorModelError(why())
     names = points.named(~inside)
@@ -79,8 +75,7 @@ def check_inside(points: Points, size: tuple[int, int], rpc: Rational | None) ->
 
 def _inside(image: np.ndarray, size: tuple[int, int]) -> np.ndarray:
     margin = MARGIN * np.array(size)
-    inside: np.ndarray = ((image >= -margin) & (image <= size + margin)).all(axis=1)
-    return inside
+    return np.asarray(((image >= -margin) & (image <= size + margin)).all(axis=1))
 
 
 def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
@@ -127,14 +122,11 @@ def _beyond_rpc_heights(points: Points, rpc: Rational, missed: float) -> list[Me
     beyond = np.abs(heights - middle) > max(RPC_HEIGHTS * half, half + UNDULATION_M)
     if not beyond.any():
         return []
-    names = ", ".join(points.named(beyond)[:_SHOWN])
-    low, high = float(heights[beyond].min()), float(heights[beyond].max())
-    return [
-        messages.POINTS_BEYOND_RPC_HEIGHTS(
-            count=int(beyond.sum()), names=names, low=low, high=high, first=middle - half, last=middle + half,
-            missed=missed,
-        )
-    ]
+    names, heights = points.named(beyond), heights[beyond]
+    return [messages.POINTS_BEYOND_RPC_HEIGHTS(
+        count=len(names), names=", ".join(names[:_SHOWN]), low=float(heights.min()), high=float(heights.max()),
+        first=middle - half, last=middle + half, missed=missed,
+    )]  # fmt: skip
 
 
 def _check_turned(image: np.ndarray, seen: np.ndarray) -> None:
@@ -171,12 +163,8 @@ class ControlCoverage:
 
 def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
     """What part of an image (n, 2) control points cover."""
-    places = ogr.Geometry(ogr.wkbMultiPoint)
-    for x, y in control.tolist():
-        place = ogr.Geometry(ogr.wkbPoint)
-        place.AddPoint_2D(x, y)
-        places.AddGeometry(place)
-    hull = places.ConvexHull()
+    places = ", ".join(f"{x!r} {y!r}" for x, y in control.tolist())
+    hull = ogr.CreateGeometryFromWkt(f"MULTIPOINT ({places})").ConvexHull()
     corners = hull.GetGeometryRef(0) if hull.GetGeometryType() == ogr.wkbPolygon else hull
     outline = np.array(corners.GetPoints() or np.zeros((0, 2)))[:, :2]
     box = ogr.CreateGeometryFromWkt("POLYGON (({0} {1}, {2} {1}, {2} {3}, {0} {3}, {0} {1}))".format(*image))

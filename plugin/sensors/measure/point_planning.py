@@ -71,8 +71,8 @@ class ExpectedAccuracy:
 
 def scene_of_rpc(rpc: Rational, size: tuple[float, float] | None, heights: tuple[float, float]) -> PlannedScene:
     """The image of an RPC; ``size`` None: as large as the RPC says."""
-    columns, rows = map(float, rpc.image.offset + rpc.image.scale)
-    longitude, latitude = map(float, rpc.ground.offset[:2])
+    columns, rows = (rpc.image.offset + rpc.image.scale).tolist()
+    longitude, latitude, _ = rpc.ground.offset.tolist()
     return PlannedScene(rpc, size or (columns, rows), (longitude, latitude), heights)
 
 
@@ -110,9 +110,8 @@ def expected_accuracies(
 ) -> Iterator[ExpectedAccuracy]:
     """For each number of points, whatever others are asked for. Raises SettingsError for too few."""
     fewest = request.variant.fewest
-    few = [count for count in counts if count < fewest]
-    if few:
-        raise SettingsError(messages.TOO_FEW_POINTS(model=request.name, count=few[0], fewest=fewest))
+    if min(counts) < fewest:
+        raise SettingsError(messages.TOO_FEW_POINTS(model=request.name, count=min(counts), fewest=fewest))
     for number, count in enumerate(counts):
         random = np.random.default_rng([seed, count])
         errors, reason = np.full((draws, 2), np.inf), None
@@ -161,8 +160,7 @@ def _spread(plan: PointPlan, count: int, random: np.random.Generator) -> np.ndar
     """(n, 2) places of control points as shares of the image's columns and rows."""
     if plan.spread == GRID:
         return _in_cells(count, random)
-    places = random.uniform(0, 1, (count, 2))
-    return places * np.sqrt(plan.corner_share) if plan.spread == CORNER else places
+    return random.uniform(0, 1, (count, 2)) * (np.sqrt(plan.corner_share) if plan.spread == CORNER else 1.0)
 
 
 def _in_cells(count: int, random: np.random.Generator) -> np.ndarray:

@@ -41,13 +41,10 @@ def terms_2d(scaled: np.ndarray, order: int) -> np.ndarray:
 
 @np.errstate(over="ignore", invalid="ignore")  # what is not finite is told by the fit, or where the model is inverted
 def _terms(scaled: np.ndarray, exponents: Sequence[tuple[int, int, int]]) -> np.ndarray:
-    columns = []
-    for powers in exponents:
-        column = np.ones(len(scaled))
-        for axis, power in enumerate(powers):
-            for _ in range(power):
-                column = column * scaled[:, axis]
-        columns.append(column)
+    columns = [np.ones(len(scaled)) for _ in exponents]
+    for column, powers in zip(columns, exponents):
+        for axis in np.repeat(range(3), powers):
+            column *= scaled[:, axis]
     return np.column_stack(columns)
 
 
@@ -91,12 +88,10 @@ class Dlt(SensorModel):
     def as_rational(self) -> Rational:
         """The same function as quotients: y = (a5 + ...) / (1 + ... - a12 (a1 + ...))."""
         a = self.coefficients
-        column_denominator = np.array([1.0, *a[8:11]])
-        row_denominator = column_denominator - a[11] * a[0:4]
-        lead = row_denominator[0]
-        numerators = np.column_stack([a[0:4], a[4:8] / lead])
-        denominators = np.column_stack([column_denominator, row_denominator / lead])
-        return Rational(1, self.ground, self.image, numerators, denominators)
+        of_column = np.array([1.0, *a[8:11]])
+        of_row = of_column - a[11] * a[0:4]
+        numerators = np.column_stack([a[0:4], a[4:8] / of_row[0]])
+        return Rational(1, self.ground, self.image, numerators, np.column_stack([of_column, of_row / of_row[0]]))
 
 
 def fit_rational(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
@@ -171,14 +166,12 @@ def _significant_terms(design: np.ndarray, wanted: np.ndarray) -> list[int]:
 def terms_told(model: Rational) -> str:
     """Which terms a model of chosen terms has, such as ``column: 1 x y z xz / 1 x; row: 1 x y z / 1``."""
     names = ["".join(letter * power for letter, power in zip("xyz", powers)) or "1" for powers in EXPONENTS_3D]
-    parts = []
-    for axis, side in enumerate(("column", "row")):
-        above, below = (
-            " ".join(name for name, value in zip(names, part[:, axis]) if value != 0)
-            for part in (model.numerators, model.denominators)
-        )
-        parts.append(f"{side}: {above} / {below}")
-    return "; ".join(parts)
+
+    def kept(part: np.ndarray) -> str:
+        return " ".join(name for name, value in zip(names, part) if value != 0)
+
+    sides = zip(("column", "row"), model.numerators.T, model.denominators.T)
+    return "; ".join(f"{side}: {kept(above)} / {kept(below)}" for side, above, below in sides)
 
 
 def off_poles(denominator: np.ndarray) -> np.ndarray:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -35,20 +35,16 @@ MAX_SIGMA_CHANGE = 0.1  # relative: the standard deviation of the points has set
 DEFAULT_SIGMA_PX = 0.5  # a point identified in an image
 
 SIGMAS = np.array([
-    *PUSHBROOM_POSITION_SIGMAS_M,
-    *PUSHBROOM_MOTION_SIGMAS_M,
-    *(sigma for sigmas in PUSHBROOM_ROTATION_SIGMAS for sigma in sigmas),
-    PUSHBROOM_SCALE_SIGMA,
-    1.0,  # the principal column's stands in the orbit: it depends on whether the image's width is known
-])
+    *PUSHBROOM_POSITION_SIGMAS_M, *PUSHBROOM_MOTION_SIGMAS_M, *np.ravel(PUSHBROOM_ROTATION_SIGMAS),
+    PUSHBROOM_SCALE_SIGMA, 1.0,  # the principal column's stands in the orbit: it depends on the image's width
+])  # fmt: skip
 """Prior standard deviations of the unknowns, in the order of ``Pushbroom.unknowns``."""
 
 
 @np.errstate(invalid="ignore", over="ignore")  # places that are none have none here either
 def geocentric(geographic: np.ndarray) -> np.ndarray:
     """(n, 3) longitude and latitude in degrees and height above the ellipsoid in m -> (n, 3) X, Y, Z in m."""
-    longitude, latitude = np.radians(geographic[:, 0]), np.radians(geographic[:, 1])
-    height = geographic[:, 2]
+    (longitude, latitude), height = np.radians(geographic[:, :2]).T, geographic[:, 2]
     prime_vertical = limits.WGS84_SEMI_MAJOR_M / np.sqrt(1 - _SQUARED_ECCENTRICITY * np.sin(latitude) ** 2)
     across = (prime_vertical + height) * np.cos(latitude)
     polar = (prime_vertical * (1 - _SQUARED_ECCENTRICITY) + height) * np.sin(latitude)
@@ -144,8 +140,7 @@ def fit_pushbroom(
     return FittedModel(model, done.condition, iterations, done.converged, unknowns)
 
 
-@dataclass(frozen=True)
-class _Adjusted:
+class _Adjusted(NamedTuple):
     """A model after Gauss and Newton's iteration with given standard deviations."""
 
     model: Pushbroom
@@ -198,12 +193,11 @@ def nominal_orbit(
     motion = on_ground[:, 1] * radius / np.linalg.norm(middle)
     outward = unit(position)
     across = unit(np.cross(outward, motion))
-    return Orbit(
-        position, motion, np.stack([detectors, np.cross(view, detectors), view]),
-        np.stack([np.cross(across, outward), across, -view]), float(distance),
-        float(distance / np.linalg.norm(per_px[:, 0])), centre, float(max((high[1] - low[1]) / 2, 1.0)),
-        PRINCIPAL_SHARE * (high[0] - low[0]) if size is None else PRINCIPAL_SIGMA_PX,
-    )
+    camera = np.stack([detectors, np.cross(view, detectors), view])
+    track = np.stack([np.cross(across, outward), across, -view])
+    focal, half = float(distance / np.linalg.norm(per_px[:, 0])), float(max((high[1] - low[1]) / 2, 1.0))
+    sigma = PRINCIPAL_SHARE * (high[0] - low[0]) if size is None else PRINCIPAL_SIGMA_PX
+    return Orbit(position, motion, camera, track, float(distance), focal, centre, half, sigma)
 
 
 def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -217,13 +211,9 @@ def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tupl
         return np.column_stack([columns + drift * rows - image[:, 0], rows]).ravel()
 
     residuals = stepped(columns, slip)
-    jacobian = np.empty((len(residuals), len(model.unknowns)))
-    for index in range(len(model.unknowns)):
-        unknowns = model.unknowns.copy()
-        unknowns[index] += PUSHBROOM_DIFFERENCE
-        moved = stepped(*replace(model, unknowns=unknowns).in_line(places, image[:, 1]))
-        jacobian[:, index] = (moved - residuals) / PUSHBROOM_DIFFERENCE
-    return residuals, jacobian
+    changed = (replace(model, unknowns=one) for one in model.unknowns + PUSHBROOM_DIFFERENCE * np.eye(len(SIGMAS)))
+    moved = np.column_stack([stepped(*one.in_line(places, image[:, 1])) for one in changed])
+    return residuals, (moved - residuals[:, None]) / PUSHBROOM_DIFFERENCE
 
 
 def _determined(jacobian: np.ndarray, sigma_px: np.ndarray) -> float:

@@ -47,14 +47,12 @@ class ModelKind:
 
     def model_class(self) -> type[SensorModel]:
         """Imported when it is asked for, as is the fit."""
-        loaded: type[SensorModel] = getattr(import_module(self.code[0], __package__), self.code[1])
-        return loaded
+        return getattr(import_module(self.code[0], __package__), self.code[1])
 
     def fit(self, request: ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
         """Fit to points whose ground is longitude and latitude where the class says so."""
         function = getattr(import_module(self.code[0], __package__), self.code[2])
-        fitted: FittedModel = function(points.ground, points.image, weights, *self.options(request, points))
-        return fitted
+        return function(points.ground, points.image, weights, *self.options(request, points))
 
     def request(
         self, *words: str, orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000,
@@ -101,18 +99,14 @@ POLYNOMIAL_3D = ModelKind(
     (".polynomials", "Polynomial3D", "fit_polynomial_3d"), messages.RECOMMEND_POLYNOMIAL_3D,
 )
 RATIONAL_TERMS = ModelKind(
-    "rational_terms",
-    (Variant("", 8, 12, 3),),  # it starts from 8 unknowns; fewer points have none to spare for more
-    (".polynomials", "Rational", "fit_chosen_terms"),
-    messages.RECOMMEND_RATIONAL,
-    lambda request, points: (),
-)
+    "rational_terms", (Variant("", 8, 12, 3),),  # it starts from 8 unknowns; fewer points have none to spare for more
+    (".polynomials", "Rational", "fit_chosen_terms"), messages.RECOMMEND_RATIONAL, lambda request, points: (),
+)  # fmt: skip
 RATIONAL = ModelKind(
     "rational",
     tuple(Variant(str(order), 4 * terms - 2, 2 * terms - 1, 1 + order) for order, terms in _TERMS_3D.items()),
-    (".polynomials", "Rational", "fit_rational"),
-    messages.RECOMMEND_RATIONAL,
-)
+    (".polynomials", "Rational", "fit_rational"), messages.RECOMMEND_RATIONAL,
+)  # fmt: skip
 DLT = ModelKind(
     "dlt", (Variant("", 11, 6, 2), Variant("xy", 12, 6, 2)), (".polynomials", "Dlt", "fit_dlt"), messages.RECOMMEND_DLT,
     lambda request, points: (request.variant.name == "xy",),

@@ -147,17 +147,10 @@ def newton(function: Map, wanted: np.ndarray, start: np.ndarray, step: float = 1
     last = np.full(len(found), np.inf)
     for _ in range(steps or limits.MAX_NEWTON_ITERATIONS):
         misfit = wanted - function(found)
-        jacobian = np.empty((len(found), 2, 2))
-        for axis in (0, 1):
-            shift = np.zeros(2)
-            shift[axis] = step
-            jacobian[:, :, axis] = (function(found + shift) - function(found - shift)) / (2 * step)
-        determinant = jacobian[:, 0, 0] * jacobian[:, 1, 1] - jacobian[:, 0, 1] * jacobian[:, 1, 0]
-        with np.errstate(all="ignore"):
-            change = np.column_stack([
-                jacobian[:, 1, 1] * misfit[:, 0] - jacobian[:, 0, 1] * misfit[:, 1],
-                jacobian[:, 0, 0] * misfit[:, 1] - jacobian[:, 1, 0] * misfit[:, 0],
-            ]) / determinant[:, None]
+        (a, c), (b, d) = ((function(found + one) - function(found - one)).T / (2 * step) for one in np.eye(2) * step)
+        x, y = misfit.T
+        with np.errstate(all="ignore"):  # of a plane of two equations, [[a, b], [c, d]]
+            change = np.column_stack([d * x - b * y, a * y - c * x]) / (a * d - b * c)[:, None]
         found = found + change
         last = np.abs(change).max(axis=1)
         if not np.any(last > step * 1e-6):
