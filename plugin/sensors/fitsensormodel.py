@@ -85,18 +85,12 @@ class FitSensorModel(SensorAlgorithm):
         ), QgsProcessing.SourceType.TypeVectorPoint)
         for name, label, kinds, purpose in (
             (MODEL_FILE, tr("Model file"), tr("Model files (*.json)"), tr("The whole model, for orthorectification.")),
-            (
-                RPC, tr("RPC"), tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
-                tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB."),
-            ),
-            (
-                RPC_IMAGE, tr("Image with the RPC"), tr("GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)"),
-                tr("A copy of the image that carries the model as RPC in its tags, and no other georeference."),
-            ),
-            (
-                POINTS, tr("Points for the georeferencer"), tr("GCP files (*.points)"),
-                tr("The points with their residuals in pixels; check points and blunders are switched off."),
-            ),
+            (RPC, tr("RPC"), tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
+             tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.")),
+            (RPC_IMAGE, tr("Image with the RPC"), tr("GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)"),
+             tr("A copy of the image that carries the model as RPC in its tags, and no other georeference.")),
+            (POINTS, tr("Points for the georeferencer"), tr("GCP files (*.points)"),
+             tr("The points with their residuals in pixels; check points and blunders are switched off.")),
         ):  # fmt: skip
             file = QgsProcessingParameterFileDestination(name, label, kinds, optional=True, createByDefault=False)
             self.addDescribed(file, purpose)

@@ -31,14 +31,11 @@ class OrthorectifyPhotos(OrthoAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(
-            QgsProcessingParameterFile(
-                PHOTOS, tr("Folder of an OpenDroneMap project, or of photos"),
-                QgsProcessingParameterFile.Behavior.Folder, optional=True,
-            ),
-            tr("Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
-               "project, else in the folder of its file."),
-        )
+        kind, label = QgsProcessingParameterFile.Behavior.Folder, tr("Folder of an OpenDroneMap project, or of photos")
+        self.addDescribed(QgsProcessingParameterFile(PHOTOS, label, kind, optional=True), tr(
+            "Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
+            "project, else in the folder of its file."
+        ))
         self.addOrientations()
         self.addGround(tr(
             "Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an "
@@ -49,9 +46,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
             QgsProcessingParameterFolderDestination(OUTPUT, tr("Orthoimages")),
             tr("A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends."),
         )
-        self.addNumbers({
-            PHOTO_COUNT: tr("Orthoimages made"), LEFT_OUT_COUNT: tr("Photos without an orthoimage"),
-        })
+        self.addNumbers({PHOTO_COUNT: tr("Orthoimages made"), LEFT_OUT_COUNT: tr("Photos without an orthoimage")})
 
     def check(self, run: Run) -> None:
         if not (run.path(EXTERIOR) or run.path(PHOTOS)):

@@ -42,28 +42,21 @@ class PlanPoints(SensorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(
-            common.choice(MODEL, tr("Model"), _MODELS, registry.PUSHBROOM.name),
-            tr("The sensor model to be fitted, with its order or form. rpc_bias needs an RPC."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterString(COUNTS, tr("Numbers of control points"), "6, 8, 10, 15, 20, 30"),
-            tr("One row of the table for each, such as 6, 10, 20. Check points are not counted."),
-        )
-        self.addDescribed(
-            common.choice(SPREAD, tr("Spread"), limits.SPREADS),
-            tr("grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."),
-        )
+        model = common.choice(MODEL, tr("Model"), _MODELS, registry.PUSHBROOM.name)
+        self.addDescribed(model, tr("The sensor model to be fitted, with its order or form. rpc_bias needs an RPC."))
+        counts = QgsProcessingParameterString(COUNTS, tr("Numbers of control points"), "6, 8, 10, 15, 20, 30")
+        self.addDescribed(counts, tr(
+            "One row of the table for each, such as 6, 10, 20. Check points are not counted."
+        ))
+        self.addDescribed(common.choice(SPREAD, tr("Spread"), limits.SPREADS), tr(
+            "grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."
+        ))
         for name, label, default, least, most, text in (
             (CORNER_SHARE, tr("Share of the corner"), 0.25, 0.01, 1, tr("Of the image's area, for the spread corner.")),
-            (
-                SIGMA, tr("Standard deviation on the ground (metres)"), 0.5, 0, 1000,
-                tr("Of each ground coordinate of a point, as it will be surveyed."),
-            ),
-            (
-                SIGMA_PX, tr("Standard deviation in the image (pixels)"), 0.5, 0, 1000,
-                tr("Of a point's column and row: how well it is identified."),
-            ),
+            (SIGMA, tr("Standard deviation on the ground (metres)"), 0.5, 0, 1000,
+             tr("Of each ground coordinate of a point, as it will be surveyed.")),
+            (SIGMA_PX, tr("Standard deviation in the image (pixels)"), 0.5, 0, 1000,
+             tr("Of a point's column and row: how well it is identified.")),
         ):  # fmt: skip
             self.addReal(name, label, default, text, minValue=least, maxValue=most)
         for name, label, default in (
@@ -76,10 +69,8 @@ class PlanPoints(SensorAlgorithm):
             "An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner."
         ))
         for name, label, default, least, most, text in (
-            (
-                ORBIT_HEIGHT, tr("Height of the orbit (km)"), 694.0, 100, 40000,
-                tr("Of the nominal scanner, and for the model pushbroom."),
-            ),
+            (ORBIT_HEIGHT, tr("Height of the orbit (km)"), 694.0, 100, 40000,
+             tr("Of the nominal scanner, and for the model pushbroom.")),
             (VIEW_ANGLE, tr("Angle of the view (degrees)"), 15.0, 0, 50, tr("From the vertical; nominal scanner.")),
             (PIXEL_SIZE, tr("Pixel size (metres)"), 0.5, 0.05, 1000, tr("On the ground; nominal scanner.")),
             (SIDE, tr("Side of the image (km)"), 15.0, 1, 200, tr("The image is square; nominal scanner.")),

@@ -35,21 +35,20 @@ from .measure.rpc import PIXEL_CENTRE
 
 def heights_wkt(layer: QgsVectorLayer) -> str:
     """What says what a layer's heights are, or empty: QGIS forgets it, so the code and the file are asked."""
-    system = osr.SpatialReference()
+    system, code = osr.SpatialReference(), str(layer.crs().authid())
     with gdal_silenced(), suppress(RuntimeError):
-        system.SetFromUserInput(layer.crs().authid())
+        system.SetFromUserInput(code)
     if _has_heights(system):
-        return str(layer.crs().authid())
+        return code
     path = layer_path(layer)
-    if not path:
-        return ""
+    file = open_dataset(path, FEATURES) if path else None
     name = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName")
-    found = None
     with gdal_silenced(), suppress(RuntimeError):
-        file = open_dataset(path, FEATURES)
         part = None if file is None else file.GetLayerByName(name) if name else file.GetLayer(0)
-        found = part.GetSpatialRef() if part is not None else None
-    return str(found.ExportToWkt(["FORMAT=WKT2_2018"])) if found is not None and _has_heights(found) else ""
+        found = None if part is None else part.GetSpatialRef()
+        if found is not None and _has_heights(found):
+            return str(found.ExportToWkt(["FORMAT=WKT2_2018"]))
+    return ""
 
 
 def _has_heights(system: osr.SpatialReference) -> bool:
@@ -65,9 +64,9 @@ def layer_points(
     """The points of a layer, whether they have roles, and what was left out; of orthority's (``ji``, ``filename``)
     those of the image. ``heights``: the system that says what heights refer to. Raises SensorModelError."""
     names = [name.lower() for name in source.fields().names()]
-    of_orthority = "ji" in names and not {"column", "row"} <= set(names)
-    missing = [] if of_orthority else [name for name in ("column", "row") if name not in names]
-    if missing:
+    missing = [name for name in ("column", "row") if name not in names]
+    of_orthority = bool(missing) and "ji" in names
+    if missing and not of_orthority:
         raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=missing[0]))
     if not source.sourceCrs().isValid():
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=source.sourceName()))
@@ -92,10 +91,9 @@ def layer_points(
         raise SensorModelError(messages.POINTS_OF_OTHER_IMAGES(names=", ".join(sorted(images)[:_SHOWN])))
     if not rows:
         raise SensorModelError(messages.NO_POINTS_LEFT(why=notices[0]) if notices else messages.NO_POINTS())
-    values = np.array([numbers for _, numbers, _ in rows])
-    ids, roles = [name for name, *_ in rows], [role for *_, role in rows]
+    ids, found, roles = zip(*rows)
+    values, check = np.array(found), np.array([role == CHECK for role in roles])
     points = control_points(ids, values[:, 0:2], values[:, 2:5], system_wkt(source.sourceCrs()))
-    check = np.array([role == CHECK for role in roles])
     return replace(points, sigma_px=values[:, 5], check=check, heights_wkt=heights), any(roles), notices
 
 
@@ -107,10 +105,8 @@ def _is_of(named: str, image_name: str) -> bool:
 def _orthority_place(value: object) -> tuple[float, float]:
     """Column and row of orthority's ji, which counts from the middle of the first pixel; NaN where it is none."""
     found = value if isinstance(value, (list, tuple)) else re.findall(r"[-+.\deE]+", text(value))
-    numbers = [number(one) for one in found]
-    if len(numbers) != 2 or numbers[0] is None or numbers[1] is None:
-        return math.nan, math.nan
-    return numbers[0] + PIXEL_CENTRE, numbers[1] + PIXEL_CENTRE
+    numbers = [math.nan if (place := number(one)) is None else place + PIXEL_CENTRE for one in found]
+    return (numbers[0], numbers[1]) if len(numbers) == 2 else (math.nan, math.nan)
 
 
 def _numbers(row: Attributes, place: tuple[float, float] | None = None) -> list[float]:

@@ -42,14 +42,12 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
         (tr("Check points"), points.check & ~done.blunder, _CHECK, "^"),
         (tr("Blunders"), done.blunder, _BLUNDER, "x"),
     )
-    reach = [np.array([[box[0], box[1]], [box[2], box[3]]])]  # what has to be in the picture
+    reach, longest = [np.reshape(box, (2, 2))], 3 * _ARROW_SHARE * max(width, height)  # what has to be in the picture
     for label, group, colour, marker in groups:
         if not group.any():
             continue
         places, arrows = points.image[group], residuals[group] * factor
-        longest = 3 * _ARROW_SHARE * max(width, height)
-        length = np.linalg.norm(arrows, axis=1, keepdims=True)
-        arrows = arrows * np.minimum(1, longest / np.maximum(length, 1e-12))
+        arrows *= np.minimum(1, longest / np.maximum(np.linalg.norm(arrows, axis=1, keepdims=True), 1e-12))
         reach += [places, places + arrows]
         axes.plot(*places.T, marker, color=colour, ms=4, label=label, ls="none")
         axes.quiver(*places.T, *arrows.T, color=colour, **_ARROWS)
@@ -60,10 +58,7 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
         axes.quiverkey(key, 0.85, 0.04, step * factor, words, labelpos="E", coordinates="figure", color=_QUIET)
     margin = 0.02 * max(width, height)
     low, high = np.concatenate(reach).min(axis=0) - margin, np.concatenate(reach).max(axis=0) + margin
-    axes.set_xlim(low[0], high[0])
-    axes.set_ylim(high[1], low[1])
-    axes.set_xlabel(tr("Column (px)"))
-    axes.set_ylabel(tr("Row (px)"))
+    axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]), xlabel=tr("Column (px)"), ylabel=tr("Row (px)"))
     axes.xaxis.set_major_locator(MaxNLocator(5))
     axes.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=3, frameon=False, fontsize=9, handletextpad=0.2)
     axes.spines[["top", "right", "left", "bottom"]].set_visible(False)

@@ -21,7 +21,7 @@ from .sensor_model import file_content, yaml_document
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 MAX_PIXELS = 1e9  # of an image's side, a focal length, or from the image to the principal point
 MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
-UNREADABLE = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, AttributeError, StopIteration)
+BROKEN = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, AttributeError, StopIteration)
 """What a document that is none of these raises when it is taken apart."""
 _ORTHORITY = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 _BROWN = ("k1", "k2", "k3", "p1", "p2")
@@ -77,7 +77,7 @@ class Cameras:
                 own_size.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
                 and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *own_size) >= 1
             )
-        except UNREADABLE:
+        except BROKEN:
             sound = False
         if not sound:
             raise SensorModelError(messages.NO_INTERIOR(name=self.name))
@@ -97,7 +97,7 @@ def read_cameras(content: Any, path: Path) -> Cameras:
     """The cameras of a ``document``. Raises SensorModelError for a file that holds none."""
     try:
         return Cameras(path.name, _cameras(content, path))
-    except UNREADABLE:
+    except BROKEN:
         raise SensorModelError(messages.NO_INTERIOR(name=path.name)) from None
 
 

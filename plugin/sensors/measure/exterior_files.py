@@ -17,16 +17,7 @@ from scipy.spatial.transform import Rotation
 
 from ...imagery.errors import Message, SensorModelError
 from . import messages
-from .camera_files import (
-    UNREADABLE,
-    VERSION,
-    document,
-    inpho_blocks,
-    inpho_value,
-    numbers_of,
-    pix4d_photos,
-    read_cameras,
-)
+from .camera_files import BROKEN, VERSION, document, inpho_blocks, inpho_value, numbers_of, pix4d_photos, read_cameras
 from .frames import EARTH_CURVATURE, camera_axes
 from .limits import ANGLE_UNITS, WGS84_SEMI_MAJOR_M
 from .pushbroom import geocentric
@@ -38,10 +29,10 @@ _ANGLE_WORDS = "|".join(rf"[_ (\[](?:{words})\b[)\]]?" for _, words in _UNIT_WOR
 _FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
 _ALIASES = {
     "filename": "filename file image imagename imageid imagefile photo photoid photoname label id name frame",
-    "x": "x easting east e x0 xc xl xeasting xlongitude projectedx rechtswert", "y": "y northing north n y0 yc yl "
-    "ynorthing ylatitude projectedy hochwert", "z": "z altitude alt height h z0 zc zl elevation zaltitude hoehe hhe "
-    "ellipsoidheight orthometricheight", "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka",
-    "camera": "camera cameraid sensor",
+    "x": "x easting east e x0 xc xl xeasting xlongitude projectedx rechtswert",
+    "y": "y northing north n y0 yc yl ynorthing ylatitude projectedy hochwert",
+    "z": "z altitude alt height h z0 zc zl elevation zaltitude hoehe hhe ellipsoidheight orthometricheight",
+    "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka", "camera": "camera cameraid sensor",
 }  # fmt: skip
 _NAMES = {alias: name for name, aliases in _ALIASES.items() for alias in aliases.split()}
 """What columns are called, in small letters and digits and without units, and what they hold."""
@@ -84,16 +75,15 @@ class Exteriors:
     def of(self, image: str) -> FrameExterior:
         """That of an image by its file's name, with ending or without. Raises SensorModelError for none or several."""
         stem = Path(image).stem
-        alike = [one for one in self.photos if one[0] == image or stem in (one[0], Path(one[0]).stem)]
-        found = [one for one in alike if one[0] == image] or alike
-        found = self.photos if self.names == [""] else found
+        alike = [one for one in self.photos if self.names == [""] or stem in (one[0], Path(one[0]).stem)]
+        found = [one for one in self.photos if one[0] == image] or alike
         if len(found) != 1:
             names = ", ".join(self.names[:_SHOWN])
             raise SensorModelError(messages.IMAGE_NOT_ORIENTED(name=self.name, image=image, names=names))
         try:
             made = found[0][1]()
-            sound = np.isfinite(made.position).all() and made.position.shape == (3,) and made.axes.shape == (3, 3)
-        except UNREADABLE:
+            sound = np.isfinite(made.position).all() and (made.position.shape, made.axes.shape) == ((3,), (3, 3))
+        except BROKEN:
             sound = False
         if not sound or not np.allclose(made.axes.T @ made.axes, np.eye(3), atol=_DIGITS):
             raise SensorModelError(messages.NO_EXTERIOR(name=self.name))
@@ -104,7 +94,7 @@ def read_exteriors(content: Any, path: Path, angles: str = AUTO) -> Exteriors:
     """Those of a ``document``; ``angles``: of ``limits.ANGLE_UNITS``. Raises SensorModelError without any."""
     try:
         return Exteriors(path.name, _photos(content, path, angles))
-    except (*UNREADABLE, csv.Error):
+    except (*BROKEN, csv.Error):
         raise SensorModelError(messages.NO_EXTERIOR(name=path.name)) from None
 
 
@@ -247,9 +237,9 @@ def _inpho_photos(content: str, path: Path) -> Named:
 def _pix4d_offset(path: Path) -> np.ndarray:
     """(3,) what positions are less than their coordinates by: of ``..._offset.xyz`` beside it."""
     beside = path.with_name(path.name.replace("calibrated_camera_parameters.txt", "offset.xyz"))
-    if beside == path or not beside.is_file():
-        return np.zeros(3)
-    return np.array(beside.read_text(encoding="utf-8", errors="replace").split()[:3], float)
+    is_there = beside != path and beside.is_file()
+    words = beside.read_text(encoding="utf-8", errors="replace").split()[:3] if is_there else (0, 0, 0)
+    return np.array(words, float)
 
 
 def _pix4d_exterior(name: str, numbers: Sequence[float], offset: np.ndarray) -> FrameExterior:
@@ -264,15 +254,14 @@ def _from_plane(origin: Sequence[float], position: np.ndarray, axes: np.ndarray)
 
 def _from_geocentric(position: np.ndarray, axes: np.ndarray) -> FrameExterior:
     """Of a camera in geocentric coordinates (WGS 84): in the plane below itself, from which the Earth curves away."""
-    systems = []
-    for code in (4978, 4979):
-        systems.append(osr.SpatialReference())
-        systems[-1].ImportFromEPSG(code)
-        systems[-1].SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    systems = osr.SpatialReference(), osr.SpatialReference()
+    for system, code in zip(systems, (4978, 4979)):
+        system.ImportFromEPSG(code)
+        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     longitude, latitude, height = osr.CoordinateTransformation(*systems).TransformPoint(*position.tolist())
-    system = f"+proj=tmerc +lon_0={longitude:.12f} +lat_0={latitude:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
+    plane = f"+proj=tmerc +lon_0={longitude:.12f} +lat_0={latitude:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
     own = _local_axes(longitude, latitude) @ axes
-    return FrameExterior(np.array([0.0, 0.0, height]), own, wkt=system, curvature=EARTH_CURVATURE)
+    return FrameExterior(np.array([0.0, 0.0, height]), own, wkt=plane, curvature=EARTH_CURVATURE)
 
 
 def _local_axes(longitude: float, latitude: float) -> np.ndarray:

@@ -104,10 +104,7 @@ class ViewDirection:
 
     def told(self, terrain_error_m: float) -> Message:
         """In words, for an error of the terrain's heights."""
-        return messages.VIEW_TOLD(
-            angle=self.angle, azimuth=self.azimuth, largest=self.largest, error=terrain_error_m,
-            shift=self.shift_m(terrain_error_m),
-        )  # fmt: skip
+        return messages.VIEW_TOLD(**vars(self), error=terrain_error_m, shift=self.shift_m(terrain_error_m))
 
 
 def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirection | None:
@@ -141,9 +138,9 @@ class FitFiles:
         ground = self.done.points.ground
         heights = ground[:, 2][np.isfinite(ground[:, 2])]
         low, high = (float(heights.min()), float(heights.max())) if len(heights) else (0.0, 0.0)
-        middle = ground[:, :2].mean(axis=0)
+        x, y = ground[:, :2].mean(axis=0).tolist()
         left, top, right, bottom = self.box
-        return Domain((left, right), (top, bottom), (low, high), (float(middle[0]), float(middle[1])))
+        return Domain((left, right), (top, bottom), (low, high), (x, y))
 
     @cached_property
     def _rpc(self) -> RpcOfModel:
@@ -176,8 +173,7 @@ class FitFiles:
 
     def save_rpc_image(self, path: Path) -> tuple[Message, bool]:
         """A copy of the image with the RPC in its tags; what to tell as for ``save_rpc``."""
-        image = self.image
-        if image is None:
+        if (image := self.image) is None:
             return messages.RPC_IMAGE_WITHOUT_IMAGE(), False
         return self._written(lambda: write_image_with_rpc(image, self._rpc.rpc, path, self.cancelled))
 

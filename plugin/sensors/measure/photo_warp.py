@@ -159,10 +159,8 @@ class PhotoWarp:
         """First row and (bands, rows, columns) of strip after strip, in the photo's data type, ``nodata`` beyond it.
         Ends early when cancelled. Raises RasterError where the photo can't be read."""
         grid, reading = self.grid, Lock()  # GDAL's datasets belong to one thread at a time
-        step, heights = self._step_px(), self._heights()
-        resampler = Resampler.of(resampling, step)
-        raster = self.image.raster
-        kind, bands = np.dtype(raster.data_type), len(raster.band_names)
+        step, heights, raster = self._step_px(), self._heights(), self.image.raster
+        resampler, kind, bands = Resampler.of(resampling, step), np.dtype(raster.data_type), len(raster.band_names)
         width = max(int(_PART_COLUMNS / max(step[0] * step[1], 1)), _NARROWEST)
         with reading_threads(min(os.cpu_count() or 1, _MOST_THREADS)) as threads:
             for top in range(0, grid.rows, STRIP_ROWS):
@@ -226,10 +224,8 @@ class PhotoWarp:
     def _height_of(self, heights: gdal.Dataset, part: PixelWindow) -> np.ndarray:
         """(rows, columns) m. Raises RasterError where the terrain can't be read."""
         name = os.path.basename(self.terrain.GetDescription())
-        return np.asarray(gdal_pixels(
-            lambda: heights.ReadAsArray(part.column, part.row, part.width, part.height),
-            imagery_messages.NOT_READABLE(name=name), partial(damaged, name, part),
-        ))
+        window, unread = (part.column, part.row, part.width, part.height), imagery_messages.NOT_READABLE(name=name)
+        return np.asarray(gdal_pixels(lambda: heights.ReadAsArray(*window), unread, partial(damaged, name, part)))
 
     def _may_show(self, part: PixelWindow, height: np.ndarray) -> bool:
         """Whether a part may be in the photo, by a few of its places at its lowest and its highest height."""
@@ -240,11 +236,9 @@ class PhotoWarp:
         column, row = (np.stack(axis) for axis in zip(*seen))
         if np.isnan(column).any():
             return not np.isnan(column).all()
-        across, down = (np.ptp(axis) / 8 for axis in (column, row))  # an edge bends by less
-        return bool(
-            column.max() >= -across and column.min() <= self.image.columns + across
-            and row.max() >= -down and row.min() <= self.image.rows + down
-        )  # fmt: skip
+        sides = (column, self.image.columns), (row, self.image.rows)
+        bends = [np.ptp(axis) / 8 for axis in (column, row)]  # an edge bends by less
+        return all(at.max() >= -bend and at.min() <= side + bend for (at, side), bend in zip(sides, bends))
 
     def _seen(self, part: PixelWindow, height: np.ndarray, count: int = 0) -> tuple[np.ndarray, np.ndarray]:
         """(rows, columns), or ``count`` places a side: where the photo shows places at their ``height``, or NaN."""

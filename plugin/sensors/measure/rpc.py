@@ -29,10 +29,8 @@ RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit:
 MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
 _Used = tuple[int, ...]
 _TRIALS: dict[str, tuple[tuple[_Used, _Used], ...]] = {
-    "shift": (((0,), (0,)),),
-    "shift_drift": (((0, 2), (0,)), ((0,), (0, 2))),
-    "affine": (((0, 1, 2), (0, 1, 2)),),
-}
+    "shift": (((0,), (0,)),), "shift_drift": (((0, 2), (0,)), ((0,), (0, 2))), "affine": (((0, 1, 2), (0, 1, 2)),),
+}  # fmt: skip
 """Which of constant, column and row the corrections of column and row use; of several the one that fits best."""
 _OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
 _COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
