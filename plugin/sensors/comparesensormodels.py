@@ -45,7 +45,7 @@ class CompareSensorModels(SensorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from .measure import adjustment
         from .measure.heights import is_flat
-        from .measure.point_checks import control_coverage, coverage_warnings
+        from .measure.points import control_coverage, coverage_warnings
         from .point_tables import MODELS
 
         image = self._image()
@@ -67,10 +67,8 @@ class CompareSensorModels(SensorAlgorithm):
 
             save_comparison_report(path, result, notices)
 
+        name = result.recommended.request.name if result.recommended is not None else ""
         return {
-            OUTPUT: output,
-            RECOMMENDED: result.recommended.request.name if result.recommended is not None else "",
-            RECOMMENDATION: sentence(result.reason),
-            MODEL_COUNT: sum(row.errors is not None for row in result.rows),
-            **run.save(common.REPORT, write_report),
-        }
+            OUTPUT: output, RECOMMENDED: name, RECOMMENDATION: sentence(result.reason),
+            MODEL_COUNT: sum(row.errors is not None for row in result.rows), **run.save(common.REPORT, write_report),
+        }  # fmt: skip

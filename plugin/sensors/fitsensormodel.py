@@ -112,8 +112,8 @@ class FitSensorModel(SensorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from . import point_tables
         from .measure.adjustment import adjust
-        from .measure.fit_files import FitFiles
-        from .measure.point_checks import control_coverage, coverage_warnings
+        from .measure.fit_files import FitFiles, view_direction
+        from .measure.points import control_coverage, coverage_warnings
 
         image = self._image()
         rpc = self._rpc(run, IMAGE_RPC, image)
@@ -129,7 +129,7 @@ class FitSensorModel(SensorAlgorithm):
             (column, row), *_ = biases = files.rpc_bias.tolist()
             most = max(math.hypot(*bias) for bias in biases)
             notices.append(messages.RPC_BIAS_FOUND(columns=column, rows=row, most=most))
-        view = files.view
+        view = view_direction(done.fitted.model, points.wkt, files.domain)
         if view is not None:
             notices.append(view.told(run.real(TERRAIN_ERROR)))
         run.tell(*notices)
@@ -199,9 +199,8 @@ class FitSensorModel(SensorAlgorithm):
 def _described(kind: registry.ModelKind) -> str:
     """What a model is and how many points it needs."""
     fewest = ", ".join(f"{one.fewest} ({one.name})" if one.name else str(one.fewest) for one in kind.variants)
-    return filled(tr("{model}: {title}; needs at least {fewest} control points."),
-        model=kind.name, title=tr(MODEL_TITLES[kind.name]), fewest=fewest
-    )
+    words = tr("{model}: {title}; needs at least {fewest} control points.")
+    return filled(words, model=kind.name, title=tr(MODEL_TITLES[kind.name]), fewest=fewest)
 
 
 def _errors_told(group: str, errors: Accuracy) -> str:

@@ -193,7 +193,7 @@ class Orthorectify(OrthoAlgorithm):
         if is_photo:
             frame = self._block(run, run.path(EXTERIOR)).frame(image)
             run.tell(*frame.notices)
-            return frame.sight
+            return frame[:4]
         datum = height_datums(run, DEM_HEIGHTS, EXTERIOR_HEIGHTS)[0]
         if path:
             file = load_model(Path(path))

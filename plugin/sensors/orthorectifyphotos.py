@@ -80,7 +80,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 image = open_image(RasterRef(str(photo.path)))
                 frame = block.frame(image, photo.name)
                 run.tell_once(frame.notices)
-                request = self._request(run, image.ref, frame.sight, photo.ortho)
+                request = self._request(run, image.ref, frame[:4], photo.ortho)
                 request = replace(request, target_wkt=request.target_wkt or wkt, pixel_size=request.pixel_size or size)
                 tell = partial(lambda done, share: run.progress((done + share) / len(photos)), number)
                 made = orthorectify(request, tell, run.is_cancelled)

@@ -106,8 +106,8 @@ class PlanPoints(SensorAlgorithm):
         return {OUTPUT: output}
 
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:
-        from .measure.point_checks import HIGHEST_M, LOWEST_M
         from .measure.point_planning import nominal_scene, scene_of_rpc
+        from .measure.points import HIGHEST_M, LOWEST_M
 
         low, high = run.real(LOWEST), run.real(HIGHEST)
         if not LOWEST_M <= low <= high <= HIGHEST_M:

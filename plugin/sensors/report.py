@@ -16,8 +16,7 @@ from ..toolkit.charts.figure_files import new_figure, svg_text
 from ..toolkit.pages.templates import HowMeasured, save_page, sentences_once, system_name
 from ..toolkit.translation import filled, formatted, sentence, tr
 from .measure.adjustment import LEAVE_ONE_OUT, Accuracy, Adjustment, Comparison
-from .measure.point_checks import ControlCoverage, ImageBox
-from .measure.registry import Variant
+from .measure.points import ControlCoverage, ImageBox
 
 _CONTROL, _CHECK, _BLUNDER, _QUIET = "#0072b2", "#d55e00", "#cc3311", "#57606a"
 _ARROWS: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1, "width": 0.0032, "headwidth": 3.5}
@@ -118,9 +117,12 @@ def save_fit_report(
         )
         for index in np.argsort(-np.linalg.norm(done.residuals_m, axis=1))[:_MOST_POINTS]  # the largest first
     ]  # fmt: skip
+    variant = done.request.variant
+    words = tr("{count}, held by priors") if variant.with_priors else "{count}"
     save_page(
         path, "sensor_model", HowMeasured([(tr("reference system of the points"), system_name(done.points.wkt))]),
-        name=done.request.name, unknowns=_unknowns(done.request.variant), control_count=done.control.count,
+        name=done.request.name, unknowns=filled(words, count=variant.with_priors or variant.unknowns),
+        control_count=done.control.count,
         notices=sentences_once(one for one in notices if one.level is WARNING),
         notes=sentences_once(one for one in notices if one.level is not WARNING),
         iterations=done.fitted.iterations, condition=done.fitted.condition, sigma=_number(done.sigma_px, "px"),
@@ -142,11 +144,6 @@ def save_comparison_report(path: Path, result: Comparison, notices: Sequence[Mes
         is_leave_one_out=result.method == LEAVE_ONE_OUT,
         doubtful=[(name, sentence(row.reason)) for name, row in rows if row.reason is not None],
     )  # fmt: skip
-
-
-def _unknowns(variant: Variant) -> str:
-    words = tr("{count}, held by priors") if variant.with_priors else "{count}"
-    return filled(words, count=variant.with_priors or variant.unknowns)
 
 
 def _errors(errors: Accuracy) -> list[object]:

@@ -28,8 +28,7 @@ if TYPE_CHECKING:
     from ..imagery.open_raster import OpenRaster
     from .measure.fit_files import ViewDirection
     from .measure.heights import Datum
-    from .measure.point_checks import ImageBox
-    from .measure.points import Points
+    from .measure.points import ImageBox, Points
     from .measure.polynomials import Rational
     from .measure.registry import ModelRequest
 
@@ -170,8 +169,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     ) -> Points:
         """With roles, and heights where the model (None: any) needs them, held against the image's own ``rpc``."""
         from .measure.heights import with_heights
-        from .measure.point_checks import check_against_rpc, check_inside, check_plausible
-        from .measure.points import choose_check_points
+        from .measure.points import check_against_rpc, check_inside, check_plausible, choose_check_points
 
         share = run.real(CHECK_SHARE)
         if not 0 <= share <= MOST_CHECK_SHARE:
@@ -222,11 +220,11 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _rpc(self, run: Run, name: str, image: OpenRaster | None) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
-        from .measure.rpc import own_rpc, read_rpc, rpc_metadata, rpc_of_image_part
+        from .measure.rpc import own_rpc, read_rpc, rpc_of_image_part
 
         path = run.path(name)
         rpc = read_rpc(Path(path)) if path else own_rpc(image) if image is not None else None
-        if rpc is None or image is None or (not path and rpc_metadata(image)):
+        if rpc is None or image is None or (not path and image.dataset.GetMetadata("RPC")):
             return rpc
         rpc, notice = rpc_of_image_part(rpc, image.raster)
         if notice is not None:

@@ -73,9 +73,7 @@ class Accuracy:
     @property
     def rmse(self) -> float | None:
         """Of both coordinates together, m."""
-        if self.rmse_x is None or self.rmse_y is None:
-            return None
-        return float(np.hypot(self.rmse_x, self.rmse_y))
+        return None if self.rmse_x is None or self.rmse_y is None else float(np.hypot(self.rmse_x, self.rmse_y))
 
 
 @dataclass(frozen=True)
@@ -130,7 +128,9 @@ def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjus
     residuals_px = project(fitted, points) - points.image
     if not np.isfinite(residuals_px).all():
         raise SensorModelError(messages.NOT_INVERTED())
-    sigma = _sigma(fitted, residuals_px[~points.check][kept] * _relative(control)[kept, None])
+    weighted = residuals_px[~points.check][kept] * _relative(control)[kept, None]
+    redundancy = weighted.size - fitted.unknowns
+    sigma = float(np.sqrt(np.sum(weighted**2) / redundancy)) if redundancy > 0.5 else np.nan
     if robust and points.check.any():
         blunder[points.check] = _check_blunders(residuals_px[points.check], sigma)
     return Adjustment(request, points, fitted, residuals_px, _on_ground(fitted, points), blunder, sigma)
@@ -160,11 +160,6 @@ def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
 def _relative(points: Points) -> np.ndarray:
     """(n,) weights of points relative to their median: residuals times these are alike."""
     return points.weights / np.median(points.weights)
-
-
-def _sigma(fitted: FittedModel, residuals: np.ndarray) -> float:
-    redundancy = residuals.size - fitted.unknowns
-    return float(np.sqrt(np.sum(residuals**2) / redundancy)) if redundancy > 0.5 else np.nan
 
 
 def _without_blunders(request: ModelRequest, control: Points) -> np.ndarray:

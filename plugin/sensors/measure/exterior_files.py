@@ -275,24 +275,25 @@ def _patb_photos(content: str) -> Named:
     photos: Named = []
     while len(records) > 2:
         first = records.pop(0)
-        values: list[float | None] = []
-        while records and len(values) < 9:
-            values += [_number(word) for word in records.pop(0)]
-        position = [_number(word) for word in first[-3:]]
-        if len(first) not in (4, 5) or len(values) != 9 or None in values or None in position:
+        words = first[-3:]
+        while records and len(words) < 12:
+            words += records.pop(0)
+        values = _numbers(words)
+        if len(first) not in (4, 5) or len(values) != 12:
             return []
         told = (messages.ROTATION_TAKEN(name=first[0], way="PATB"),)
-        turn = np.reshape(np.array(values, float), (3, 3))
-        photos.append((first[0], partial(FrameExterior, np.array(position, float), turn @ _DOWN, notices=told)))
+        turn = np.reshape(values[3:], (3, 3)) @ _DOWN
+        photos.append((first[0], partial(FrameExterior, np.array(values[:3]), turn, notices=told)))
     return photos
 
 
-def _number(word: str) -> float | None:
-    """With a decimal point or comma."""
+def _numbers(words: Iterable[str]) -> list[float]:
+    """With decimal points or commas; empty where one is none."""
     try:
-        return float(word.strip().replace(",", "."))
+        values = [float(word.replace(",", ".")) for word in words]
     except ValueError:
-        return None
+        return []
+    return values if all(map(math.isfinite, values)) else []
 
 
 def _table_photos(content: str, path: Path, angles: str) -> Named:
@@ -315,12 +316,12 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
         notices = (messages.ANGLES_PERHAPS_RADIANS(name=path.name),)
     elif not unit and largest > 180:
         notices = (messages.ANGLES_PERHAPS_GON(name=path.name, angle=largest),)
-    system = _named_system(lines[:start])
+    named = re.search(r"(PROJCS|COMPD_CS|PROJCRS)\[.*\]", "\n".join(lines[:start]))  # in a comment, as by Metashape
 
     def exterior(cells: list[str], numbers: list[float]) -> FrameExterior:
         axes = camera_axes(*(np.array(numbers[3:]) * _IN_DEGREES[unit or DEGREES]).tolist())
         camera = cells[fields["camera"]] if "camera" in fields else ""
-        return FrameExterior(np.array(numbers[:3]), axes, camera, system, notices=notices)
+        return FrameExterior(np.array(numbers[:3]), axes, camera, named[0] if named else "", notices=notices)
 
     return [(row[0][fields["filename"]], partial(exterior, *row)) for row in rows]
 
@@ -345,12 +346,6 @@ def _angle_unit(lines: Iterable[str]) -> str:
     return found[0] if len(found) == 1 else ""
 
 
-def _named_system(lines: Iterable[str]) -> str:
-    """The reference system that a comment above a table names: a WKT, as Metashape writes it."""
-    found = re.search(r"(PROJCS|COMPD_CS|PROJCRS)\[.*\]", "\n".join(lines))
-    return found[0] if found else ""
-
-
 def _rows(lines: Sequence[str], fields: dict[str, int], count: int) -> list[tuple[list[str], list[float]]]:
     """The cells of each row with its six numbers, parted as its first row asks. Raises ValueError without rows."""
     places = [fields[name] for name in _FIELDS[1:]]
@@ -367,6 +362,5 @@ def _row(line: str, parted: str, places: Sequence[int], count: int) -> tuple[lis
     cells = [cell.strip() for cell in next(csv.reader([line.strip()], delimiter=parted, quotechar=quote))]
     cells = [cell for cell in cells if cell] if parted == " " else cells
     is_whole = len(cells) > max(places) and count in (0, len(cells))
-    numbers = [_number(cells[place]) for place in places] if is_whole else []
-    values = [one for one in numbers if one is not None and math.isfinite(one)]
-    return (cells, values) if len(values) == len(places) else None
+    values = _numbers(cells[place] for place in places) if is_whole else []
+    return (cells, values) if values else None

@@ -18,8 +18,7 @@ from ...imagery.open_raster import OpenRaster
 from ...imagery.reference_systems import metres_per_unit
 from . import messages, registry
 from .adjustment import Adjustment
-from .point_checks import ImageBox
-from .points import write_point_file
+from .points import ImageBox, write_point_file
 from .rpc import BiasedRpc, Domain, RpcOfModel, located, rpc_heights, rpc_of, write_image_with_rpc, write_rpc
 from .sensor_model import WGS84, SensorModel, file_content
 
@@ -145,11 +144,6 @@ class FitFiles:
     @cached_property
     def _rpc(self) -> RpcOfModel:
         return rpc_of(self.done.fitted.model, self.done.points.wkt, self.domain)
-
-    @property
-    def view(self) -> ViewDirection | None:
-        """The line of sight."""
-        return view_direction(self.done.fitted.model, self.done.points.wkt, self.domain)
 
     @property
     def rpc_bias(self) -> np.ndarray | None:

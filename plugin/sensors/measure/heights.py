@@ -19,13 +19,12 @@ from ...imagery.reference_systems import (
     extent_on,
     heights_above_ellipsoid,
     is_geographic,
-    metres_per_unit,
     transform_points,
     vertical_code,
     vertical_part,
 )
 from . import limits, messages
-from .points import Points
+from .points import HIGHEST_M, LOWEST_M, Points
 from .sensor_model import WGS84, Scaling, bounding_box, least_squares, reprojected
 
 AUTO, ELLIPSOID, EGM96, EGM2008, GEOID = limits.HEIGHT_DATUMS
@@ -33,7 +32,6 @@ VERTICAL = {EGM96: "EPSG:5773", EGM2008: "EPSG:3855"}
 MAX_UNDULATION_M = 120.0  # the geoid stays within -107 and +86 m of the ellipsoid
 TURN = 360.0  # degrees of longitude
 MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
-LOWEST_M, HIGHEST_M = -12_000.0, 10_000.0  # the deepest sea, the highest mountain
 UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
 FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain
 
@@ -158,12 +156,6 @@ class Terrain:
     step: tuple[float, float]  # map units per column and per row; the second is negative
     heights: np.ndarray  # (rows, columns) float32, m; NaN where there are none
     notices: tuple[Message, ...]
-
-    def mesh_m(self) -> tuple[float, float]:
-        """The shorter and the longer side of a mesh on the ground, m."""
-        middle = self.origin[1] + self.step[1] * self.heights.shape[0] / 2
-        sides = np.abs(np.multiply(self.step, metres_per_unit(self.wkt, middle)))
-        return float(sides.min()), float(sides.max())
 
     def at(self, geographic: np.ndarray) -> np.ndarray:
         """Bilinear heights (n,) at longitudes and latitudes (n, 2 or more); NaN where there are none."""

@@ -5,6 +5,7 @@ import os
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,8 +19,9 @@ from . import messages
 from .camera_files import Cameras, document, orientation_file, read_cameras
 from .exterior_files import AUTO, Exteriors, read_exteriors
 from .frames import FrameCamera
-from .heights import ELLIPSOID, HIGHEST_M, LOWEST_M, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
+from .heights import ELLIPSOID, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
 from .limits import EXTERIOR_DATUMS
+from .points import HIGHEST_M, LOWEST_M
 from .rpc import Domain
 from .sensor_model import WGS84, reprojected
 
@@ -43,8 +45,7 @@ class FrameFiles:
     angles: str = AUTO  # what the angles of a table are in: one of ``limits.ANGLE_UNITS``
 
 
-@dataclass(frozen=True)
-class OrientedFrame:
+class OrientedFrame(NamedTuple):
     """A photo's camera on the ground."""
 
     camera: FrameCamera
@@ -52,11 +53,6 @@ class OrientedFrame:
     domain: Domain
     terrain_datum: Datum  # what the terrain model's heights are to be taken as: the camera's are of the same kind then
     notices: tuple[Message, ...]
-
-    @property
-    def sight(self) -> tuple[FrameCamera, str, Domain, Datum]:
-        """All but the notices."""
-        return self.camera, self.wkt, self.domain, self.terrain_datum
 
 
 @dataclass(frozen=True)

@@ -20,12 +20,12 @@ from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import GEOTIFF, raster_writer, whole_raster
 from ...imagery.rasters import Raster, RasterRef
-from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt
+from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_unit, transform_points, utm_wkt
 from . import limits, messages
 from .frames import FrameCamera
 from .heights import Datum, Terrain, constant_terrain, load_terrain
 from .photo_warp import MapGrid, PhotoWarp
-from .point_checks import HIGHEST_M, LOWEST_M
+from .points import HIGHEST_M, LOWEST_M
 from .polynomials import Rational
 from .rpc import CREATION, Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
 from .sensor_model import WGS84, Map, SensorModel, bounding_box, reprojected
@@ -61,7 +61,8 @@ def uncovered_share(image: OpenRaster, project: Map, terrain: Terrain, footprint
 
 def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
     """What is to be said of meshes beyond those that the paper found to serve; aerial photos may need finer ones."""
-    shorter, longer = terrain.mesh_m()
+    middle = terrain.origin[1] + terrain.step[1] * terrain.heights.shape[0] / 2
+    shorter, longer = sorted(np.abs(np.multiply(terrain.step, metres_per_unit(terrain.wkt, middle))).tolist())
     if terrain.name and longer > COARSEST_MESH_M:  # a constant height has no name
         return [messages.MESH_COARSE(name=terrain.name, mesh=longer)]
     if terrain.name and shorter < FINEST_MESH_M and not of_photo:
@@ -172,9 +173,8 @@ def orthorectify(
 
 def rpc_domain(rpc: Rational, image: Raster) -> Domain:
     """Where an image's own RPC is used: over the image, at the heights it was made for."""
-    height, half = float(rpc.ground.offset[2]), float(rpc.ground.scale[2])
-    middle = (float(rpc.ground.offset[0]), float(rpc.ground.offset[1]))
-    return Domain((0, image.columns), (0, image.rows), (height - half, height + half), middle)
+    (x, y, height), half = rpc.ground.offset.tolist(), float(rpc.ground.scale[2])
+    return Domain((0, image.columns), (0, image.rows), (height - half, height + half), (x, y))
 
 
 def _seen_by(request: OrthoRequest, domain: Domain) -> tuple[SensorModel, str, Domain, RpcOfModel | None]:
@@ -220,11 +220,8 @@ def _plan(request: OrthoRequest) -> _Plan:
     if rpc is not None and rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
         rpc = rpc_of(model, request.wkt, replace(domain, heights=(float(heights.min()), float(heights.max()))))
     footprint = np.column_stack([ground[:, :2], heights])
-
-    def project(ground: np.ndarray) -> np.ndarray:
-        return seen_by.project(reprojected(ground, WGS84, wkt))
-
-    return _Plan(image, rpc, terrain, footprint, uncovered_share(image, project, terrain, footprint))
+    uncovered = uncovered_share(image, lambda at: seen_by.project(reprojected(at, WGS84, wkt)), terrain, footprint)
+    return _Plan(image, rpc, terrain, footprint, uncovered)
 
 
 def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
@@ -261,7 +258,7 @@ def _heights(terrain: Terrain) -> Iterator[str]:
             file.GetRasterBand(1).SetNoDataValue(_NO_HEIGHT)
         for first in range(0, rows, _STRIP_ROWS):  # strips: a second copy of the whole costs as much as GDAL's own
             strip = terrain.heights[first : first + _STRIP_ROWS]
-            file.GetRasterBand(1).WriteArray(np.where(np.isfinite(strip), strip, np.float32(_NO_HEIGHT)), 0, first)
+            file.WriteArray(np.where(np.isfinite(strip), strip, np.float32(_NO_HEIGHT)), 0, first)
         file = None
     del terrain
     try:
@@ -311,10 +308,8 @@ def _warp_photo(
 ) -> None:
     image = open_image(request.image)
     nodata = 0.0 if image.nodata is None else image.nodata
-    made = replace(
-        image.raster, columns=grid.columns, rows=grid.rows, geotransform=grid.geotransform,
-        own_wkt=horizontal_wkt(grid.wkt),
-    )  # fmt: skip
+    transform, wkt = grid.geotransform, horizontal_wkt(grid.wkt)
+    made = replace(image.raster, columns=grid.columns, rows=grid.rows, geotransform=transform, own_wkt=wkt)
     names, kind = made.band_names, np.dtype(made.data_type)
     assert isinstance(request.model, FrameCamera)
     photo = PhotoWarp(image, request.model, request.wkt, open_dataset(heights, RASTERS), grid)

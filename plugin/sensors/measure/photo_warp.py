@@ -251,10 +251,11 @@ class PhotoWarp:
             x, y = grid.left + columns * grid.pixel_width, grid.top - rows[:, None] * grid.pixel_height
             return self.camera.seen(x, y, height, np.float32)
         knots = [np.append(np.arange(side[0], side[-1], _KNOT_PX), side[-1]) for side in (columns, rows)]
-        at = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
-        coarse = transform_points(at, self.grid.wkt, self.wkt).T.reshape(2, len(knots[1]), len(knots[0]))
-        across, down = (_interpolation(knot, side) for knot, side in zip(knots, (columns, rows)))
-        x, y = down @ coarse @ across.T
+        places = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
+        coarse = transform_points(places, self.grid.wkt, self.wkt).T.reshape(2, len(knots[1]), len(knots[0]))
+        sides = zip((columns, rows), knots)  # between which it is linear
+        across, down = (np.stack([np.interp(side, at, one) for one in np.eye(len(at))]) for side, at in sides)
+        x, y = down.T @ coarse @ across
         return self.camera.seen(x, y, height, np.float32)
 
     def _step_px(self) -> tuple[float, float]:
@@ -269,8 +270,3 @@ class PhotoWarp:
         known = np.isfinite(changes).all(axis=(0, 2))
         along = np.median(np.linalg.norm(changes[:, known], axis=0), axis=0) if known.any() else np.ones(2)
         return float(along[0]), float(along[1])
-
-
-def _interpolation(knots: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """(places, knots) weights of linear interpolation."""
-    return np.stack([np.interp(places, knots, one) for one in np.eye(len(knots))], axis=1)

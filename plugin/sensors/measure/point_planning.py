@@ -124,9 +124,7 @@ def expected_accuracies(
                 reason = reason or error.message
             progress((number + (draw + 1) / draws) / len(counts))
         failed = int(np.count_nonzero(~np.isfinite(errors).all(axis=1)))
-        (usual, most), (check_usual, check_most) = (
-            [_at_most(column, share) for share in (_USUAL, _MOST)] for column in errors.T
-        )
+        usual, most, check_usual, check_most = (_at_most(one, share) for one in errors.T for share in (_USUAL, _MOST))
         yield ExpectedAccuracy(count, failed, usual, most, check_usual, check_most, reason)
 
 

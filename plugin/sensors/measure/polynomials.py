@@ -94,21 +94,17 @@ class Dlt(SensorModel):
         return Rational(1, self.ground, self.image, numerators, np.column_stack([of_column, of_row / of_row[0]]))
 
 
-def fit_rational(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
-    """Fit by iterated least squares, each step divided by the last one's denominator; ``weights`` (n,) 1 / standard
-    deviation. Source: Tao and Hu, A comprehensive study of the rational function model, 2001 (without their ridge)."""
-    return _fit_quotients(ground, image, weights, order)
-
-
 def fit_chosen_terms(ground: np.ndarray, image: np.ndarray, weights: np.ndarray) -> FittedModel:
     """Fit of order 2: linear numerators, and of other terms those that an F-test finds significant, one by one."""
-    return _fit_quotients(ground, image, weights, CHOSEN_ORDER, _significant_terms)
+    return fit_rational(ground, image, weights, CHOSEN_ORDER, _significant_terms)
 
 
-def _fit_quotients(
+def fit_rational(
     ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int, choose: _Choice | None = None
 ) -> FittedModel:
-    """``choose`` tells which columns of a design matrix are taken; all without it."""
+    """Fit by iterated least squares, each step divided by the last one's denominator; ``weights`` (n,) 1 / standard
+    deviation; ``choose`` tells which columns of a design matrix are taken. Source: Tao and Hu, A comprehensive study of
+    the rational function model, 2001 (without their ridge)."""
     scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
     terms, scaled = terms_3d(scale_g.to(ground), order), scale_i.to(image)
     count = terms.shape[1]

@@ -131,7 +131,8 @@ def fit_pushbroom(
     for _ in range(MAX_SIGMA_ROUNDS if estimate_sigma else 1):
         done = _adjusted(model, places, image, sigma_px * factor)
         model, iterations = done.model, iterations + done.iterations
-        unknowns = _determined(done.jacobian, sigma_px * factor)
+        singular = np.linalg.svd(done.jacobian / np.repeat(sigma_px * factor, 2)[:, None], compute_uv=False)
+        unknowns = float(np.sum(singular**2 / (1 + singular**2)))  # by the points, not by the priors: each by its share
         redundancy = max(done.residuals.size - unknowns, MIN_REDUNDANCY)
         misfit = float(np.sqrt(np.sum((done.residuals / np.repeat(sigma_px, 2)) ** 2) / redundancy))
         before, factor = factor, max(misfit, limits.MIN_SIGMA_PX)
@@ -214,9 +215,3 @@ def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tupl
     changed = (replace(model, unknowns=one) for one in model.unknowns + PUSHBROOM_DIFFERENCE * np.eye(len(SIGMAS)))
     moved = np.column_stack([stepped(*one.in_line(places, image[:, 1])) for one in changed])
     return residuals, (moved - residuals[:, None]) / PUSHBROOM_DIFFERENCE
-
-
-def _determined(jacobian: np.ndarray, sigma_px: np.ndarray) -> float:
-    """How many of the unknowns the points determine, the priors the others: each by its share."""
-    singular = np.linalg.svd(jacobian / np.repeat(sigma_px, 2)[:, None], compute_uv=False)
-    return float(np.sum(singular**2 / (1 + singular**2)))

@@ -47,11 +47,6 @@ def open_image(ref: RasterRef) -> OpenRaster:
     return OpenRaster(ref, complex_values=True)
 
 
-def rpc_metadata(image: OpenRaster) -> dict[str, str]:
-    """GDAL's metadata domain RPC; empty where the image has none."""
-    return dict(image.dataset.GetMetadata("RPC") or {})
-
-
 def satellite_name(image: OpenRaster) -> str:
     """What the metadata call the satellite; may be empty."""
     about = {**(image.dataset.GetMetadata() or {}), **(image.dataset.GetMetadata("IMAGERY") or {})}
@@ -297,7 +292,7 @@ def _rpb_items(text: str) -> dict[str, str]:
 
 def own_rpc(image: OpenRaster) -> Rational | None:
     """The RPC that goes with an image: GDAL's, or that of OSSIM's ``.geom`` beside it. Raises SensorModelError."""
-    metadata = rpc_metadata(image)
+    metadata = image.dataset.GetMetadata("RPC")
     if metadata:
         return from_metadata(metadata, image.ref.name)
     beside = Path(image.ref.path).with_suffix(".geom")
