@@ -203,7 +203,8 @@ class PhotoWarp:
         values, sound = resampler.at(bands, valid, column - left, row - top)
         if target.dtype.kind in "iu":
             limits = np.iinfo(target.dtype)
-            np.clip(np.rint(values, out=values), limits.min, limits.max, out=values)
+            if values.dtype.kind == "f":  # the nearest pixels are whole
+                np.clip(np.rint(values, out=values), limits.min, limits.max, out=values)
             values[:, (values == nodata).all(axis=0)] = nodata + (1 if nodata < limits.max else -1)  # dark, not missing
         if not sound.all():
             shown[shown] = sound
