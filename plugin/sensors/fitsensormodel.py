@@ -189,10 +189,10 @@ class FitSensorModel(SensorAlgorithm):
             notices.append(messages.TERMS_KEPT(terms=terms_told(fitted.model)))
         if done.check.count == 0:
             notices.append(messages.CHECK_POINTS_MISSING())
-        is_found = done.blunder.any()
-        told = messages.BLUNDERS_FOUND if is_found else messages.BLUNDERS_POSSIBLE
-        if names := done.points.named(done.blunder if is_found else suspects(done)):
-            notices.append(told(count=len(names), names=", ".join(names[:20])))
+        if names := done.points.named(done.blunder):
+            notices.append(messages.BLUNDERS_FOUND(count=len(names), names=", ".join(names[:20])))
+        elif names := done.points.named(suspects(done)):
+            notices.append(messages.BLUNDERS_POSSIBLE(count=len(names), names=", ".join(names[:20])))
         return notices
 
 

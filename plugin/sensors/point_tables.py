@@ -75,9 +75,9 @@ def layer_points(
     images: set[str] = set()
     for row in attributes(features(source), names):
         if of_orthority:
-            images.add(text(row["filename"]))
-            if not _is_of(text(row["filename"]), image_name):
-                continue
+            images.add(named := text(row["filename"]))
+            if named and image_name and Path(named).stem.lower() != Path(image_name).stem.lower():
+                continue  # folders and endings do not count, as with orthority
         name = text(row["id"]) or str(row.feature.id())
         role = text(row["role"]).lower()
         numbers = _numbers(row, _orthority_place(row["ji"]) if of_orthority else None)
@@ -95,11 +95,6 @@ def layer_points(
     values, check = np.array(found), np.array([role == CHECK for role in roles])
     points = control_points(ids, values[:, 0:2], values[:, 2:5], system_wkt(source.sourceCrs()))
     return replace(points, sigma_px=values[:, 5], check=check, heights_wkt=heights), any(roles), notices
-
-
-def _is_of(named: str, image_name: str) -> bool:
-    """Whether a point that names an image is of this one; folders and endings do not count, as with orthority."""
-    return not named or not image_name or Path(named).stem.lower() == Path(image_name).stem.lower()
 
 
 def _orthority_place(value: object) -> tuple[float, float]:

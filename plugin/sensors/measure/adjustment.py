@@ -49,12 +49,16 @@ def _check_spread(request: ModelRequest, points: Points) -> None:
         return  # a model of so few points asks for no extent
     in_image = request.kind.corrects_rpc
     places = points.image if in_image else points.ground
-    for count, told in ((2, messages.POINTS_ON_A_LINE), (3, messages.POINTS_ON_A_PLANE)):
-        if count == 2 or (request.needs_heights and not in_image):
-            linear = np.column_stack([np.ones(len(places)), Scaling.of(places).to(places)[:, :count]])
-            fit = least_squares(linear, places[:, 0])
-            if fit.rank <= count or fit.condition > limits.MAX_LINEAR_CONDITION:
-                raise SensorModelError(told(model=request.name))
+
+    def is_open(axes: int) -> bool:
+        linear = np.column_stack([np.ones(len(places)), Scaling.of(places).to(places)[:, :axes]])
+        fit = least_squares(linear, places[:, 0])
+        return fit.rank <= axes or fit.condition > limits.MAX_LINEAR_CONDITION
+
+    if is_open(2):
+        raise SensorModelError(messages.POINTS_ON_A_LINE(model=request.name))
+    if request.needs_heights and not in_image and is_open(3):
+        raise SensorModelError(messages.POINTS_ON_A_PLANE(model=request.name))
 
 
 @dataclass(frozen=True)

@@ -103,7 +103,10 @@ class ViewDirection:
 
     def told(self, terrain_error_m: float) -> Message:
         """In words, for an error of the terrain's heights."""
-        return messages.VIEW_TOLD(**vars(self), error=terrain_error_m, shift=self.shift_m(terrain_error_m))
+        return messages.VIEW_TOLD(
+            angle=self.angle, azimuth=self.azimuth, largest=self.largest, error=terrain_error_m,
+            shift=self.shift_m(terrain_error_m),
+        )  # fmt: skip
 
 
 def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirection | None:
