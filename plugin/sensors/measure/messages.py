@@ -269,7 +269,6 @@ PLAN_DRAWS_FAILED = Message("With {count} control points {failed} draws failed a
 # the recommendation
 RECOMMENDED = Message(
     "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). {why}", INFO)
-# why
 RECOMMEND_PUSHBROOM = Message("A parametric model needs few points and does not swing between them.", INFO)
 RECOMMEND_RPC_BIAS = Message("The vendor's RPC holds the image's geometry and a few points remove its offset.", INFO)
 RECOMMEND_RATIONAL = Message(

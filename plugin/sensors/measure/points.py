@@ -88,10 +88,9 @@ class Points:
 
 def control_points(ids: Sequence[str], image: np.ndarray, ground: np.ndarray, wkt: str) -> Points:
     """Points of which nothing else is known: none for check, and no heights where ``ground`` is (n, 2)."""
-    count = len(ids)
-    if ground.shape[1] == 2:
-        ground = np.column_stack([ground, np.full(count, np.nan)])
-    return Points(tuple(ids), image, ground, wkt, np.full(count, np.nan), np.zeros(count, bool))
+    unknown = np.full(len(ids), np.nan)
+    ground = ground if ground.shape[1] > 2 else np.column_stack([ground, unknown])
+    return Points(tuple(ids), image, ground, wkt, unknown, np.zeros(len(ids), bool))
 
 
 def choose_check_points(points: Points, share: float) -> Points:
@@ -142,6 +141,8 @@ def file_points(path: Path, wkt: str, geotransform: Sequence[float] | None) -> t
         try:
             parts = next(csv.reader([line]))
             values = [float(parts[index]) for index in indices]
+            if not np.isfinite(values).all():
+                raise ValueError
         except (ValueError, IndexError, csv.Error):
             raise SensorModelError(messages.POINTS_LINE_UNREADABLE(name=path.name, line=number)) from None
         if enable < 0 or len(parts) <= enable or parts[enable].strip().lower() not in ("0", "false", ""):
@@ -315,8 +316,12 @@ class ControlCoverage:
 
 def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
     """What part of an image (n, 2) control points cover."""
-    places = ", ".join(f"{x!r} {y!r}" for x, y in control.tolist())
-    hull = ogr.CreateGeometryFromWkt(f"MULTIPOINT ({places})").ConvexHull()
+    places = ogr.Geometry(ogr.wkbMultiPoint)
+    for x, y in control.tolist():
+        place = ogr.Geometry(ogr.wkbPoint)
+        place.AddPoint_2D(x, y)
+        places.AddGeometry(place)
+    hull = places.ConvexHull()
     corners = hull.GetGeometryRef(0) if hull.GetGeometryType() == ogr.wkbPolygon else hull
     outline = np.array(corners.GetPoints() or np.zeros((0, 2)))[:, :2]
     box = ogr.CreateGeometryFromWkt("POLYGON (({0} {1}, {2} {1}, {2} {3}, {0} {3}, {0} {1}))".format(*image))

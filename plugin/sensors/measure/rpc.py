@@ -292,8 +292,7 @@ def _rpb_items(text: str) -> dict[str, str]:
 
 def own_rpc(image: OpenRaster) -> Rational | None:
     """The RPC that goes with an image: GDAL's, or that of OSSIM's ``.geom`` beside it. Raises SensorModelError."""
-    metadata = image.dataset.GetMetadata("RPC")
-    if metadata:
+    if metadata := image.dataset.GetMetadata("RPC"):
         return from_metadata(metadata, image.ref.name)
     beside = Path(image.ref.path).with_suffix(".geom")
     return read_rpc(beside) if beside.is_file() else None
