@@ -4,11 +4,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsProcessing, QgsProcessingOutputString, QgsProcessingParameterFeatureSink
+from qgis.core import QgsProcessingOutputString
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
+from ..toolkit.table_fields import column_features, column_fields
 from ..toolkit.translation import sentence, tr
 from .sensor_parameters import IMAGE_RPC, ROBUST, SensorAlgorithm, image_box
 
@@ -32,22 +33,20 @@ class CompareSensorModels(SensorAlgorithm):
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
         self.addFittingParameters()
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Models"), QgsProcessing.SourceType.TypeVector),
-            tr("One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."),
-        )
-        self.addDescribed(
-            *common.report(tr("The table with a chart and the recommendation."), tr("HTML files (*.html)"))
-        )
+        self.addTable(OUTPUT, tr("Models"), tr(
+            "One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."
+        ))
+        report = tr("The table with a chart and the recommendation.")
+        self.addDescribed(*common.report(report, tr("HTML files (*.html)")))
         self.addOutput(QgsProcessingOutputString(RECOMMENDED, tr("Recommended model")))
         self.addOutput(QgsProcessingOutputString(RECOMMENDATION, tr("Recommendation with its reason")))
         self.addNumbers({MODEL_COUNT: tr("Models judged")})
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from . import point_tables
         from .measure import adjustment
         from .measure.heights import is_flat
-        from .measure.point_checks import control_coverage, coverage_warnings
+        from .measure.points import control_coverage, coverage_warnings
+        from .point_tables import MODELS
 
         image = self._image()
         rpc = self._rpc(run, IMAGE_RPC, image)
@@ -59,8 +58,8 @@ class CompareSensorModels(SensorAlgorithm):
             points, adjustment.all_requests(rpc, self._orbit_height_m(run, image), size), run.flag(ROBUST),
             is_flat(points), run.progress, run.is_cancelled,
         )
-        sink, output = run.sink(OUTPUT, point_tables.comparison_fields())
-        run.write(sink, point_tables.comparison_features(result))
+        sink, output = run.sink(OUTPUT, column_fields(MODELS))
+        run.write(sink, column_features(MODELS, [(result, row) for row in result.rows]))
         run.tell(result.reason)
 
         def write_report(path: Path) -> None:
@@ -68,10 +67,8 @@ class CompareSensorModels(SensorAlgorithm):
 
             save_comparison_report(path, result, notices)
 
+        name = result.recommended.request.name if result.recommended is not None else ""
         return {
-            OUTPUT: output,
-            RECOMMENDED: result.recommended.request.name if result.recommended is not None else "",
-            RECOMMENDATION: sentence(result.reason),
-            MODEL_COUNT: sum(row.errors is not None for row in result.rows),
-            **run.save(common.REPORT, write_report),
-        }
+            OUTPUT: output, RECOMMENDED: name, RECOMMENDATION: sentence(result.reason),
+            MODEL_COUNT: sum(row.errors is not None for row in result.rows), **run.save(common.REPORT, write_report),
+        }  # fmt: skip

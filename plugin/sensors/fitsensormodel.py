@@ -10,7 +10,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingParameterBoolean,
-    QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
     QgsWkbTypes,
@@ -44,9 +43,7 @@ MODEL_TITLES = {
     "polynomial_2d": QT_TR_NOOP("polynomials of the plane, as in a georeferencer, without heights"),
     "polynomial_3d": QT_TR_NOOP("polynomials of space, without physics"),
     "rational": QT_TR_NOOP("quotients of polynomials as in an RPC, without physics"),
-    "rational_terms": QT_TR_NOOP(
-        "quotients of order 2 at most, without the terms that the points do not support"
-    ),
+    "rational_terms": QT_TR_NOOP("quotients of order 2 at most, without the terms that the points do not support"),
     "dlt": QT_TR_NOOP("the direct linear transformation, without physics"),
     "pushbroom": QT_TR_NOOP("the parametric model of a line scanner"),
     "rpc_bias": QT_TR_NOOP("the RPC that came with the image, corrected"),
@@ -68,57 +65,37 @@ class FitSensorModel(SensorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
-        self.addDescribed(
-            common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name),
-            " ".join(map(_described, registry.KINDS.values())),
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(
-                ORDER, tr("Order"), QgsProcessingParameterNumber.Type.Integer, 1, minValue=1, maxValue=3
-            ),
-            tr("Of polynomials and quotients. Higher orders need many points and swing between them."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterBoolean(DLT_XY, tr("Term a12 xy of the direct linear transformation"), False),
-            tr("Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."),
-        )
-        self.addDescribed(
-            common.choice(BIAS, tr("Correction of the RPC"), _BIASES),
-            tr("For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."),
-        )
+        kinds = common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name)
+        self.addDescribed(kinds, " ".join(map(_described, registry.KINDS.values())))
+        order = QgsProcessingParameterNumber(ORDER, tr("Order"), defaultValue=1, minValue=1, maxValue=3)
+        self.addDescribed(order, tr(
+            "Of polynomials and quotients. Higher orders need many points and swing between them."
+        ))
+        product = QgsProcessingParameterBoolean(DLT_XY, tr("Term a12 xy of the direct linear transformation"), False)
+        self.addDescribed(product, tr(
+            "Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."
+        ))
+        self.addDescribed(common.choice(BIAS, tr("Correction of the RPC"), _BIASES), tr(
+            "For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."
+        ))
         self.addFittingParameters()
         self.addTerrainError()
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Residuals"), QgsProcessing.SourceType.TypeVectorPoint),
-            tr("The points with residuals, model minus measured: in pixels, and in metres at the point's height."),
-        )
+        self.addTable(OUTPUT, tr("Residuals"), tr(
+            "The points with residuals, model minus measured: in pixels, and in metres at the point's height."
+        ), QgsProcessing.SourceType.TypeVectorPoint)
         for name, label, kinds, purpose in (
             (MODEL_FILE, tr("Model file"), tr("Model files (*.json)"), tr("The whole model, for orthorectification.")),
-            (
-                RPC,
-                tr("RPC"),
-                tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
-                tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB."),
-            ),
-            (
-                RPC_IMAGE,
-                tr("Image with the RPC"),
-                tr("GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)"),
-                tr("A copy of the image that carries the model as RPC in its tags, and no other georeference."),
-            ),
-            (
-                POINTS,
-                tr("Points for the georeferencer"),
-                tr("GCP files (*.points)"),
-                tr("The points with their residuals in pixels; check points and blunders are switched off."),
-            ),
-        ):
-            self.addDescribed(
-                QgsProcessingParameterFileDestination(name, label, kinds, optional=True, createByDefault=False), purpose
-            )
-        self.addDescribed(
-            *common.report(tr("Accuracy, warnings and a plot of the residuals."), tr("HTML files (*.html)"))
-        )
+            (RPC, tr("RPC"), tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
+             tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.")),
+            (RPC_IMAGE, tr("Image with the RPC"), tr("GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)"),
+             tr("A copy of the image that carries the model as RPC in its tags, and no other georeference.")),
+            (POINTS, tr("Points for the georeferencer"), tr("GCP files (*.points)"),
+             tr("The points with their residuals in pixels; check points and blunders are switched off.")),
+        ):  # fmt: skip
+            file = QgsProcessingParameterFileDestination(name, label, kinds, optional=True, createByDefault=False)
+            self.addDescribed(file, purpose)
+        report = tr("Accuracy, warnings and a plot of the residuals.")
+        self.addDescribed(*common.report(report, tr("HTML files (*.html)")))
         for group, label in (("CHECK", tr("check points")), ("CONTROL", tr("control points"))):
             for error in _ERRORS:
                 kind = tr("Root mean square") if error.startswith("RMSE") else tr("Largest error")
@@ -126,8 +103,7 @@ class FitSensorModel(SensorAlgorithm):
                 self.addNumbers({f"{group}_{error}": words})
         self.addViewNumbers()
         self.addNumbers({
-            CONTROL_COUNT: tr("Control points used"),
-            CHECK_COUNT: tr("Check points used"),
+            CONTROL_COUNT: tr("Control points used"), CHECK_COUNT: tr("Check points used"),
             CONDITION: tr("Condition number"),
             BIAS_COLUMN: tr("Correction of the RPC in the middle of the image, columns (px)"),
             BIAS_ROW: tr("Correction of the RPC in the middle of the image, rows (px)"),
@@ -136,8 +112,8 @@ class FitSensorModel(SensorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from . import point_tables
         from .measure.adjustment import adjust
-        from .measure.fit_files import FitFiles
-        from .measure.point_checks import control_coverage, coverage_warnings
+        from .measure.fit_files import FitFiles, view_direction
+        from .measure.points import control_coverage, coverage_warnings
 
         image = self._image()
         rpc = self._rpc(run, IMAGE_RPC, image)
@@ -148,19 +124,18 @@ class FitSensorModel(SensorAlgorithm):
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
         notices = self._notices(done) + coverage_warnings(coverage)
         files = FitFiles(done, image, box, run.is_cancelled)
-        bias, column, row = files.rpc_bias, None, None
-        if bias is not None:
-            column, row = bias[0].tolist()
-            most = max(math.hypot(*place) for place in bias.tolist())
+        column, row = None, None
+        if files.rpc_bias is not None:
+            (column, row), *_ = biases = files.rpc_bias.tolist()
+            most = max(math.hypot(*bias) for bias in biases)
             notices.append(messages.RPC_BIAS_FOUND(columns=column, rows=row, most=most))
-        view = files.view
+        view = view_direction(done.fitted.model, points.wkt, files.domain)
         if view is not None:
             notices.append(view.told(run.real(TERRAIN_ERROR)))
         run.tell(*notices)
         run.progress(0.6)
-        crs = reference_system(points.wkt)
-        if not crs.isValid():
-            crs = QgsCoordinateReferenceSystem(points.wkt)
+        system = reference_system(points.wkt)
+        crs = system if system.isValid() else QgsCoordinateReferenceSystem(points.wkt)
         sink, output = run.sink(OUTPUT, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs)
         run.write(sink, point_tables.residual_features(done))
 
@@ -182,49 +157,41 @@ class FitSensorModel(SensorAlgorithm):
             (common.REPORT, write_report),
         ):  # fmt: skip
             results.update(run.save(name, write))
-        control, check = done.control, done.check
-        for group, errors in (("CHECK", check), ("CONTROL", control)):
-            for name, value in zip(_ERRORS, (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y)):
-                results[f"{group}_{name}"] = value
+        for group, errors in (("CHECK", done.check), ("CONTROL", done.control)):
+            results[f"{group}_COUNT"] = errors.count
+            for name in _ERRORS:
+                results[f"{group}_{name}"] = getattr(errors, name.lower())
             if errors.count:
                 run.inform(_errors_told(group, errors))
-        condition = done.fitted.condition
-        results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
-        results[CONDITION] = condition if math.isfinite(condition) else None
-        results.update(view_numbers(run, view))
-        results.update({BIAS_COLUMN: column, BIAS_ROW: row})
-        return results
+        condition = done.fitted.condition if math.isfinite(done.fitted.condition) else None
+        return {**results, CONDITION: condition, **view_numbers(run, view), BIAS_COLUMN: column, BIAS_ROW: row}
 
     def _request(self, run: Run, image: OpenRaster | None, rpc: Rational | None) -> ModelRequest:
         kind = registry.KINDS[run.text(MODEL)]
         if kind.corrects_rpc and rpc is None:
             raise SensorModelError(messages.NO_RPC())
-        return kind.request(
-            str(run.whole(ORDER)), run.text(BIAS), "xy" if run.flag(DLT_XY) else "",
-            orbit_height_m=self._orbit_height_m(run, image),
-            size=(float(image.columns), float(image.rows)) if image is not None else None,
-            rpc=rpc if kind.corrects_rpc else None,
-        )
+        words = str(run.whole(ORDER)), run.text(BIAS), "xy" if run.flag(DLT_XY) else ""
+        size = (float(image.columns), float(image.rows)) if image is not None else None
+        orbit_m = self._orbit_height_m(run, image)
+        return kind.request(*words, orbit_height_m=orbit_m, size=size, rpc=rpc if kind.corrects_rpc else None)
 
     @staticmethod
     def _notices(done: Adjustment) -> list[Message]:
         from .measure.adjustment import suspects
         from .measure.polynomials import Rational, terms_told
 
-        notices: list[Message] = []
-        if not done.fitted.converged:
-            notices.append(messages.NOT_CONVERGED(iterations=done.fitted.iterations))
-        if done.fitted.condition > MAX_CONDITION:
-            notices.append(messages.ILL_CONDITIONED(condition=done.fitted.condition))
-        if done.request.kind is registry.RATIONAL_TERMS and isinstance(done.fitted.model, Rational):
-            notices.append(messages.TERMS_KEPT(terms=terms_told(done.fitted.model)))
+        fitted, notices = done.fitted, []
+        if not fitted.converged:
+            notices.append(messages.NOT_CONVERGED(iterations=fitted.iterations))
+        if fitted.condition > MAX_CONDITION:
+            notices.append(messages.ILL_CONDITIONED(condition=fitted.condition))
+        if done.request.kind is registry.RATIONAL_TERMS and isinstance(fitted.model, Rational):
+            notices.append(messages.TERMS_KEPT(terms=terms_told(fitted.model)))
         if done.check.count == 0:
             notices.append(messages.CHECK_POINTS_MISSING())
-        if done.blunder.any():
-            names = done.points.named(done.blunder)
+        if names := done.points.named(done.blunder):
             notices.append(messages.BLUNDERS_FOUND(count=len(names), names=", ".join(names[:20])))
-        elif (doubted := suspects(done)).any():
-            names = done.points.named(doubted)
+        elif names := done.points.named(suspects(done)):
             notices.append(messages.BLUNDERS_POSSIBLE(count=len(names), names=", ".join(names[:20])))
         return notices
 
@@ -232,9 +199,8 @@ class FitSensorModel(SensorAlgorithm):
 def _described(kind: registry.ModelKind) -> str:
     """What a model is and how many points it needs."""
     fewest = ", ".join(f"{one.fewest} ({one.name})" if one.name else str(one.fewest) for one in kind.variants)
-    return filled(tr("{model}: {title}; needs at least {fewest} control points."),
-        model=kind.name, title=tr(MODEL_TITLES[kind.name]), fewest=fewest
-    )
+    words = tr("{model}: {title}; needs at least {fewest} control points.")
+    return filled(words, model=kind.name, title=tr(MODEL_TITLES[kind.name]), fewest=fewest)
 
 
 def _errors_told(group: str, errors: Accuracy) -> str:

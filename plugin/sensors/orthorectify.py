@@ -5,12 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessingParameterCrs,
-    QgsProcessingParameterExtent,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterRasterDestination,
-)
+from qgis.core import QgsProcessingParameterCrs, QgsProcessingParameterExtent, QgsProcessingParameterRasterDestination
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SensorModelError, SettingsError
@@ -43,37 +38,24 @@ class OrthoAlgorithm(SensorAlgorithm):
 
     def addOrientations(self) -> None:
         """Of aerial photos."""
-        every = tr("All files (*)")  # *.*, QGIS's own, leaves out folders
-        self.addDescribed(
-            QgsProcessingParameterFile(EXTERIOR, tr("Exterior orientation"), optional=True, fileFilter=every),
-            tr(
-                "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, "
-                "phi and kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, "
-                "Applanix, Inpho, PATB, ContextCapture, orthority or MicMac."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFile(INTERIOR, tr("Interior orientation"), optional=True),
-            tr(
-                "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or "
-                "MicMac write it. Empty: in the file of the exterior orientation."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), optional=True),
-            tr("Projected, in metres. Empty: what its file says, else the image's own."),
-            advanced=True,
-        )
+        self.addFile(EXTERIOR, tr("Exterior orientation"), tr(
+            "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and "
+            "kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, Applanix, Inpho, "
+            "PATB, ContextCapture, orthority or MicMac."
+        ), filters=tr("All files (*)"))  # *.*, QGIS's own, leaves out folders
+        self.addFile(INTERIOR, tr("Interior orientation"), tr(
+            "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac "
+            "write it. Empty: in the file of the exterior orientation."
+        ))
+        system = QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), None, True)
+        self.addDescribed(system, tr("Projected, in metres. Empty: what its file says, else the image's own."), True)
         self.addDescribed(
             common.choice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS),
             tr("as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."),
             advanced=True,
         )
-        self.addDescribed(
-            common.choice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS),
-            tr("Of a table. auto: what its header says, else degrees."),
-            advanced=True,
-        )
+        angles = common.choice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS)
+        self.addDescribed(angles, tr("Of a table. auto: what its header says, else degrees."), advanced=True)
 
     def addGround(self, terrain: str) -> None:
         """A terrain model or a height."""
@@ -93,10 +75,8 @@ class OrthoAlgorithm(SensorAlgorithm):
         self.addDescribed(
             common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic"), tr("How pixels are interpolated.")
         )
-        self.addDescribed(
-            common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS),
-            tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."),
-        )
+        kinds = common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS)
+        self.addDescribed(kinds, tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."))
 
     def _block(self, run: Run, exterior: str) -> FrameBlock:
         """The orientations and the ground. Raises SettingsError without an exterior one."""
@@ -144,30 +124,19 @@ class Orthorectify(OrthoAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addImage(optional=False)
-        for name, label, purpose in (
-            (MODEL_FILE, tr("Model file"), tr("As Fit sensor model writes it.")),
-            (
-                RPC,
-                tr("RPC file"),
-                tr(
-                    "_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS's text or a YAML file of orthority. Without it and "
-                    "without a model file: the image's own RPC."
-                ),
-            ),
-        ):
-            self.addDescribed(QgsProcessingParameterFile(name, label, optional=True), purpose)
+        self.addFile(MODEL_FILE, tr("Model file"), tr("As Fit sensor model writes it."))
+        self.addFile(RPC, tr("RPC file"), tr(
+            "_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS's text or a YAML file of orthority. Without it and without "
+            "a model file: the image's own RPC."
+        ))
         self.addOrientations()
         self.addGround(tr("Terrain heights under the whole image, in any reference system."))
         self.addTerrainError()
         self.addGrid(tr("Of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre."))
-        self.addDescribed(
-            QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True),
-            tr("Empty: the whole image. It is widened to whole pixels."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage")),
-            tr("A GeoTIFF; empty where the image or the terrain model ends."),
-        )
+        extent = QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True)
+        self.addDescribed(extent, tr("Empty: the whole image. It is widened to whole pixels."))
+        output = QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage"))
+        self.addDescribed(output, tr("A GeoTIFF; empty where the image or the terrain model ends."))
         self.addViewNumbers()
         self.addNumbers({
             ERROR_RMS: tr("Root mean square against the exact model (px)"),
@@ -202,15 +171,16 @@ class Orthorectify(OrthoAlgorithm):
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
         run.inform(told(made))
-        results = {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
         view = view_direction(*sight[:3])
         if view is not None:
             run.tell(view.told(run.real(TERRAIN_ERROR)))
-        return {**results, **view_numbers(run, view)}
+        return {
+            OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered,
+            **view_numbers(run, view),
+        }  # fmt: skip
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
-        """The model in the image's own pixels, its system, where it is used, and what the terrain's heights are taken
-        as."""
+        """In the image's own pixels; its system, where it is used, and what the terrain's heights are taken as."""
         from .measure.fit_files import load_model
         from .measure.orthorectification import rpc_domain
         from .measure.sensor_model import WGS84
@@ -223,7 +193,7 @@ class Orthorectify(OrthoAlgorithm):
         if is_photo:
             frame = self._block(run, run.path(EXTERIOR)).frame(image)
             run.tell(*frame.notices)
-            return frame.sight
+            return frame[:4]
         datum = height_datums(run, DEM_HEIGHTS, EXTERIOR_HEIGHTS)[0]
         if path:
             file = load_model(Path(path))
@@ -236,7 +206,7 @@ class Orthorectify(OrthoAlgorithm):
 
 def told(made: Ortho) -> str:
     """What an orthoimage is like."""
-    words = tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.")
     return filled(
-        words, columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px
-    )
+        tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."),
+        columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px,
+    )  # fmt: skip

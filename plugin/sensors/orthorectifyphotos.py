@@ -31,16 +31,11 @@ class OrthorectifyPhotos(OrthoAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(
-            QgsProcessingParameterFile(
-                PHOTOS, tr("Folder of an OpenDroneMap project, or of photos"),
-                QgsProcessingParameterFile.Behavior.Folder, optional=True,
-            ),
-            tr(
-                "Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
-                "project, else in the folder of its file."
-            ),
-        )
+        kind, label = QgsProcessingParameterFile.Behavior.Folder, tr("Folder of an OpenDroneMap project, or of photos")
+        self.addDescribed(QgsProcessingParameterFile(PHOTOS, label, kind, optional=True), tr(
+            "Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
+            "project, else in the folder of its file."
+        ))
         self.addOrientations()
         self.addGround(tr(
             "Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an "
@@ -51,9 +46,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
             QgsProcessingParameterFolderDestination(OUTPUT, tr("Orthoimages")),
             tr("A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends."),
         )
-        self.addNumbers({
-            PHOTO_COUNT: tr("Orthoimages made"), LEFT_OUT_COUNT: tr("Photos without an orthoimage"),
-        })
+        self.addNumbers({PHOTO_COUNT: tr("Orthoimages made"), LEFT_OUT_COUNT: tr("Photos without an orthoimage")})
 
     def check(self, run: Run) -> None:
         if not (run.path(EXTERIOR) or run.path(PHOTOS)):
@@ -66,8 +59,8 @@ class OrthorectifyPhotos(OrthoAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..imagery.rasters import RasterRef
+        from .measure.oriented_frames import block_photos, project_photos, project_terrain
         from .measure.orthorectification import orthorectify
-        from .measure.photo_block import block_photos, project_photos, project_terrain
         from .measure.rpc import open_image
 
         self.check(run)
@@ -87,7 +80,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 image = open_image(RasterRef(str(photo.path)))
                 frame = block.frame(image, photo.name)
                 run.tell_once(frame.notices)
-                request = self._request(run, image.ref, frame.sight, photo.ortho)
+                request = self._request(run, image.ref, frame[:4], photo.ortho)
                 request = replace(request, target_wkt=request.target_wkt or wkt, pixel_size=request.pixel_size or size)
                 tell = partial(lambda done, share: run.progress((done + share) / len(photos)), number)
                 made = orthorectify(request, tell, run.is_cancelled)

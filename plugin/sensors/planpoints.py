@@ -2,20 +2,16 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterString,
-)
+from qgis.core import QgsProcessingParameterNumber, QgsProcessingParameterString
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
+from ..toolkit.table_fields import column_features, column_fields
 from ..toolkit.translation import tr
 from .measure import limits, messages, registry
 from .sensor_parameters import IMAGE, IMAGE_RPC, ORBIT_HEIGHT, SensorAlgorithm
@@ -46,95 +42,72 @@ class PlanPoints(SensorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        number, real = QgsProcessingParameterNumber, QgsProcessingParameterNumber.Type.Double
-        self.addDescribed(
-            common.choice(MODEL, tr("Model"), _MODELS, registry.PUSHBROOM.name),
-            tr("The sensor model to be fitted, with its order or form. rpc_bias needs an RPC."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterString(COUNTS, tr("Numbers of control points"), "6, 8, 10, 15, 20, 30"),
-            tr("One row of the table for each, such as 6, 10, 20. Check points are not counted."),
-        )
-        self.addDescribed(
-            common.choice(SPREAD, tr("Spread"), limits.SPREADS),
-            tr("grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."),
-        )
-        self.addDescribed(
-            number(CORNER_SHARE, tr("Share of the corner"), real, 0.25, minValue=0.01, maxValue=1),
-            tr("Of the image's area, for the spread corner."),
-        )
-        self.addDescribed(
-            number(SIGMA, tr("Standard deviation on the ground (metres)"), real, 0.5, minValue=0, maxValue=1000),
-            tr("Of each ground coordinate of a point, as it will be surveyed."),
-        )
-        self.addDescribed(
-            number(SIGMA_PX, tr("Standard deviation in the image (pixels)"), real, 0.5, minValue=0, maxValue=1000),
-            tr("Of a point's column and row: how well it is identified."),
-        )
-        for name, label, default in (
-            (LOWEST, tr("Lowest terrain (metres)"), 0.0),
-            (HIGHEST, tr("Highest terrain (metres)"), 300.0),
-        ):
-            self.addDescribed(
-                number(name, label, real, default),
-                tr("Height above the ellipsoid. Points lie anywhere between the lowest and the highest."),
-            )
-        self.addImage()
-        self.addDescribed(
-            QgsProcessingParameterFile(IMAGE_RPC, tr("RPC of the image"), optional=True),
-            tr("An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner."),
-        )
+        model = common.choice(MODEL, tr("Model"), _MODELS, registry.PUSHBROOM.name)
+        self.addDescribed(model, tr("The sensor model to be fitted, with its order or form. rpc_bias needs an RPC."))
+        counts = QgsProcessingParameterString(COUNTS, tr("Numbers of control points"), "6, 8, 10, 15, 20, 30")
+        self.addDescribed(counts, tr(
+            "One row of the table for each, such as 6, 10, 20. Check points are not counted."
+        ))
+        self.addDescribed(common.choice(SPREAD, tr("Spread"), limits.SPREADS), tr(
+            "grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."
+        ))
         for name, label, default, least, most, text in (
-            (
-                ORBIT_HEIGHT, tr("Height of the orbit (km)"), 694.0, 100, 40000,
-                tr("Of the nominal scanner, and for the model pushbroom."),
-            ),
+            (CORNER_SHARE, tr("Share of the corner"), 0.25, 0.01, 1, tr("Of the image's area, for the spread corner.")),
+            (SIGMA, tr("Standard deviation on the ground (metres)"), 0.5, 0, 1000,
+             tr("Of each ground coordinate of a point, as it will be surveyed.")),
+            (SIGMA_PX, tr("Standard deviation in the image (pixels)"), 0.5, 0, 1000,
+             tr("Of a point's column and row: how well it is identified.")),
+        ):  # fmt: skip
+            self.addReal(name, label, default, text, minValue=least, maxValue=most)
+        for name, label, default in (
+            (LOWEST, tr("Lowest terrain (metres)"), 0.0), (HIGHEST, tr("Highest terrain (metres)"), 300.0),
+        ):  # fmt: skip
+            text = tr("Height above the ellipsoid. Points lie anywhere between the lowest and the highest.")
+            self.addReal(name, label, default, text)
+        self.addImage()
+        self.addFile(IMAGE_RPC, tr("RPC of the image"), tr(
+            "An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner."
+        ))
+        for name, label, default, least, most, text in (
+            (ORBIT_HEIGHT, tr("Height of the orbit (km)"), 694.0, 100, 40000,
+             tr("Of the nominal scanner, and for the model pushbroom.")),
             (VIEW_ANGLE, tr("Angle of the view (degrees)"), 15.0, 0, 50, tr("From the vertical; nominal scanner.")),
             (PIXEL_SIZE, tr("Pixel size (metres)"), 0.5, 0.05, 1000, tr("On the ground; nominal scanner.")),
             (SIDE, tr("Side of the image (km)"), 15.0, 1, 200, tr("The image is square; nominal scanner.")),
         ):  # fmt: skip
-            self.addDescribed(number(name, label, real, default, minValue=least, maxValue=most), text, advanced=True)
-        self.addDescribed(
-            number(SEED, tr("Seed"), number.Type.Integer, 1, minValue=0, maxValue=2**31 - 1),
-            tr("The same number gives the same draws."),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Expected accuracy"), QgsProcessing.SourceType.TypeVector),
-            tr(
-                "One row per number of points: root mean square errors in metres, of both coordinates together, that "
-                "50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are "
-                "measured as well as the control points."
-            ),
-        )
+            self.addReal(name, label, default, text, advanced=True, minValue=least, maxValue=most)
+        seed = QgsProcessingParameterNumber(SEED, tr("Seed"), defaultValue=1, minValue=0, maxValue=2**31 - 1)
+        self.addDescribed(seed, tr("The same number gives the same draws."), advanced=True)
+        self.addTable(OUTPUT, tr("Expected accuracy"), tr(
+            "One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % "
+            "and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well "
+            "as the control points."
+        ))
 
     def prepare(self, run: Run) -> None:
         self._image_ref = run.raster(IMAGE)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from . import point_tables
         from .measure.point_planning import PointPlan, expected_accuracies
+        from .point_tables import PLANS
 
         counts = _counts(run.text(COUNTS))
         request, scene = self._planned(run)
         plan = PointPlan(run.word(SPREAD), run.real(CORNER_SHARE), run.real(SIGMA), run.real(SIGMA_PX))
-        found = list(
-            expected_accuracies(
-                request, scene, plan, counts, run.whole(SEED), progress=run.progress, cancelled=run.is_cancelled
-            )
-        )
+        draws = partial(expected_accuracies, progress=run.progress, cancelled=run.is_cancelled)
+        found = list(draws(request, scene, plan, counts, run.whole(SEED)))
         for row in found:
             if row.image_usual is not None and row.image_most is not None:
                 run.tell(messages.PLAN_TOLD(count=row.count, usual=row.image_usual, most=row.image_most))
             if row.reason is not None:
                 run.tell(messages.PLAN_DRAWS_FAILED(count=row.count, failed=row.failed, why=row.reason))
-        sink, output = run.sink(OUTPUT, point_tables.plan_fields())
-        run.write(sink, point_tables.plan_features(request.name, found))
+        sink, output = run.sink(OUTPUT, column_fields(PLANS))
+        run.write(sink, column_features(PLANS, [(request.name, row) for row in found]))
         return {OUTPUT: output}
 
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:
-        from .measure.point_checks import HIGHEST_M, LOWEST_M
         from .measure.point_planning import nominal_scene, scene_of_rpc
+        from .measure.points import HIGHEST_M, LOWEST_M
 
         low, high = run.real(LOWEST), run.real(HIGHEST)
         if not LOWEST_M <= low <= high <= HIGHEST_M:

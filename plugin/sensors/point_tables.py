@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -23,34 +23,32 @@ from qgis.core import (
 
 from ..imagery.errors import Message, SensorModelError
 from ..imagery.gdal_calls import FEATURES, gdal_silenced, open_dataset
+from ..imagery.records import Column
 from ..toolkit.layers import features, layer_path, system_wkt
-from ..toolkit.table_fields import Attributes, attributes, feature, number, table_fields, text
-from ..toolkit.translation import sentence
+from ..toolkit.table_fields import Attributes, attributes, column_fields, column_values, feature, number, text
 from .measure import messages
-from .measure.adjustment import Adjustment, Comparison
+from .measure.adjustment import Adjustment, Comparison, JudgedModel
 from .measure.point_planning import ExpectedAccuracy
 from .measure.points import CHECK, CONTROL, Points, control_points
 from .measure.rpc import PIXEL_CENTRE
 
 
 def heights_wkt(layer: QgsVectorLayer) -> str:
-    """The system that says what a layer's heights are, or empty: QGIS forgets it, so the code and the file are
-    asked."""
-    system = osr.SpatialReference()
+    """What says what a layer's heights are, or empty: QGIS forgets it, so the code and the file are asked."""
+    system, code = osr.SpatialReference(), str(layer.crs().authid())
     with gdal_silenced(), suppress(RuntimeError):
-        system.SetFromUserInput(layer.crs().authid())
+        system.SetFromUserInput(code)
     if _has_heights(system):
-        return str(layer.crs().authid())
+        return code
     path = layer_path(layer)
-    if not path:
-        return ""
+    file = open_dataset(path, FEATURES) if path else None
     name = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName")
-    found = None
     with gdal_silenced(), suppress(RuntimeError):
-        file = open_dataset(path, FEATURES)
         part = None if file is None else file.GetLayerByName(name) if name else file.GetLayer(0)
-        found = part.GetSpatialRef() if part is not None else None
-    return str(found.ExportToWkt(["FORMAT=WKT2_2018"])) if found is not None and _has_heights(found) else ""
+        found = None if part is None else part.GetSpatialRef()
+        if found is not None and _has_heights(found):
+            return str(found.ExportToWkt(["FORMAT=WKT2_2018"]))
+    return ""
 
 
 def _has_heights(system: osr.SpatialReference) -> bool:
@@ -66,9 +64,9 @@ def layer_points(
     """The points of a layer, whether they have roles, and what was left out; of orthority's (``ji``, ``filename``)
     those of the image. ``heights``: the system that says what heights refer to. Raises SensorModelError."""
     names = [name.lower() for name in source.fields().names()]
-    of_orthority = "ji" in names and not {"column", "row"} <= set(names)
-    missing = [] if of_orthority else [name for name in ("column", "row") if name not in names]
-    if missing:
+    missing = [name for name in ("column", "row") if name not in names]
+    of_orthority = bool(missing) and "ji" in names
+    if missing and not of_orthority:
         raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=missing[0]))
     if not source.sourceCrs().isValid():
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=source.sourceName()))
@@ -77,9 +75,9 @@ def layer_points(
     images: set[str] = set()
     for row in attributes(features(source), names):
         if of_orthority:
-            images.add(text(row["filename"]))
-            if not _is_of(text(row["filename"]), image_name):
-                continue
+            images.add(named := text(row["filename"]))
+            if named and image_name and Path(named).stem.lower() != Path(image_name).stem.lower():
+                continue  # folders and endings do not count, as with orthority
         name = text(row["id"]) or str(row.feature.id())
         role = text(row["role"]).lower()
         numbers = _numbers(row, _orthority_place(row["ji"]) if of_orthority else None)
@@ -93,25 +91,17 @@ def layer_points(
         raise SensorModelError(messages.POINTS_OF_OTHER_IMAGES(names=", ".join(sorted(images)[:_SHOWN])))
     if not rows:
         raise SensorModelError(messages.NO_POINTS_LEFT(why=notices[0]) if notices else messages.NO_POINTS())
-    values = np.array([numbers for _, numbers, _ in rows])
-    ids, roles = [name for name, *_ in rows], [role for *_, role in rows]
+    ids, found, roles = zip(*rows)
+    values, check = np.array(found), np.array([role == CHECK for role in roles])
     points = control_points(ids, values[:, 0:2], values[:, 2:5], system_wkt(source.sourceCrs()))
-    check = np.array([role == CHECK for role in roles])
     return replace(points, sigma_px=values[:, 5], check=check, heights_wkt=heights), any(roles), notices
-
-
-def _is_of(named: str, image_name: str) -> bool:
-    """Whether a point that names an image is of this one; folders and endings do not count, as with orthority."""
-    return not named or not image_name or Path(named).stem.lower() == Path(image_name).stem.lower()
 
 
 def _orthority_place(value: object) -> tuple[float, float]:
     """Column and row of orthority's ji, which counts from the middle of the first pixel; NaN where it is none."""
     found = value if isinstance(value, (list, tuple)) else re.findall(r"[-+.\deE]+", text(value))
-    numbers = [number(one) for one in found]
-    if len(numbers) != 2 or numbers[0] is None or numbers[1] is None:
-        return math.nan, math.nan
-    return numbers[0] + PIXEL_CENTRE, numbers[1] + PIXEL_CENTRE
+    numbers = [math.nan if (place := number(one)) is None else place + PIXEL_CENTRE for one in found]
+    return (numbers[0], numbers[1]) if len(numbers) == 2 else (math.nan, math.nan)
 
 
 def _numbers(row: Attributes, place: tuple[float, float] | None = None) -> list[float]:
@@ -127,78 +117,66 @@ def _numbers(row: Attributes, place: tuple[float, float] | None = None) -> list[
     return [column, line, x, y, height if math.isnan(z) else z, sigma]
 
 
+_Judged = tuple[Comparison, JudgedModel]
+_RESIDUALS: tuple[Column[tuple[Adjustment, int]], ...] = (
+    Column("id", "text", lambda one: one[0].points.ids[one[1]]),
+    Column("role", "text", lambda one: CHECK if one[0].points.check[one[1]] else CONTROL),
+    Column("column", "real", lambda one: one[0].points.image[one[1], 0]),
+    Column("row", "real", lambda one: one[0].points.image[one[1], 1]),
+    Column("z", "real", lambda one: _finite(one[0].points.ground[one[1], 2])),
+    Column("residual_column", "real", lambda one: one[0].residuals_px[one[1], 0]),
+    Column("residual_row", "real", lambda one: one[0].residuals_px[one[1], 1]),
+    Column("residual_x", "real", lambda one: one[0].residuals_m[one[1], 0]),
+    Column("residual_y", "real", lambda one: one[0].residuals_m[one[1], 1]),
+    Column("blunder", "integer", lambda one: int(one[0].blunder[one[1]])),
+)
+"""OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
+MODELS: tuple[Column[_Judged], ...] = (
+    Column("model", "text", lambda one: one[1].request.kind.name),
+    Column("order", "integer", lambda one: _order(one[1])),
+    Column("variant", "text", lambda one: None if _order(one[1]) else one[1].request.variant.name or None),
+    Column("mean_x", "real", lambda one: one[1].errors and one[1].errors.rmse_x),
+    Column("mean_y", "real", lambda one: one[1].errors and one[1].errors.rmse_y),
+    Column("max_x", "real", lambda one: one[1].errors and one[1].errors.max_x),
+    Column("max_y", "real", lambda one: one[1].errors and one[1].errors.max_y),
+    Column("control_count", "integer", lambda one: one[1].control_count),
+    Column("check_count", "integer", lambda one: one[1].errors.count if one[1].errors else 0),
+    Column("method", "text", lambda one: one[0].method),
+    Column("control_mean_x", "real", lambda one: one[1].control and one[1].control.rmse_x),
+    Column("control_mean_y", "real", lambda one: one[1].control and one[1].control.rmse_y),
+    Column("condition", "real", lambda one: _finite(one[1].condition)),
+    Column("recommended", "integer", lambda one: int(one[1] is one[0].recommended)),
+    Column("reason", "text", lambda one: one[1].reason),
+)
+"""OUTPUT of ``comparesensormodels``: one row per model."""
+PLANS: tuple[Column[tuple[str, ExpectedAccuracy]], ...] = (
+    Column("model", "text", lambda one: one[0]),
+    Column("control_count", "integer", lambda one: one[1].count),
+    Column("image_50", "real", lambda one: one[1].image_usual),
+    Column("image_90", "real", lambda one: one[1].image_most),
+    Column("check_50", "real", lambda one: one[1].check_usual),
+    Column("check_90", "real", lambda one: one[1].check_most),
+    Column("failed", "integer", lambda one: one[1].failed),
+    Column("reason", "text", lambda one: one[1].reason),
+)
+"""OUTPUT of ``planpoints``: one row per number of points."""
+
+
+def _order(row: JudgedModel) -> int | None:
+    name = row.request.variant.name
+    return int(name) if name.isdigit() else None
+
+
+def _finite(value: float | None) -> float | None:
+    return float(value) if value is not None and math.isfinite(value) else None
+
+
 def residual_fields() -> QgsFields:
-    """OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
-    return table_fields(
-        ("id", "text"), ("role", "text"), ("column", "real"), ("row", "real"), ("z", "real"),
-        ("residual_column", "real"), ("residual_row", "real"), ("residual_x", "real"), ("residual_y", "real"),
-        ("blunder", "integer"),
-    )  # fmt: skip
+    return column_fields(_RESIDUALS)
 
 
 def residual_features(done: Adjustment) -> Iterator[QgsFeature]:
-    """The rows of that table."""
-    points, layout = done.points, residual_fields()
-    for index, name in enumerate(points.ids):
-        x, y, z = points.ground[index]
-        values: list[object] = [
-            name,
-            CHECK if points.check[index] else CONTROL,
-            *map(float, points.image[index]),
-            float(z) if math.isfinite(z) else None,
-            *map(float, done.residuals_px[index]),
-            *map(float, done.residuals_m[index]),
-            int(done.blunder[index]),
-        ]
-        yield feature(layout, values, QgsGeometry.fromPointXY(QgsPointXY(float(x), float(y))))
-
-
-def comparison_fields() -> QgsFields:
-    """OUTPUT of ``comparesensormodels``: one row per model."""
-    return table_fields(
-        ("model", "text"), ("order", "integer"), ("variant", "text"), ("mean_x", "real"), ("mean_y", "real"),
-        ("max_x", "real"), ("max_y", "real"), ("control_count", "integer"), ("check_count", "integer"),
-        ("method", "text"), ("control_mean_x", "real"), ("control_mean_y", "real"), ("condition", "real"),
-        ("recommended", "integer"), ("reason", "text"),
-    )  # fmt: skip
-
-
-def comparison_features(result: Comparison) -> Iterator[QgsFeature]:
-    """The rows of that table."""
-    for row in result.rows:
-        request, errors = row.request, row.errors
-        variant = request.variant.name
-        ordered = variant.isdigit()
-        yield feature(
-            comparison_fields(),
-            [
-                request.kind.name,
-                int(variant) if ordered else None,
-                None if ordered else variant or None,
-                *((errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y) if errors else (None,) * 4),
-                row.control_count,
-                errors.count if errors else 0,
-                result.method,
-                row.control.rmse_x if row.control else None,
-                row.control.rmse_y if row.control else None,
-                row.condition if row.condition is not None and math.isfinite(row.condition) else None,
-                int(row is result.recommended),
-                sentence(row.reason) if row.reason else None,
-            ],
-        )
-
-
-def plan_fields() -> QgsFields:
-    """OUTPUT of ``planpoints``: one row per number of points."""
-    return table_fields(
-        ("model", "text"), ("control_count", "integer"), ("image_50", "real"), ("image_90", "real"),
-        ("check_50", "real"), ("check_90", "real"), ("failed", "integer"), ("reason", "text"),
-    )  # fmt: skip
-
-
-def plan_features(model: str, found: Iterable[ExpectedAccuracy]) -> Iterator[QgsFeature]:
-    """The rows of that table."""
-    for row in found:
-        errors = (row.image_usual, row.image_most, row.check_usual, row.check_most)
-        reason = sentence(row.reason) if row.reason else None
-        yield feature(plan_fields(), [model, row.count, *errors, row.failed, reason])
+    fields = residual_fields()
+    for index, place in enumerate(done.points.ground[:, :2].tolist()):
+        point = QgsGeometry.fromPointXY(QgsPointXY(*place))
+        yield feature(fields, column_values(_RESIDUALS, (done, index)), point)

@@ -4,9 +4,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from ..imagery.errors import WARNING, Message
@@ -14,10 +16,10 @@ from ..toolkit.charts.figure_files import new_figure, svg_text
 from ..toolkit.pages.templates import HowMeasured, save_page, sentences_once, system_name
 from ..toolkit.translation import filled, formatted, sentence, tr
 from .measure.adjustment import LEAVE_ONE_OUT, Accuracy, Adjustment, Comparison
-from .measure.point_checks import ControlCoverage, ImageBox
-from .measure.registry import Variant
+from .measure.points import ControlCoverage, ImageBox
 
 _CONTROL, _CHECK, _BLUNDER, _QUIET = "#0072b2", "#d55e00", "#cc3311", "#57606a"
+_ARROWS: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1, "width": 0.0032, "headwidth": 3.5}
 _ARROW_SHARE = 0.08  # of the image's longer side, for a residual of usual size
 
 
@@ -27,8 +29,7 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
     figure = new_figure(6.4, min(max(6.4 * height / width, 3.6), 7.5))
     axes = figure.add_subplot()
     axes.set_aspect("equal")
-    frame = [(0, 1), (2, 1), (2, 3), (0, 3), (0, 1)]
-    axes.plot([box[x] for x, _ in frame], [box[y] for _, y in frame], color="#1b1f23", lw=0.8)
+    axes.add_patch(Rectangle(box[:2], box[2] - box[0], box[3] - box[1], fill=False, edgecolor="#1b1f23", lw=0.8))
     if len(coverage.outline) > 3:
         axes.fill(*coverage.outline.T, facecolor=_CONTROL, alpha=0.07, edgecolor=_CONTROL, lw=0.7, ls=(0, (4, 3)))
     points, residuals = done.points, done.residuals_px
@@ -40,31 +41,23 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
         (tr("Check points"), points.check & ~done.blunder, _CHECK, "^"),
         (tr("Blunders"), done.blunder, _BLUNDER, "x"),
     )
-    reach = [np.array([[box[0], box[1]], [box[2], box[3]]])]  # what has to be in the picture
+    reach, longest = [np.reshape(box, (2, 2))], 3 * _ARROW_SHARE * max(width, height)  # what has to be in the picture
     for label, group, colour, marker in groups:
         if not group.any():
             continue
         places, arrows = points.image[group], residuals[group] * factor
-        longest = 3 * _ARROW_SHARE * max(width, height)
-        length = np.linalg.norm(arrows, axis=1, keepdims=True)
-        arrows = arrows * np.minimum(1, longest / np.maximum(length, 1e-12))
+        arrows *= np.minimum(1, longest / np.maximum(np.linalg.norm(arrows, axis=1, keepdims=True), 1e-12))
         reach += [places, places + arrows]
         axes.plot(*places.T, marker, color=colour, ms=4, label=label, ls="none")
-        axes.quiver(
-            *places.T, *arrows.T, angles="xy", scale_units="xy", scale=1, color=colour, width=0.0032, headwidth=3.5
-        )
+        axes.quiver(*places.T, *arrows.T, color=colour, **_ARROWS)
     step = _round(usual)
     if step > 0:
-        corner = ([box[0]], [box[1]], [0], [0])
-        key = axes.quiver(*corner, angles="xy", scale_units="xy", scale=1, color=_QUIET, width=0.0032, headwidth=3.5)
+        key = axes.quiver([box[0]], [box[1]], [0], [0], color=_QUIET, **_ARROWS)
         words = formatted(step, "g") + " px"
         axes.quiverkey(key, 0.85, 0.04, step * factor, words, labelpos="E", coordinates="figure", color=_QUIET)
     margin = 0.02 * max(width, height)
     low, high = np.concatenate(reach).min(axis=0) - margin, np.concatenate(reach).max(axis=0) + margin
-    axes.set_xlim(low[0], high[0])
-    axes.set_ylim(high[1], low[1])
-    axes.set_xlabel(tr("Column (px)"))
-    axes.set_ylabel(tr("Row (px)"))
+    axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]), xlabel=tr("Column (px)"), ylabel=tr("Row (px)"))
     axes.xaxis.set_major_locator(MaxNLocator(5))
     axes.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=3, frameon=False, fontsize=9, handletextpad=0.2)
     axes.spines[["top", "right", "left", "bottom"]].set_visible(False)
@@ -81,10 +74,9 @@ def comparison_chart(result: Comparison) -> Figure:
         chosen = row is result.recommended
         low, high = sorted((row.errors.rmse_x or 0.0, row.errors.rmse_y or 0.0))
         axes.plot([low, high], [place, place], color="#d0d7de", lw=2, zorder=1)
+        colour = _CHECK if chosen else _CONTROL
         for value, marker, name in ((row.errors.rmse_x, "o", "X"), (row.errors.rmse_y, "D", "Y")):
-            axes.plot(
-                [value], [place], marker, color=_CHECK if chosen else _CONTROL, ms=6, label=name if place == 0 else None
-            )
+            axes.plot([value], [place], marker, color=colour, ms=6, label=name if place == 0 else None)
     axes.set_yticks(range(len(judged)), [row.request.name for row in judged], fontsize=9)
     for label, row in zip(axes.get_yticklabels(), judged):
         if row is result.recommended:
@@ -117,78 +109,46 @@ def save_fit_report(
     path: Path, done: Adjustment, coverage: ControlCoverage, box: ImageBox, notices: Sequence[Message]
 ) -> None:
     """The report of one model. Raises SettingsError where no file can be written."""
+    points = [
+        (
+            done.points.ids[index], tr("check") if done.points.check[index] else tr("control"),
+            *map(_number, (*done.residuals_px[index], *done.residuals_m[index])),
+            tr("yes") if done.blunder[index] else "",
+        )
+        for index in np.argsort(-np.linalg.norm(done.residuals_m, axis=1))[:_MOST_POINTS]  # the largest first
+    ]  # fmt: skip
+    variant = done.request.variant
+    words = tr("{count}, held by priors") if variant.with_priors else "{count}"
     save_page(
-        path,
-        "sensor_model",
-        HowMeasured([(tr("reference system of the points"), system_name(done.points.wkt))]),
-        name=done.request.name,
+        path, "sensor_model", HowMeasured([(tr("reference system of the points"), system_name(done.points.wkt))]),
+        name=done.request.name, unknowns=filled(words, count=variant.with_priors or variant.unknowns),
+        control_count=done.control.count,
         notices=sentences_once(one for one in notices if one.level is WARNING),
         notes=sentences_once(one for one in notices if one.level is not WARNING),
-        unknowns=_unknowns(done.request.variant),
-        control_count=done.control.count,
-        iterations=done.fitted.iterations,
-        condition=done.fitted.condition,
-        sigma=_number(done.sigma_px, "px"),
-        extrapolated=coverage.extrapolated,
-        check=_errors(done.check),
-        control=_errors(done.control),
-        chart=svg_text(residual_chart(done, coverage, box)),
-        points=[
-            (
-                done.points.ids[index],
-                tr("check") if done.points.check[index] else tr("control"),
-                *(_number(value) for value in done.residuals_px[index]),
-                *(_number(value) for value in done.residuals_m[index]),
-                tr("yes") if done.blunder[index] else "",
-            )
-            for index in _worst(done)
-        ],
-    )
+        iterations=done.fitted.iterations, condition=done.fitted.condition, sigma=_number(done.sigma_px, "px"),
+        extrapolated=coverage.extrapolated, check=_errors(done.check), control=_errors(done.control),
+        chart=svg_text(residual_chart(done, coverage, box)), points=points,
+    )  # fmt: skip
 
 
 def save_comparison_report(path: Path, result: Comparison, notices: Sequence[Message]) -> None:
     """The report of all models. Raises SettingsError where no file can be written."""
+    rows = [(row.request.name.replace(" ", "\N{NO-BREAK SPACE}"), row) for row in result.rows]
+    judged = [(name, row.control_count, row.errors) for name, row in rows if row.errors is not None]
+    can_be_drawn = any(0 < (errors.rmse or 0.0) < math.inf for *_, errors in judged)  # on a logarithmic scale
     save_page(
-        path,
-        "sensor_comparison",
-        HowMeasured(),
-        recommendation=sentence(result.reason),
-        notices=sentences_once(notices),
-        chart=svg_text(comparison_chart(result)) if _can_be_drawn(result) else "",
-        models=[
-            (_unbroken(row.request.name), *_errors(row.errors)[1:5], row.control_count, row.errors.count)
-            for row in result.rows
-            if row.errors is not None
-        ],
+        path, "sensor_comparison", HowMeasured(),
+        recommendation=sentence(result.reason), notices=sentences_once(notices),
+        chart=svg_text(comparison_chart(result)) if can_be_drawn else "",
+        models=[(name, *_errors(errors)[1:5], count, errors.count) for name, count, errors in judged],
         is_leave_one_out=result.method == LEAVE_ONE_OUT,
-        doubtful=[(_unbroken(row.request.name), sentence(row.reason)) for row in result.rows if row.reason is not None],
-    )
-
-
-def _can_be_drawn(result: Comparison) -> bool:
-    """Whether any error is a positive number, which a logarithmic scale needs."""
-    errors = [row.errors.rmse or 0.0 for row in result.rows if row.errors is not None]
-    return any(math.isfinite(error) and error > 0 for error in errors)
-
-
-def _unknowns(variant: Variant) -> str:
-    words = tr("{count}, held by priors") if variant.with_priors else "{count}"
-    return filled(words, count=variant.with_priors or variant.unknowns)
-
-
-def _unbroken(name: str) -> str:
-    """A name that no line break parts."""
-    return name.replace(" ", "\N{NO-BREAK SPACE}")
+        doubtful=[(name, sentence(row.reason)) for name, row in rows if row.reason is not None],
+    )  # fmt: skip
 
 
 def _errors(errors: Accuracy) -> list[object]:
     values = (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y, errors.rmse_column, errors.rmse_row)
     return [errors.count, *("" if value is None else _number(value) for value in values)]
-
-
-def _worst(done: Adjustment) -> list[int]:
-    """The points by their residual on the ground, the largest first."""
-    return [int(index) for index in np.argsort(-np.linalg.norm(done.residuals_m, axis=1))[:_MOST_POINTS]]
 
 
 def _number(value: float, unit: str = "") -> str:

@@ -8,6 +8,7 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterCrs,
+    QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFile,
     QgsProcessingParameterNumber,
@@ -27,8 +28,7 @@ if TYPE_CHECKING:
     from ..imagery.open_raster import OpenRaster
     from .measure.fit_files import ViewDirection
     from .measure.heights import Datum
-    from .measure.point_checks import ImageBox
-    from .measure.points import Points
+    from .measure.points import ImageBox, Points
     from .measure.polynomials import Rational
     from .measure.registry import ModelRequest
 
@@ -54,13 +54,29 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     GROUP = SATELLITE_IMAGES
     RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
 
+    def addFile(self, name: str, label: str, purpose: str, advanced: bool = False, filters: str = "") -> None:
+        """A file that may be left out."""
+        file = QgsProcessingParameterFile(name, label, optional=True, fileFilter=filters)
+        self.addDescribed(file, purpose, advanced)
+
+    def addReal(
+        self, name: str, label: str, default: float | None, purpose: str, advanced: bool = False, **limits: float
+    ) -> None:
+        """A number between ``minValue`` and ``maxValue``, which may be left out where it has no default."""
+        real = QgsProcessingParameterNumber.Type.Double
+        self.addDescribed(
+            QgsProcessingParameterNumber(name, label, real, default, default is None, **limits), purpose, advanced
+        )
+
+    def addTable(self, name: str, label: str, purpose: str, kind: int = QgsProcessing.SourceType.TypeVector) -> None:
+        """A layer that is made."""
+        self.addDescribed(QgsProcessingParameterFeatureSink(name, label, kind), purpose)
+
     def addPoints(self) -> None:
         """The points that a model is fitted to."""
+        vector_points = [QgsProcessing.SourceType.TypeVectorPoint]
         self.addDescribed(
-            QgsProcessingParameterFeatureSource(
-                GCPS, tr("Ground control points"), [QgsProcessing.SourceType.TypeVectorPoint], None, True
-            ),
-            tr(
+            QgsProcessingParameterFeatureSource(GCPS, tr("Ground control points"), vector_points, None, True), tr(
                 "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper "
                 "left corner of the first pixel), and if there are any id, z, role (control or check) and sigma "
                 "(standard deviation in pixels); or a .points file of QGIS's georeferencer, a GeoJSON of orthority, or "
@@ -79,76 +95,43 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         """A terrain model, what heights refer to (names and labels), and the grid for some of them."""
         self.addDescribed(QgsProcessingParameterRasterLayer(DEM, tr("Terrain model"), optional=True), purpose)
         for name, label in heights:
-            self.addDescribed(
-                common.choice(name, label, limits.HEIGHT_DATUMS),
-                tr(
-                    "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a "
-                    "warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ "
-                    "has the grid, geoid by a grid file of your own. SRTM tiles are egm96."
-                ),
-            )
-        self.addDescribed(
-            QgsProcessingParameterFile(GEOID, tr("Grid of the geoid"), optional=True),
-            tr(
-                "For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any "
-                "raster."
-            ),
-            advanced=True,
-        )
+            self.addDescribed(common.choice(name, label, limits.HEIGHT_DATUMS), tr(
+                "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a "
+                "warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ "
+                "has the grid, geoid by a grid file of your own. SRTM tiles are egm96."
+            ))
+        self.addFile(GEOID, tr("Grid of the geoid"), tr(
+            "For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster."
+        ), advanced=True)
 
     def addTerrainError(self) -> None:
         """What the view is judged by."""
-        number = QgsProcessingParameterNumber
-        self.addDescribed(
-            number(TERRAIN_ERROR, tr("Error of terrain heights (metres)"), number.Type.Double, 1.0, minValue=0),
-            tr(
-                "The log says how far an error of this size moves the orthoimage, by the angle that the image was "
-                "taken at."
-            ),
-            advanced=True,
-        )
+        self.addReal(TERRAIN_ERROR, tr("Error of terrain heights (metres)"), 1.0, tr(
+            "The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at."
+        ), advanced=True, minValue=0)
 
     def addFittingParameters(self) -> None:
         """What a fit to points takes beside them and the model."""
-        number = QgsProcessingParameterNumber
         self.addImage()
-        self.addDescribed(
-            QgsProcessingParameterFile(IMAGE_RPC, tr("RPC of the image"), optional=True),
-            tr(
-                "The vendor's RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or "
-                ".geom."
-            ),
-        )
-        self.addTerrain(
-            tr("Gives heights to points that have none."),
-            (HEIGHTS, tr("Heights of the points")),
-            (DEM_HEIGHTS, tr("Heights of the terrain model")),
-        )
-        share = tr("Share of check points")
-        self.addDescribed(
-            number(CHECK_SHARE, share, number.Type.Double, DEFAULT_CHECK_SHARE, minValue=0, maxValue=MOST_CHECK_SHARE),
-            tr(
-                "Where no point has a role, this share of them, evenly spread, judges the fit without taking part in "
-                "it. The same points give the same choice."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterBoolean(ROBUST, tr("Look for blunders"), defaultValue=False),
-            tr("Flags points that contradict the others and fits the model without them."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True),
-            tr("For files from before QGIS 3.26, which do not name the reference system of their map coordinates."),
-            advanced=True,
-        )
-        self.addDescribed(
-            number(ORBIT_HEIGHT, tr("Height of the orbit (km)"), number.Type.Double, None, True, 0, 40000),
-            tr(
-                "Nominal, for the model pushbroom. Empty: by the satellite that the image's metadata name, else 694 "
-                "km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617."
-            ),
-            advanced=True,
-        )
+        self.addFile(IMAGE_RPC, tr("RPC of the image"), tr(
+            "The vendor's RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom."
+        ))
+        heights = (HEIGHTS, tr("Heights of the points")), (DEM_HEIGHTS, tr("Heights of the terrain model"))
+        self.addTerrain(tr("Gives heights to points that have none."), *heights)
+        self.addReal(CHECK_SHARE, tr("Share of check points"), DEFAULT_CHECK_SHARE, tr(
+            "Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. "
+            "The same points give the same choice."
+        ), minValue=0, maxValue=MOST_CHECK_SHARE)
+        robust = QgsProcessingParameterBoolean(ROBUST, tr("Look for blunders"), defaultValue=False)
+        self.addDescribed(robust, tr("Flags points that contradict the others and fits the model without them."))
+        system = QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True)
+        self.addDescribed(system, tr(
+            "For files from before QGIS 3.26, which do not name the reference system of their map coordinates."
+        ), advanced=True)
+        self.addReal(ORBIT_HEIGHT, tr("Height of the orbit (km)"), None, tr(
+            "Nominal, for the model pushbroom. Empty: by the satellite that the image's metadata name, else 694 "
+            "km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617."
+        ), advanced=True, minValue=0, maxValue=40000)
 
     def addViewNumbers(self) -> None:
         """How obliquely the image was taken."""
@@ -184,11 +167,9 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     def _points(
         self, run: Run, image: OpenRaster | None, rpc: Rational | None, request: ModelRequest | None = None
     ) -> Points:
-        """The points with roles, and heights where the model (None: any) needs them, held against the image's own
-        ``rpc``."""
+        """With roles, and heights where the model (None: any) needs them, held against the image's own ``rpc``."""
         from .measure.heights import with_heights
-        from .measure.point_checks import check_against_rpc, check_inside, check_plausible
-        from .measure.points import choose_check_points
+        from .measure.points import check_against_rpc, check_inside, check_plausible, choose_check_points
 
         share = run.real(CHECK_SHARE)
         if not 0 <= share <= MOST_CHECK_SHARE:
@@ -208,14 +189,11 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             run.tell(*check_against_rpc(points, rpc))
         if with_roles:
             return points
-        total = len(points)
         points = choose_check_points(points, share)
-        count = total - int(points.check.sum())
-        if request is not None and count < request.variant.fewest <= total:
-            fewest = request.variant.fewest
-            raise SettingsError(
-                messages.TOO_FEW_AFTER_SPLIT(total=total, count=count, model=request.name, fewest=fewest)
-            )
+        total, count = len(points), int((~points.check).sum())
+        if request is not None and count < (fewest := request.variant.fewest) <= total:
+            few = messages.TOO_FEW_AFTER_SPLIT(total=total, count=count, model=request.name, fewest=fewest)
+            raise SettingsError(few)
         return points
 
     def _points_given(self, run: Run, image: OpenRaster | None) -> tuple[Points, bool, list[Message]]:
@@ -242,11 +220,11 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _rpc(self, run: Run, name: str, image: OpenRaster | None) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
-        from .measure.rpc import own_rpc, read_rpc, rpc_metadata, rpc_of_image_part
+        from .measure.rpc import own_rpc, read_rpc, rpc_of_image_part
 
         path = run.path(name)
         rpc = read_rpc(Path(path)) if path else own_rpc(image) if image is not None else None
-        if rpc is None or image is None or (not path and rpc_metadata(image)):
+        if rpc is None or image is None or (not path and image.dataset.GetMetadata("RPC")):
             return rpc
         rpc, notice = rpc_of_image_part(rpc, image.raster)
         if notice is not None:
@@ -255,22 +233,17 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _orbit_height_m(self, run: Run, image: OpenRaster | None) -> float:
         """As given, else by the satellite that the image's metadata name, else the default."""
-        given = run.real(ORBIT_HEIGHT)
-        if given > 0:
-            return given * 1000
         from .measure.rpc import satellite_name
 
         name = satellite_name(image).upper() if image is not None else ""
         known = (height for word, height in ORBIT_HEIGHTS_KM.items() if name.startswith(word))
-        return next(known, limits.DEFAULT_ORBIT_HEIGHT_KM) * 1000
+        return (run.real(ORBIT_HEIGHT) or next(known, limits.DEFAULT_ORBIT_HEIGHT_KM)) * 1000
 
 
 def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None]:
     """What is told of a view; nothing for a plane model."""
-    if view is None:
-        return dict.fromkeys((VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT))
-    shift = view.shift_m(run.real(TERRAIN_ERROR))
-    return {VIEW_ANGLE: view.angle, VIEW_AZIMUTH: view.azimuth, TERRAIN_SHIFT: shift}
+    found = (None,) * 3 if view is None else (view.angle, view.azimuth, view.shift_m(run.real(TERRAIN_ERROR)))
+    return dict(zip((VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT), found))
 
 
 def height_datums(run: Run, *names: str) -> list[Datum]:
@@ -297,5 +270,5 @@ def image_box(image: OpenRaster | None, points: Points) -> ImageBox:
 
 
 def _file_path(value: object) -> str:
-    """The path of a georeferencer's file or of an image that holds points; empty for a layer."""
+    """Of a georeferencer's file or an image that holds points; empty for a layer."""
     return value if isinstance(value, str) and value.lower().endswith((POINTS_SUFFIX, *IMAGE_SUFFIXES)) else ""

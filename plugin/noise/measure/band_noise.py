@@ -20,8 +20,17 @@ from ...imagery.errors import Message, SettingsError
 from ...imagery.limits import LUMINANCE, has_colours
 from ...imagery.wavelets import Curve, check_decomposition, clip_curves, detail_components
 from . import messages
-from .grain import Grain, QuietGround, clipped_pixels, curve_if_white, possible_grains, quiet_ground, recognised_grain
-from .noise_amount import NoiseAmount, noise_amount, white_noise
+from .grain import (
+    Grain,
+    QuietGround,
+    clipped_pixels,
+    curve_if_white,
+    possible_grains,
+    quiet_ground,
+    recognised_grain,
+    unshared_ground,
+)
+from .noise_amount import NoiseAmount, noise_amount, noise_found, unshared_noise, white_noise
 
 
 def inner_ranges(length: int, wavelet: str, levels: int) -> list[slice]:
@@ -88,6 +97,8 @@ class BandNoise:
     """How much noise that is, whatever the scene."""
     ground: tuple[QuietGround | None, ...] = ()
     """The quiet ground of level 1 (finest), 2, ..., R."""
+    unshared: tuple[QuietGround | None, ...] = ()
+    """The same of what the other bands of the clip do not have; empty for a single band, and for the luminance."""
     are_whole: bool = True
     """Whether the values are whole numbers."""
 
@@ -147,6 +158,7 @@ def measure_noise(
     all_names = [*names, LUMINANCE] if weights else list(names)
     kurtoses: list[list[float | None]] = [[] for _ in curves]
     grounds: list[list[QuietGround | None]] = [[] for _ in curves]
+    alone = []
     sigmas: list[float] = []
     is_filled = masked is not None and bool(masked.any())
     silent = clipped_pixels(bands)
@@ -158,11 +170,12 @@ def measure_noise(
         silent |= np.asarray(masked)
     inner = list(zip(*(inner_ranges(length, wavelet, levels) for length in bands.shape[1:])))
     for level, components in enumerate(detail_components(bands, wavelet, levels), 1):
+        usable = ~_in_cells(silent, 2**level)[inner[level - 1]]
+        alone.append(unshared_ground(components[(slice(None), slice(None), *inner[level - 1])], usable))
         if weights:
             mixed = np.tensordot(components[:, :3], np.array(weights, components.dtype), axes=(1, 0))
             components = np.concatenate([components, mixed[:, np.newaxis]], axis=1)
         kept = ~_in_cells(np.asarray(masked), 2**level) if is_filled else None
-        usable = ~_in_cells(silent, 2**level)[inner[level - 1]]
         for index, curve in enumerate(curves):
             details = components[:, index]
             if level == 1:
@@ -174,14 +187,17 @@ def measure_noise(
             values = details.reshape(3, -1) if kept is None else details[:, kept[inner[level - 1]]]
             kurtoses[index].append(None if empty else _kurtosis(values))
     measured = {}
-    for name, curve, kurtosis, sigma, ground, signal in zip(all_names, curves, kurtoses, sigmas, grounds, signals):
+    unshared = [*zip(*alone), *[()] * (len(curves) - len(alone[0]))]
+    for name, curve, kurtosis, sigma, ground, other, signal in zip(
+        all_names, curves, kurtoses, sigmas, grounds, unshared, signals
+    ):
         if curve.variance == 0:
             verdict, note = NoiseVerdict.NOT_MEASURABLE, messages.NOISE_CONSTANT(name=raster, band=name)
             measured[name] = BandNoise(curve, tuple(kurtosis), None, verdict, note)
         else:
             own = BandNoise(
                 curve, tuple(kurtosis), sigma, NoiseVerdict.UNCERTAIN, signal=signal, ground=tuple(ground),
-                are_whole=bands.dtype.kind in "iu",
+                unshared=other, are_whole=bands.dtype.kind in "iu",
             )
             measured[name] = judged(own, wavelet)
     if weights:
@@ -226,8 +242,10 @@ def judged(own: BandNoise, wavelet: str, alike: Sequence[BandNoise] = ()) -> Ban
     elif verdict is NoiseVerdict.LOW and any(if_white(one) is not NoiseVerdict.LOW for one in possible or ()):
         verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_MAY_HIDE()
     quietest = min((own, *alike), key=_unquiet)
-    noise = max(white_noise(quietest.ground, quietest.sigma or own.sigma), grain.sigma if grain else 0.0)
-    amount = noise_amount(noise, own.signal or 0.0, least, wavelet, own.are_whole)
+    sigma = quietest.sigma or own.sigma
+    alone = unshared_noise(quietest.unshared, sigma, wavelet)
+    noise = noise_found(white_noise(quietest.ground, sigma), alone, grain.sigma if grain else 0.0)
+    amount = noise_amount(noise, own.signal or 0.0, least, wavelet, own.are_whole, alone[1])
     return replace(
         own, verdict=verdict, note=note, largest_sigma=largest, grain=grain, noise=noise, amount=amount
     )

@@ -20,6 +20,7 @@ MIN_CELLS = 9  # fewer are no choice of ground
 LEAST_SHARE = 0.002  # of the cells: the quietest there are; fewer would be chance
 QUIET_SHARE = 0.05  # of the cells: quiet ground
 _QUARTER = 0.25
+_EXACT, _NOTHING = 1e-7, 1e-30  # of the bands' variance, and at least: bands that are the same leave nothing
 _FREE = 40  # values of a cell that count as independent: 48 of white noise, fewer of grain
 
 
@@ -42,12 +43,45 @@ def quiet_ground(details: np.ndarray, usable: np.ndarray | None = None) -> Quiet
     columns) of bool, leaves out more. The ground is cut into cells of 4 x 4 coefficients. Of cells with nothing but
     noise the quieter ones are so by chance, which is allowed for (chi-square).
     """
-    rows, columns = (size // CELL * CELL for size in details.shape[1:])
-    shape = (rows // CELL, CELL, columns // CELL, CELL)
+    shape = _cell_shape(details)
+    rows, columns = shape[0] * CELL, shape[2] * CELL
     squares = np.square(details[:, :rows, :columns], dtype=np.float64).sum(axis=0)
     means = squares.reshape(shape).sum(axis=(1, 3)) / (3 * CELL * CELL)
-    if usable is not None:
-        means = means[usable[:rows, :columns].reshape(shape).all(axis=(1, 3))]
+    return _quiet(means if usable is None else means[_usable_cells(usable)])
+
+
+def unshared_ground(details: np.ndarray, usable: np.ndarray) -> list[QuietGround | None]:
+    """The same of each band's own noise, for ``details`` (3, bands, rows, columns); empty for a single band.
+
+    Bands show one texture, and each has its noise. What the others leave of a band in a cell is 1 / p_bb, p the inverse
+    of their covariance: noise of all, weighted by p_bk / p_bb. Were it as strong in all, it has p_bb / sum p_bk^2.
+    """
+    bands, shape = details.shape[1], _cell_shape(details)
+    if bands < 2:
+        return []
+    cells = details[:, :, : shape[0] * CELL, : shape[2] * CELL].reshape(3, bands, *shape)
+    cells = cells.transpose(2, 4, 1, 0, 3, 5)[_usable_cells(usable)].reshape(-1, bands, 3 * CELL * CELL)
+    covariance = (cells @ np.swapaxes(cells, 1, 2)).astype(np.float64) / (cells.shape[2] - bands + 1)
+    values, vectors = np.linalg.eigh(covariance)
+    inverse = 1 / np.maximum(values, np.maximum(_EXACT * values[:, -1:], _NOTHING))[:, np.newaxis]
+    own = (vectors**2 * inverse).sum(axis=2) / (vectors**2 * inverse**2).sum(axis=2)
+    return [_quiet(variances) for variances in own.T]
+
+
+def _cell_shape(planes: np.ndarray) -> tuple[int, int, int, int]:
+    rows, columns = planes.shape[-2:]
+    return rows // CELL, CELL, columns // CELL, CELL
+
+
+def _usable_cells(usable: np.ndarray) -> np.ndarray:
+    """(rows / 4, columns / 4): whether all of a cell is."""
+    shape = _cell_shape(usable)
+    whole: np.ndarray = usable[: shape[0] * CELL, : shape[2] * CELL].reshape(shape).all(axis=(1, 3))
+    return whole
+
+
+def _quiet(means: np.ndarray) -> QuietGround | None:
+    """By the variances of cells; None where they are too few."""
     if means.size < MIN_CELLS:
         return None
     shares = (max(LEAST_SHARE, 1 / (means.size + 1)), QUIET_SHARE, _QUARTER)

@@ -2,7 +2,7 @@
 
 The paper's rule compares noise with the scene's own detail, so 5 DN of it are low among leaves and strong on water.
 Here noise is told from texture by the spectrum of the quietest ground: white noise is as strong at every level, texture
-grows from level to level.
+grows from level to level. Where there are several bands, texture is in all of them and noise in each by itself.
 """
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from enum import Enum
 
-from .grain import QuietGround, possible_grains
+from .grain import FITTED_LEVELS, QuietGround, possible_grains
 
 TEXTURE_RISE = 2.0, 2.5  # of texture's coefficients from level to level: photographs have 2 and more
 _QUIET_BIAS = 1.02  # quiet ground of pure noise reads as much too high
@@ -18,6 +18,7 @@ EXCELLENT_RATIO, ACCEPTABLE_RATIO = 40.0, 10.0  # signal to noise, ISO 12232: fi
 ROUNDING_SIGMA = 0.5  # DN of whole numbers: rounding alone makes 0.29
 MAX_COARSE_PX = 2.0  # grain up to here is looked for before noise is called little
 _BY_CHANCE = 1.15  # the bound lies above noise that is really there by as much
+_OF_ALL = 1.3  # times the noise that bands do not share: texture has raised what level 1 shows by no more
 _CLEAR = 0.5  # of the bound: noise found that strong is all of it; grain beside it would be two noises
 
 
@@ -61,17 +62,35 @@ def white_noise(ground: Sequence[QuietGround | None], sigma: float) -> float:
     return min(math.sqrt(max(variance, 0.0)) / _QUIET_BIAS, sigma)
 
 
+def unshared_noise(unshared: Sequence[QuietGround | None], sigma: float, wavelet: str) -> tuple[float, float]:
+    """Standard deviations of the noise that bands do not share, DN: if it is white (at most ``sigma``), and the most
+    that there is room for at each level, grain of up to 2 px included. Both 0 where a level is unknown."""
+    known = [one.quiet for one in unshared[:FITTED_LEVELS] if one is not None]
+    possible = possible_grains(known, wavelet, MAX_COARSE_PX) if len(known) == FITTED_LEVELS else None
+    return (white_noise(unshared, sigma), max(grain.sigma for grain in possible)) if possible else (0.0, 0.0)
+
+
+def noise_found(white: float, unshared: tuple[float, float], grain: float) -> float:
+    """Standard deviation of the noise, DN, by ``white_noise``, ``unshared_noise`` and the grain that was recognised.
+    What bands do not share is all of it, unless level 1 has much more: noise that they share."""
+    white = unshared[0] if white < _OF_ALL * unshared[0] else white
+    return max(white, grain, unshared[1] if unshared[1] > _OF_ALL * white else 0.0)
+
+
 def noise_amount(
-    noise: float, signal: float, least: Sequence[float | None], wavelet: str, are_whole: bool
+    noise: float, signal: float, least: Sequence[float | None], wavelet: str, are_whole: bool, unshared: float = 0.0
 ) -> NoiseAmount:
     """The amount of ``noise`` (DN) under a ``signal`` (mean, DN).
 
     ``least``: of levels 1, 2, ..., the most that noise can be by the quietest ground, DN, None where unknown.
-    ``are_whole``: whether the values are whole numbers.
+    ``are_whole``: whether the values are whole numbers. ``unshared``: what of it bands do not share; where that alone
+    is more than little, no other noise is looked for.
     """
     if signal <= 0:
         return NoiseAmount.NOT_MEASURABLE
     found = _amount(noise, signal, are_whole)
+    if _amount(unshared, signal, are_whole) is not NoiseAmount.LITTLE:
+        return found
     possible = possible_grains(least, wavelet, MAX_COARSE_PX)
     if possible is None:
         return found if found is NoiseAmount.MUCH else NoiseAmount.UNCERTAIN

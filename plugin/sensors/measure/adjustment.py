@@ -3,9 +3,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import nullcontext, suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Callable
+from typing import Any, Callable
 
 import numpy as np
 
@@ -31,8 +31,7 @@ CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
 
 def fit_model(request: ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
-    """Fit a model to points with weights (n,), 1 / standard deviation in px, 0 for none. Raises SensorModelError,
-    SettingsError."""
+    """Fit to points of weights (n,), 1 / standard deviation, px; 0 for none. Raises SensorModelError, SettingsError."""
     used = weights > 0
     points, weights = points.only(used), weights[used]
     fewest = request.variant.fewest
@@ -49,16 +48,17 @@ def _check_spread(request: ModelRequest, points: Points) -> None:
     if request.variant.fewest < 3:
         return  # a model of so few points asks for no extent
     in_image = request.kind.corrects_rpc
-    places = points.image if in_image else points.ground[:, :2]
-    linear = np.column_stack([np.ones(len(places)), Scaling.of(places).to(places)])
-    flat = least_squares(linear, places[:, 0])
-    if flat.rank < 3 or flat.condition > limits.MAX_LINEAR_CONDITION:
+    places = points.image if in_image else points.ground
+
+    def is_open(axes: int) -> bool:
+        linear = np.column_stack([np.ones(len(places)), Scaling.of(places).to(places)[:, :axes]])
+        fit = least_squares(linear, places[:, 0])
+        return fit.rank <= axes or fit.condition > limits.MAX_LINEAR_CONDITION
+
+    if is_open(2):
         raise SensorModelError(messages.POINTS_ON_A_LINE(model=request.name))
-    if request.needs_heights and not in_image:
-        linear = np.column_stack([linear, Scaling.of(points.ground[:, 2:]).to(points.ground[:, 2:])])
-        solid = least_squares(linear, places[:, 0])
-        if solid.rank < 4 or solid.condition > limits.MAX_LINEAR_CONDITION:
-            raise SensorModelError(messages.POINTS_ON_A_PLANE(model=request.name))
+    if request.needs_heights and not in_image and is_open(3):
+        raise SensorModelError(messages.POINTS_ON_A_PLANE(model=request.name))
 
 
 @dataclass(frozen=True)
@@ -77,9 +77,7 @@ class Accuracy:
     @property
     def rmse(self) -> float | None:
         """Of both coordinates together, m."""
-        if self.rmse_x is None or self.rmse_y is None:
-            return None
-        return float(np.hypot(self.rmse_x, self.rmse_y))
+        return None if self.rmse_x is None or self.rmse_y is None else float(np.hypot(self.rmse_x, self.rmse_y))
 
 
 @dataclass(frozen=True)
@@ -104,32 +102,28 @@ class Adjustment:
     @property
     def control(self) -> Accuracy:
         """Of the control points that took part."""
-        return self._accuracy(~self.points.check & ~self.blunder)
+        return accuracy(self.residuals_px, self.residuals_m, ~self.points.check & ~self.blunder)
 
     @property
     def check(self) -> Accuracy:
         """Of the check points that are no blunders."""
-        return self._accuracy(self.points.check & ~self.blunder)
-
-    def _accuracy(self, group: np.ndarray) -> Accuracy:
-        return accuracy(self.residuals_px[group], self.residuals_m[group])
+        return accuracy(self.residuals_px, self.residuals_m, self.points.check & ~self.blunder)
 
 
-def accuracy(residuals_px: np.ndarray, residuals_m: np.ndarray) -> Accuracy:
-    """Root mean squares and maxima of (n, 2) residuals in px and in m."""
+def accuracy(residuals_px: np.ndarray, residuals_m: np.ndarray, group: np.ndarray | slice = slice(None)) -> Accuracy:
+    """Root mean squares and maxima of (n, 2) residuals in px and in m, all or a group."""
+    residuals_px, residuals_m = residuals_px[group], residuals_m[group]
     if not len(residuals_m):
         return Accuracy(0, None, None, None, None, None, None)
-    rmse_m, rmse_px = np.sqrt(np.mean(residuals_m**2, axis=0)), np.sqrt(np.mean(residuals_px**2, axis=0))
-    largest = np.abs(residuals_m).max(axis=0)
-    return Accuracy(len(residuals_m), *map(float, (*rmse_m, *largest, *rmse_px)))
+    rmse_m, rmse_px = (np.sqrt(np.mean(residuals**2, axis=0)) for residuals in (residuals_m, residuals_px))
+    return Accuracy(len(residuals_m), *map(float, (*rmse_m, *np.abs(residuals_m).max(axis=0), *rmse_px)))
 
 
 def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjustment:
     """Fit a model to the control points and judge it on all. ``robust`` looks for blunders: least absolute residuals,
     Tukey's biweight, a test of each point. Raises SensorModelError where points are too few or determine nothing."""
     control = points.only(~points.check)
-    needed = points.ground if request.needs_heights else points.ground[:, :2]
-    if not np.isfinite(needed).all():
+    if not np.isfinite(points.ground[:, : 3 if request.needs_heights else 2]).all():
         raise SensorModelError(messages.NO_HEIGHTS(model=request.name))
     kept = _without_blunders(request, control) if robust else np.ones(len(control), bool)
     fitted = fit_model(request, control, control.weights * kept)
@@ -138,7 +132,9 @@ def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjus
     residuals_px = project(fitted, points) - points.image
     if not np.isfinite(residuals_px).all():
         raise SensorModelError(messages.NOT_INVERTED())
-    sigma = _sigma(fitted, residuals_px[~points.check][kept] * _relative(control)[kept, None])
+    weighted = residuals_px[~points.check][kept] * _relative(control)[kept, None]
+    redundancy = weighted.size - fitted.unknowns
+    sigma = float(np.sqrt(np.sum(weighted**2) / redundancy)) if redundancy > 0.5 else np.nan
     if robust and points.check.any():
         blunder[points.check] = _check_blunders(residuals_px[points.check], sigma)
     return Adjustment(request, points, fitted, residuals_px, _on_ground(fitted, points), blunder, sigma)
@@ -170,11 +166,6 @@ def _relative(points: Points) -> np.ndarray:
     return points.weights / np.median(points.weights)
 
 
-def _sigma(fitted: FittedModel, residuals: np.ndarray) -> float:
-    redundancy = residuals.size - fitted.unknowns
-    return float(np.sqrt(np.sum(residuals**2) / redundancy)) if redundancy > 0.5 else float("nan")
-
-
 def _without_blunders(request: ModelRequest, control: Points) -> np.ndarray:
     """(n,) bool: which control points pass."""
     base, relative = control.weights, _relative(control)
@@ -182,8 +173,8 @@ def _without_blunders(request: ModelRequest, control: Points) -> np.ndarray:
     def residuals_of(weights: np.ndarray) -> tuple[np.ndarray, float]:
         """Residuals (n, 2), in standard deviations of a usual point, and the redundancy."""
         fitted = fit_model(request, control, weights)
-        used = int(np.count_nonzero(weights))
-        return (project(fitted, control) - control.image) * relative[:, None], 2 * used - fitted.unknowns
+        residuals = (project(fitted, control) - control.image) * relative[:, None]
+        return residuals, 2 * int(np.count_nonzero(weights)) - fitted.unknowns
 
     residuals, redundancy = residuals_of(base)
     if redundancy < 2:
@@ -217,8 +208,7 @@ def _without_blunders(request: ModelRequest, control: Points) -> np.ndarray:
 
 
 def _blunder_limit(redundancy: float) -> float:
-    """The longest residual of a good point, in standard deviations of a coordinate: half its square is
-    F-distributed."""
+    """The longest residual of a good point, in standard deviations: half its square is F-distributed."""
     return float(np.sqrt(redundancy * (BLUNDER_PROBABILITY ** (-2 / redundancy) - 1)))
 
 
@@ -231,18 +221,15 @@ def _robust_sigma(residuals: np.ndarray, redundancy: float) -> float:
 
 def suspects(done: Adjustment) -> np.ndarray:
     """(n,) bool: control points that miss the model by far more than most of them do, blunders perhaps."""
-    control = ~done.points.check & ~done.blunder
-    size = np.linalg.norm(done.residuals_px, axis=1)
+    control, size = ~done.points.check & ~done.blunder, np.linalg.norm(done.residuals_px, axis=1)
     usual = float(np.median(size[control])) / RAYLEIGH_MEDIAN if control.any() else 0.0
-    found: np.ndarray = control & (size > MAX_BLUNDER_SIGMAS * max(usual, limits.MIN_SIGMA_PX))
-    return found
+    return np.asarray(control & (size > MAX_BLUNDER_SIGMAS * max(usual, limits.MIN_SIGMA_PX)))
 
 
 def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
     """(n,) bool: check points that differ from the others as well as from what the control points let expect."""
-    usual = SIGMA_OF_MEDIAN * float(np.median(np.abs(residuals)))
-    limit = MAX_BLUNDER_SIGMAS * max(usual, np.nan_to_num(sigma), limits.MIN_SIGMA_PX)
-    return np.abs(residuals).max(axis=1) > limit
+    usual = max(SIGMA_OF_MEDIAN * float(np.median(np.abs(residuals))), np.nan_to_num(sigma), limits.MIN_SIGMA_PX)
+    return np.abs(residuals).max(axis=1) > MAX_BLUNDER_SIGMAS * usual
 
 
 @dataclass(frozen=True)
@@ -250,19 +237,15 @@ class JudgedModel:
     """One model of the table."""
 
     request: ModelRequest
-    errors: Accuracy | None
-    """On points that the fit has not seen; None where it could not be fitted."""
-    control: Accuracy | None
-    """On the control points themselves."""
+    errors: Accuracy | None  # on points that the fit has not seen; None where it could not be fitted
+    control: Accuracy | None  # on the control points themselves
     control_count: int
     condition: float | None
-    reason: Message | None = None
-    """Why there are no errors, or why to distrust them."""
-    misses: np.ndarray | None = None
+    reason: Message | None = None  # why there are no errors, or why to distrust them
+    misses: np.ndarray = field(default_factory=lambda: np.zeros(0))
     """(n,) errors of points that a fit has not seen, m on the ground: check points, control points left out in turn;
     NaN for blunders."""
-    unknowns: float = 0.0
-    """How many the points have determined."""
+    unknowns: float = 0.0  # how many the points have determined
 
 
 @dataclass(frozen=True)
@@ -270,20 +253,16 @@ class Comparison:
     """The paper's table."""
 
     rows: tuple[JudgedModel, ...]
-    method: str
-    """``check_points`` or ``leave_one_out``."""
+    method: str  # ``check_points`` or ``leave_one_out``
     recommended: JudgedModel | None
     reason: Message
 
 
 def all_requests(rpc: Rational | None, orbit_height_m: float, size: tuple[float, float] | None) -> list[ModelRequest]:
     """Every form of every model, in the paper's order; those that correct a vendor's RPC only where there is one."""
-    return [
-        kind.request(variant.name, orbit_height_m=orbit_height_m, size=size, rpc=rpc)
-        for kind in registry.KINDS.values()
-        if rpc is not None or not kind.corrects_rpc
-        for variant in kind.variants
-    ]
+    kinds = [kind for kind in registry.KINDS.values() if rpc is not None or not kind.corrects_rpc]
+    options: dict[str, Any] = {"orbit_height_m": orbit_height_m, "size": size, "rpc": rpc}
+    return [kind.request(variant.name, **options) for kind in kinds for variant in kind.variants]
 
 
 def compare(
@@ -294,11 +273,11 @@ def compare(
     the terrain lets a plane model do."""
     one_by_one = np.count_nonzero(points.check) < MIN_CHECK_POINTS
     rows: list[JudgedModel] = []
-    for number, request in enumerate(requests):
+    for request in requests:
         if cancelled():
             break
         rows.append(_judged(request, points, robust, one_by_one, cancelled))
-        progress((number + 1) / len(requests))
+        progress(len(rows) / len(requests))
     best, reason = recommend(rows, flat)
     return Comparison(tuple(rows), LEAVE_ONE_OUT if one_by_one else CHECK_POINTS, best, reason)
 
@@ -317,7 +296,7 @@ def _judged(
     except SeamInspectorError as error:
         return JudgedModel(request, None, None, control, None, error.message)
     judging = np.isfinite(metres).all(axis=1) if one_by_one else unseen
-    errors = accuracy(px[judging], metres[judging]) if judging.any() else None
+    errors = accuracy(px, metres, judging) if judging.any() else None
     fitted = done.fitted
     doubt = None if fitted.converged else messages.NOT_CONVERGED(iterations=fitted.iterations)
     return JudgedModel(
@@ -352,15 +331,12 @@ def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | No
     smallest, best = min(sound, key=lambda one: one[0])
     near = [(error, row) for error, row in sound if row is best or _is_as_good(row, best)]
     error, chosen = min(near, key=lambda one: (round(one[1].unknowns), one[1].request.variant.rank, one[0]))
-    return chosen, chosen.request.kind.recommendation(model=chosen.request.name, rmse=error, best=smallest)
+    why = chosen.request.kind.recommendation()
+    return chosen, messages.RECOMMENDED(model=chosen.request.name, rmse=error, best=smallest, why=why)
 
 
 def _is_as_good(row: JudgedModel, best: JudgedModel) -> bool:
     """Whether a model's squared errors exceed another's by no more than the standard error of their differences."""
-    assert row.misses is not None
-    assert best.misses is not None
     worse = row.misses**2 - best.misses**2
     worse = worse[np.isfinite(worse)]
-    if len(worse) < 2:
-        return False
-    return bool(worse.mean() <= MAX_STANDARD_ERRORS * worse.std(ddof=1) / np.sqrt(len(worse)))
+    return len(worse) > 1 and bool(worse.mean() <= MAX_STANDARD_ERRORS * worse.std(ddof=1) / np.sqrt(len(worse)))

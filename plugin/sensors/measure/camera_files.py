@@ -15,23 +15,20 @@ import numpy as np
 from ...imagery.documents import json_document, looks_like_xml, xml_root
 from ...imagery.errors import SensorModelError
 from . import messages
-from .frames import FrameInterior
-from .lenses import BrownLens, FisheyeLens, Lens
+from .frames import BrownLens, FisheyeLens, FrameInterior, Lens
 from .sensor_model import file_content, yaml_document
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 MAX_PIXELS = 1e9  # of an image's side, a focal length, or from the image to the principal point
 MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
-UNREADABLE = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, AttributeError, StopIteration)
+BROKEN = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, AttributeError, StopIteration)
 """What a document that is none of these raises when it is taken apart."""
 _ORTHORITY = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 _BROWN = ("k1", "k2", "k3", "p1", "p2")
 _LENSES = {
-    "pinhole": (),
-    "brown": _BROWN,
-    "opencv": (*_BROWN, "k4", "k5", "k6", "s1", "s2", "s3", "s4"),
+    "pinhole": (), "brown": _BROWN, "opencv": (*_BROWN, "k4", "k5", "k6", "s1", "s2", "s3", "s4"),
     "fisheye": ("k1", "k2", "k3", "k4"),
-}
+}  # fmt: skip
 """Types of lenses and the coefficients of each, as orthority and OpenCV name them."""
 _OPENSFM = {
     "perspective": "brown", "simple_radial": "brown", "radial": "brown", "brown": "brown", "fisheye": "fisheye",
@@ -46,10 +43,8 @@ PIX4D_LINES = 9  # of a photo: three of the camera's matrix, two of its lens, it
 class FileCamera:
     """A camera as a file has it."""
 
-    interior: FrameInterior
-    """In its own pixels."""
-    size: np.ndarray
-    """(2,) its columns and rows."""
+    interior: FrameInterior  # in its own pixels
+    size: np.ndarray  # (2,) its columns and rows
     mount: np.ndarray
     """(2, 2) its columns and rows by the axes that its file's rotations turn, x to the right and y upwards."""
 
@@ -58,14 +53,11 @@ class FileCamera:
 class Cameras:
     """The cameras of a file."""
 
-    name: str
-    """The file's."""
-    cameras: Mapping[str, Callable[[], FileCamera]]
-    """What makes each, by its name."""
+    name: str  # the file's
+    cameras: Mapping[str, Callable[[], FileCamera]]  # what makes each, by its name
 
     def chosen(self, camera: str) -> FileCamera:
-        """The one of that name, of any part of a reconstruction what follows the slash, or the only one. Raises
-        SensorModelError."""
+        """By its name, of any part of a reconstruction after the slash, or the only one. Raises SensorModelError."""
         names = [camera, camera.partition("/")[2], *(self.cameras if len(self.cameras) == 1 else ())]
         found = next((name for name in names if name in self.cameras), None)
         if found is None and self.cameras:
@@ -75,8 +67,7 @@ class Cameras:
             return self.cameras[str(found)]()
 
     def of(self, camera: str, size: tuple[int, int]) -> FrameInterior:
-        """One by its name, scaled to an image of ``size`` (columns, rows). Raises SensorModelError for what can't be
-        its camera."""
+        """One scaled to an image of ``size`` (columns, rows). Raises SensorModelError for what can't be its camera."""
         try:
             found = self.chosen(camera)
             made, own_size = found.interior, found.size
@@ -86,7 +77,7 @@ class Cameras:
                 own_size.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
                 and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *own_size) >= 1
             )
-        except UNREADABLE:
+        except BROKEN:
             sound = False
         if not sound:
             raise SensorModelError(messages.NO_INTERIOR(name=self.name))
@@ -106,13 +97,12 @@ def read_cameras(content: Any, path: Path) -> Cameras:
     """The cameras of a ``document``. Raises SensorModelError for a file that holds none."""
     try:
         return Cameras(path.name, _cameras(content, path))
-    except UNREADABLE:
+    except BROKEN:
         raise SensorModelError(messages.NO_INTERIOR(name=path.name)) from None
 
 
 def orientation_file(path: Path) -> Path:
-    """The file itself, or the reconstruction of an OpenDroneMap project's folder. Raises SensorModelError for another
-    folder."""
+    """The file, or the reconstruction of an OpenDroneMap project. Raises SensorModelError for another folder."""
     if not os.path.isdir(path):
         return path
     inside = (path / "opensfm" / _RECONSTRUCTION, path / _RECONSTRUCTION)
@@ -253,9 +243,8 @@ def _block_camera(group: Element, path: Path) -> FileCamera:
     if kind != "Perspective" or skew:
         raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=kind if not skew else "Skew"))
     size = numbers_of(group, "ImageDimensions/Width", "ImageDimensions/Height")
-    if group.find("FocalLengthPixels") is not None:
-        (focal,) = numbers_of(group, "FocalLengthPixels")
-    else:
+    focal = float(group.findtext("FocalLengthPixels") or 0)
+    if not focal:
         length, sensor = numbers_of(group, "FocalLength", "SensorSize")
         focal = length / sensor * max(size)
     ratio = float(group.findtext("AspectRatio") or 1)
@@ -268,9 +257,7 @@ def _block_camera(group: Element, path: Path) -> FileCamera:
 
 def _micmac_camera(root: Element, path: Path) -> FileCamera:
     """A conical camera without distortion, or with a radial one about a centre of its own (NoDist, ModRad)."""
-    inner = root if root.tag == "CalibrationInternConique" else root.find(".//CalibrationInternConique")
-    if inner is None:
-        raise ValueError
+    inner = next(root.iter("CalibrationInternConique"))
     focal, size = numbers_of(inner, "F"), numbers_of(inner, "SzIm")
     principal, centre = numbers_of(inner, "PP"), None
     radial: tuple[float, ...] = ()
@@ -295,16 +282,15 @@ def numbers_of(element: Element, *names: str) -> list[float]:
 
 
 def pix4d_photos(content: str) -> dict[str, list[float]]:
-    """Of each photo of Pix4D's ``..._calibrated_camera_parameters.txt`` by its name: columns and rows, the camera's
-    matrix, three radial and two tangential terms, position, rotation; {} for another file."""
+    """Of each photo of ``..._calibrated_camera_parameters.txt``: sides, matrix, lens, position, rotation; or {}."""
     lines = content.splitlines()
     if not lines or not lines[0].startswith("fileName imageWidth imageHeight"):
         return {}
     photos = {}
-    for number, line in enumerate(lines):
+    for number, line in enumerate(lines, 1):
         named = re.fullmatch(r"\s*(.*\S)\s+(\d+)\s+(\d+)\s*", line)
         if named and not re.fullmatch(r"[-+\d.eE\s]+", named[1]):
-            words = " ".join([*named.groups()[1:], *lines[number + 1 : number + 1 + PIX4D_LINES]]).split()
+            words = " ".join([named[2], named[3], *lines[number : number + PIX4D_LINES]]).split()
             photos[named[1]] = [float(word) for word in words]
     return photos
 

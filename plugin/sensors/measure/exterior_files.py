@@ -17,16 +17,7 @@ from scipy.spatial.transform import Rotation
 
 from ...imagery.errors import Message, SensorModelError
 from . import messages
-from .camera_files import (
-    UNREADABLE,
-    VERSION,
-    document,
-    inpho_blocks,
-    inpho_value,
-    numbers_of,
-    pix4d_photos,
-    read_cameras,
-)
+from .camera_files import BROKEN, VERSION, document, inpho_blocks, inpho_value, numbers_of, pix4d_photos, read_cameras
 from .frames import EARTH_CURVATURE, camera_axes
 from .limits import ANGLE_UNITS, WGS84_SEMI_MAJOR_M
 from .pushbroom import geocentric
@@ -38,10 +29,10 @@ _ANGLE_WORDS = "|".join(rf"[_ (\[](?:{words})\b[)\]]?" for _, words in _UNIT_WOR
 _FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
 _ALIASES = {
     "filename": "filename file image imagename imageid imagefile photo photoid photoname label id name frame",
-    "x": "x easting east e x0 xc xl xeasting xlongitude projectedx rechtswert", "y": "y northing north n y0 yc yl "
-    "ynorthing ylatitude projectedy hochwert", "z": "z altitude alt height h z0 zc zl elevation zaltitude hoehe hhe "
-    "ellipsoidheight orthometricheight", "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka",
-    "camera": "camera cameraid sensor",
+    "x": "x easting east e x0 xc xl xeasting xlongitude projectedx rechtswert",
+    "y": "y northing north n y0 yc yl ynorthing ylatitude projectedy hochwert",
+    "z": "z altitude alt height h z0 zc zl elevation zaltitude hoehe hhe ellipsoidheight orthometricheight",
+    "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka", "camera": "camera cameraid sensor",
 }  # fmt: skip
 _NAMES = {alias: name for name, aliases in _ALIASES.items() for alias in aliases.split()}
 """What columns are called, in small letters and digits and without units, and what they hold."""
@@ -57,18 +48,12 @@ _DOWN = np.diag([1.0, -1.0, -1.0])  # from x right, y up, z back to columns, row
 class FrameExterior:
     """Where a camera was and how it looked."""
 
-    position: np.ndarray
-    """(3,) x, y, height, m."""
-    axes: np.ndarray
-    """(3, 3), as ``FrameCamera.axes``."""
-    camera: str = ""
-    """The camera's name, where the file says it."""
-    wkt: str = ""
-    """Reference system of x and y, anything that GDAL understands; empty where the file names none."""
-    curvature: float = 0.0
-    """As ``FrameCamera.curvature``."""
-    notices: tuple[Message, ...] = ()
-    """What to say of how it was read."""
+    position: np.ndarray  # (3,) x, y, height, m
+    axes: np.ndarray  # (3, 3), as ``FrameCamera.axes``
+    camera: str = ""  # the camera's name, where the file says it
+    wkt: str = ""  # reference system of x and y, anything that GDAL understands; empty where the file names none
+    curvature: float = 0.0  # as ``FrameCamera.curvature``
+    notices: tuple[Message, ...] = ()  # what to say of how it was read
 
 
 Named = list[tuple[str, Callable[[], FrameExterior]]]
@@ -79,8 +64,7 @@ Named = list[tuple[str, Callable[[], FrameExterior]]]
 class Exteriors:
     """The orientations of a file."""
 
-    name: str
-    """The file's."""
+    name: str  # the file's
     photos: Named
 
     @property
@@ -89,19 +73,17 @@ class Exteriors:
         return [name for name, _ in self.photos]
 
     def of(self, image: str) -> FrameExterior:
-        """That of an image by its file's name, with or without its ending. Raises SensorModelError where there is not
-        just one."""
+        """That of an image by its file's name, with ending or without. Raises SensorModelError for none or several."""
         stem = Path(image).stem
-        alike = [one for one in self.photos if one[0] == image or stem in (one[0], Path(one[0]).stem)]
-        found = [one for one in alike if one[0] == image] or alike
-        found = self.photos if self.names == [""] else found
+        alike = [one for one in self.photos if self.names == [""] or stem in (one[0], Path(one[0]).stem)]
+        found = [one for one in self.photos if one[0] == image] or alike
         if len(found) != 1:
             names = ", ".join(self.names[:_SHOWN])
             raise SensorModelError(messages.IMAGE_NOT_ORIENTED(name=self.name, image=image, names=names))
         try:
             made = found[0][1]()
-            sound = np.isfinite(made.position).all() and made.position.shape == (3,) and made.axes.shape == (3, 3)
-        except UNREADABLE:
+            sound = np.isfinite(made.position).all() and (made.position.shape, made.axes.shape) == ((3,), (3, 3))
+        except BROKEN:
             sound = False
         if not sound or not np.allclose(made.axes.T @ made.axes, np.eye(3), atol=_DIGITS):
             raise SensorModelError(messages.NO_EXTERIOR(name=self.name))
@@ -109,11 +91,10 @@ class Exteriors:
 
 
 def read_exteriors(content: Any, path: Path, angles: str = AUTO) -> Exteriors:
-    """The orientations of a ``document``; ``angles`` is one of ``limits.ANGLE_UNITS``. Raises SensorModelError without
-    any."""
+    """Those of a ``document``; ``angles``: of ``limits.ANGLE_UNITS``. Raises SensorModelError without any."""
     try:
         return Exteriors(path.name, _photos(content, path, angles))
-    except (*UNREADABLE, csv.Error):
+    except (*BROKEN, csv.Error):
         raise SensorModelError(messages.NO_EXTERIOR(name=path.name)) from None
 
 
@@ -139,16 +120,11 @@ def _photos(content: Any, path: Path, angles: str) -> Named:
     return _patb_photos(content) or _table_photos(content, path, angles)
 
 
-# --- documents -------------------------------------------------------------------------------------------------
-
-
 def _micmac_exterior(root: Element) -> FrameExterior:
     """``Orientation-IMAGE.xml``: centre and axes (rows down, view forward) as a matrix; one file an image."""
-    outer = root if root.tag == "Externe" else root.find(".//Externe")
-    if outer is None:
-        raise ValueError
-    rows = [(outer.findtext(f"ParamRotation/CodageMatr/L{number}") or "").split() for number in (1, 2, 3)]
-    return FrameExterior(np.array((outer.findtext("Centre") or "").split(), float), np.array(rows, float))
+    outer = next(root.iter("Externe"))
+    rows = numbers_of(outer, *(f"ParamRotation/CodageMatr/L{number}" for number in (1, 2, 3)))
+    return FrameExterior(np.array(numbers_of(outer, "Centre")), np.reshape(rows, (3, 3)))
 
 
 def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:
@@ -157,9 +133,8 @@ def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:
 
 
 def _opensfm_photos(content: Any, path: Path) -> Named:
-    """The shots of all parts of a reconstruction, each in the plane that touches the Earth at its part's reference.
-    OpenDroneMap replaces it by one in UTM and keeps the exact one beside it; else the offset stands in another
-    folder."""
+    """The shots of all parts, each in the plane that touches the Earth at its part's reference. OpenDroneMap replaces
+    it by one in UTM and keeps the exact one beside it; else the offset stands in another folder."""
     exact, offset = path.with_name("reconstruction.topocentric.json"), None
     coordinates = path.parent.parent / "odm_georeferencing" / "coords.txt"
     told = messages.PLANE_TAKEN(name=path.name)
@@ -172,10 +147,8 @@ def _opensfm_photos(content: Any, path: Path) -> Named:
     def exterior(shot: dict[str, Any], part: int, origin: list[float]) -> FrameExterior:
         axes = Rotation.from_rotvec(np.array(shot["rotation"], float)).as_matrix().T
         position = -axes @ np.array(shot["translation"], float)
-        if offset is not None:
-            made = FrameExterior(position + offset, axes, wkt=system)
-        else:
-            made = _from_plane(origin, position, axes)
+        is_plane = offset is None
+        made = _from_plane(origin, position, axes) if is_plane else FrameExterior(position + offset, axes, wkt=system)
         return replace(made, camera=f"{part}/{str(shot['camera']).removeprefix(VERSION)}", notices=(told,))
 
     photos: Named = []
@@ -208,11 +181,8 @@ def _metashape_photos(root: Element) -> Named:
 
 
 def _metashape_exterior(camera: Element, placed: Element) -> FrameExterior:
-    own = np.reshape((camera.findtext("transform") or "").split(), (4, 4)).astype(float)
-    turn = np.reshape((placed.findtext("rotation") or "").split(), (3, 3)).astype(float)
-    shift = np.array((placed.findtext("translation") or "").split(), float)
-    scale = float(placed.findtext("scale") or 1)
-    centre = scale * turn @ own[:3, 3] + shift
+    own, turn = np.reshape(numbers_of(camera, "transform"), (4, 4)), np.reshape(numbers_of(placed, "rotation"), (3, 3))
+    centre = float(placed.findtext("scale") or 1) * turn @ own[:3, 3] + numbers_of(placed, "translation")
     if not 0.9 < np.linalg.norm(centre) / WGS84_SEMI_MAJOR_M < 1.1:  # a system of its own, and not the Earth's
         raise ValueError
     return replace(_from_geocentric(centre, turn @ own[:3, :3]), camera=camera.get("sensor_id", ""))
@@ -222,31 +192,25 @@ def _block_photos(root: Element) -> Named:
     """ContextCapture's: the rotation takes the ground to the camera, whose y is up or down as the group says."""
     systems = {one.findtext("Id"): (one.findtext("Definition") or "").strip() for one in root.iter("SRS")}
     photos: Named = []
-    number = 0
-    for block in root.iter("Block"):
-        for group in block.iter("Photogroup"):
-            system = systems.get(group.findtext("SRSId") or block.findtext("SRSId"), "")
-            for photo in group.iter("Photo"):
-                name = re.split(r"[\\/]", photo.findtext("ImagePath") or "")[-1]
-                photos.append((name, partial(_block_exterior, photo, group, str(number), system)))
-            number += 1
+    groups = [(block, group) for block in root.iter("Block") for group in block.iter("Photogroup")]
+    for number, (block, group) in enumerate(groups):
+        system = systems.get(group.findtext("SRSId") or block.findtext("SRSId"), "")
+        for photo in group.iter("Photo"):
+            name = re.split(r"[\\/]", photo.findtext("ImagePath") or "")[-1]
+            photos.append((name, partial(_block_exterior, photo, group, str(number), system)))
     return photos
 
 
 def _block_exterior(photo: Element, group: Element, camera: str, system: str) -> FrameExterior:
-    turn, pose = photo.find("Pose/Rotation"), photo.find("Pose/Center")
-    if turn is None or pose is None:
-        raise ValueError
+    turn = next(photo.iterfind("Pose/Rotation"))
     if turn.find("Omega") is not None:
         from_camera = Rotation.from_euler("XYZ", numbers_of(turn, "Omega", "Phi", "Kappa"), degrees=True).as_matrix()
     else:
         names = [f"M_{row}{column}" for row in range(3) for column in range(3)]
         from_camera = np.reshape(numbers_of(turn, *names), (3, 3)).T
-    y = group.findtext("CameraOrientation") or "XRightYDown"
-    if y not in ("XRightYDown", "XRightYUp"):
-        raise ValueError
-    axes = from_camera if y == "XRightYDown" else from_camera @ _DOWN
-    centre = np.array(numbers_of(pose, "x", "y", "z"))
+    own = {"XRightYDown": np.eye(3), "XRightYUp": _DOWN}
+    axes = from_camera @ own[group.findtext("CameraOrientation") or "XRightYDown"]
+    centre = np.array(numbers_of(photo, *(f"Pose/Center/{axis}" for axis in "xyz")))
     plane = re.match(r"ENU:([-\d.]+),([-\d.]+)", system)
     if plane:
         return replace(_from_plane([float(plane[2]), float(plane[1]), 0.0], centre, axes), camera=camera)
@@ -273,9 +237,9 @@ def _inpho_photos(content: str, path: Path) -> Named:
 def _pix4d_offset(path: Path) -> np.ndarray:
     """(3,) what positions are less than their coordinates by: of ``..._offset.xyz`` beside it."""
     beside = path.with_name(path.name.replace("calibrated_camera_parameters.txt", "offset.xyz"))
-    if beside == path or not beside.is_file():
-        return np.zeros(3)
-    return np.array(beside.read_text(encoding="utf-8", errors="replace").split()[:3], float)
+    is_there = beside != path and beside.is_file()
+    words = beside.read_text(encoding="utf-8", errors="replace").split()[:3] if is_there else (0, 0, 0)
+    return np.array(words, float)
 
 
 def _pix4d_exterior(name: str, numbers: Sequence[float], offset: np.ndarray) -> FrameExterior:
@@ -290,15 +254,14 @@ def _from_plane(origin: Sequence[float], position: np.ndarray, axes: np.ndarray)
 
 def _from_geocentric(position: np.ndarray, axes: np.ndarray) -> FrameExterior:
     """Of a camera in geocentric coordinates (WGS 84): in the plane below itself, from which the Earth curves away."""
-    systems = []
-    for code in (4978, 4979):
-        systems.append(osr.SpatialReference())
-        systems[-1].ImportFromEPSG(code)
-        systems[-1].SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    systems = osr.SpatialReference(), osr.SpatialReference()
+    for system, code in zip(systems, (4978, 4979)):
+        system.ImportFromEPSG(code)
+        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     longitude, latitude, height = osr.CoordinateTransformation(*systems).TransformPoint(*position.tolist())
-    system = f"+proj=tmerc +lon_0={longitude:.12f} +lat_0={latitude:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
+    plane = f"+proj=tmerc +lon_0={longitude:.12f} +lat_0={latitude:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
     own = _local_axes(longitude, latitude) @ axes
-    return FrameExterior(np.array([0.0, 0.0, height]), own, wkt=system, curvature=EARTH_CURVATURE)
+    return FrameExterior(np.array([0.0, 0.0, height]), own, wkt=plane, curvature=EARTH_CURVATURE)
 
 
 def _local_axes(longitude: float, latitude: float) -> np.ndarray:
@@ -306,34 +269,31 @@ def _local_axes(longitude: float, latitude: float) -> np.ndarray:
     return Rotation.from_euler("ZX", [longitude + 90, 90 - latitude], degrees=True).as_matrix().T
 
 
-# --- tables ----------------------------------------------------------------------------------------------------
-
-
 def _patb_photos(content: str) -> Named:
-    """A number, perhaps a focal length, a position, nine elements of the rotation from camera to ground; else no
-    photos."""
+    """A number, perhaps a focal length, a position, nine elements of the rotation to the ground; else no photos."""
     records = [line.split() for line in content.splitlines() if line.strip() and line.strip() != "-99"]
     photos: Named = []
     while len(records) > 2:
         first = records.pop(0)
-        values: list[float | None] = []
-        while records and len(values) < 9:
-            values += [_number(word) for word in records.pop(0)]
-        position = [_number(word) for word in first[-3:]]
-        if len(first) not in (4, 5) or len(values) != 9 or None in values or None in position:
+        words = first[-3:]
+        while records and len(words) < 12:
+            words += records.pop(0)
+        values = _numbers(words)
+        if len(first) not in (4, 5) or len(values) != 12:
             return []
         told = (messages.ROTATION_TAKEN(name=first[0], way="PATB"),)
-        turn = np.reshape(np.array(values, float), (3, 3))
-        photos.append((first[0], partial(FrameExterior, np.array(position, float), turn @ _DOWN, notices=told)))
+        turn = np.reshape(values[3:], (3, 3)) @ _DOWN
+        photos.append((first[0], partial(FrameExterior, np.array(values[:3]), turn, notices=told)))
     return photos
 
 
-def _number(word: str) -> float | None:
-    """With a decimal point or comma."""
+def _numbers(words: Iterable[str]) -> list[float]:
+    """With decimal points or commas; empty where one is none."""
     try:
-        return float(word.strip().replace(",", "."))
+        values = [float(word.replace(",", ".")) for word in words]
     except ValueError:
-        return None
+        return []
+    return values if all(map(math.isfinite, values)) else []
 
 
 def _table_photos(content: str, path: Path, angles: str) -> Named:
@@ -356,24 +316,18 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
         notices = (messages.ANGLES_PERHAPS_RADIANS(name=path.name),)
     elif not unit and largest > 180:
         notices = (messages.ANGLES_PERHAPS_GON(name=path.name, angle=largest),)
-    degrees = turned * _IN_DEGREES[unit or DEGREES]
-    system = _named_system(lines[:start])
-    cameras = [row[0][fields["camera"]] if "camera" in fields else "" for row in rows]
-    return [
-        (row[0][fields["filename"]], partial(_table_exterior, row[1][:3], turn, camera, system, notices))
-        for row, turn, camera in zip(rows, degrees, cameras)
-    ]
+    named = re.search(r"(PROJCS|COMPD_CS|PROJCRS)\[.*\]", "\n".join(lines[:start]))  # in a comment, as by Metashape
 
+    def exterior(cells: list[str], numbers: list[float]) -> FrameExterior:
+        axes = camera_axes(*(np.array(numbers[3:]) * _IN_DEGREES[unit or DEGREES]).tolist())
+        camera = cells[fields["camera"]] if "camera" in fields else ""
+        return FrameExterior(np.array(numbers[:3]), axes, camera, named[0] if named else "", notices=notices)
 
-def _table_exterior(
-    position: Sequence[float], degrees: np.ndarray, camera: str, system: str, notices: tuple[Message, ...]
-) -> FrameExterior:
-    return FrameExterior(np.array(position), camera_axes(*degrees.tolist()), camera, system, notices=notices)
+    return [(row[0][fields["filename"]], partial(exterior, *row)) for row in rows]
 
 
 def _header(line: str) -> tuple[dict[str, int], int]:
-    """Where each column stands, {} for a line that names too few; and how many there are where blanks part them, which
-    a name may hold as well: then rows have to have as many."""
+    """Where each column stands, {} for too few; and how many there are where blanks part them: rows have as many."""
     line = re.sub(_PAIRS, r"\1\2", re.sub(r"(?i)#\s*event", "event", line)).strip().lstrip("#")
     line = re.sub(r" +([(\[])", r"\1", line)  # a unit is no column of its own
     for parted in (";", "\t", ",", None):
@@ -392,12 +346,6 @@ def _angle_unit(lines: Iterable[str]) -> str:
     return found[0] if len(found) == 1 else ""
 
 
-def _named_system(lines: Iterable[str]) -> str:
-    """The reference system that a comment above a table names: a WKT, as Metashape writes it."""
-    found = re.search(r"(PROJCS|COMPD_CS|PROJCRS)\[.*\]", "\n".join(lines))
-    return found[0] if found else ""
-
-
 def _rows(lines: Sequence[str], fields: dict[str, int], count: int) -> list[tuple[list[str], list[float]]]:
     """The cells of each row with its six numbers, parted as its first row asks. Raises ValueError without rows."""
     places = [fields[name] for name in _FIELDS[1:]]
@@ -414,6 +362,5 @@ def _row(line: str, parted: str, places: Sequence[int], count: int) -> tuple[lis
     cells = [cell.strip() for cell in next(csv.reader([line.strip()], delimiter=parted, quotechar=quote))]
     cells = [cell for cell in cells if cell] if parted == " " else cells
     is_whole = len(cells) > max(places) and count in (0, len(cells))
-    numbers = [_number(cells[place]) for place in places] if is_whole else [None]
-    values = [one for one in numbers if one is not None and math.isfinite(one)]
-    return (cells, values) if len(values) == len(places) else None
+    values = _numbers(cells[place] for place in places) if is_whole else []
+    return (cells, values) if values else None

@@ -18,8 +18,7 @@ from ...imagery.open_raster import OpenRaster
 from ...imagery.reference_systems import metres_per_unit
 from . import messages, registry
 from .adjustment import Adjustment
-from .point_checks import ImageBox
-from .points import write_point_file
+from .points import ImageBox, write_point_file
 from .rpc import BiasedRpc, Domain, RpcOfModel, located, rpc_heights, rpc_of, write_image_with_rpc, write_rpc
 from .sensor_model import WGS84, SensorModel, file_content
 
@@ -34,32 +33,25 @@ class ModelFile:
     """What a model file holds."""
 
     model: SensorModel
-    wkt: str
-    """System of the points it was fitted to; models in longitude and latitude ignore it."""
+    wkt: str  # system of the points it was fitted to; models in longitude and latitude ignore it
     domain: Domain
-    facts: dict[str, Any]
-    """Accuracy, condition, points and the like, for the reader."""
+    facts: dict[str, Any]  # accuracy, condition, points and the like, for the reader
 
 
 def save_model(file: ModelFile, path: Path) -> None:
     """Write a model file. Raises SettingsError where none can be."""
     kind = next(name for name, kind in registry.KINDS.items() if type(file.model) is kind.model_class())
-    document = {
-        "format": FORMAT,
-        "version": VERSION,
-        "model": kind,
-        "conventions": {
-            "image": "column and row in pixels, (0, 0) is the upper left corner of the first pixel",
-            "ground": "longitude and latitude in degrees (EPSG:4326)" if file.model.GEOGRAPHIC else "x and y of 'crs'",
-            "height": "metres above the ellipsoid",
-            "scaling": "scaled = (value - offset) / scale",
-            "terms": "1 x y z xy xz yz xx yy zz xyz xxx xyy xzz xxy yyy yzz xxz yyz zzz; in a plane without z",
-        },
-        "crs": file.wkt,
-        "domain": asdict(file.domain),
-        "parameters": asdict(file.model),
-        "facts": file.facts,
+    conventions = {
+        "image": "column and row in pixels, (0, 0) is the upper left corner of the first pixel",
+        "ground": "longitude and latitude in degrees (EPSG:4326)" if file.model.GEOGRAPHIC else "x and y of 'crs'",
+        "height": "metres above the ellipsoid",
+        "scaling": "scaled = (value - offset) / scale",
+        "terms": "1 x y z xy xz yz xx yy zz xyz xxx xyy xzz xxy yyy yzz xxz yyz zzz; in a plane without z",
     }
+    document = {
+        "format": FORMAT, "version": VERSION, "model": kind, "conventions": conventions, "crs": file.wkt,
+        "domain": asdict(file.domain), "parameters": asdict(file.model), "facts": file.facts,
+    }  # fmt: skip
     text = json.dumps(document, default=methodcaller("tolist"))
     plain = json.loads(text, parse_constant=lambda name: None)  # what is no number stands as null
     save_text(json.dumps(plain, indent=1, allow_nan=False) + "\n", path)
@@ -69,28 +61,19 @@ def load_model(path: Path) -> ModelFile:
     """Read a model file. Raises SensorModelError when it is none, or one of a newer version."""
     try:
         document = json_document(file_content(path).decode())
-    except ValueError:
-        raise SensorModelError(messages.NO_MODEL_FILE(name=path.name)) from None
-    if not isinstance(document, dict) or document.get("format") != FORMAT:
-        raise SensorModelError(messages.NO_MODEL_FILE(name=path.name))
-    if document.get("version") != VERSION:
-        raise SensorModelError(messages.MODEL_FILE_VERSION(name=path.name, version=document.get("version")))
-    try:
+        if document["format"] != FORMAT:
+            raise ValueError
+        if document.get("version") != VERSION:
+            raise SensorModelError(messages.MODEL_FILE_VERSION(name=path.name, version=document.get("version")))
         model = _built(registry.KINDS[document["model"]].model_class(), document["parameters"])
-        plain = document["domain"]
-        parts = [(float(plain[field.name][0]), float(plain[field.name][1])) for field in fields(Domain)]
-        domain = Domain(*parts)
-        _check_shapes(model)
+        ranges = [document["domain"][field.name] for field in fields(Domain)]
+        domain = Domain(*((float(one[0]), float(one[1])) for one in ranges))
+        with np.errstate(all="ignore"):  # arrays may be of other shapes
+            if model.project(np.zeros((_TRIED, 3))).shape != (_TRIED, 2):
+                raise ValueError
         return ModelFile(model, str(document["crs"]), domain, document.get("facts", {}))
     except (KeyError, IndexError, TypeError, ValueError, AttributeError):
         raise SensorModelError(messages.NO_MODEL_FILE(name=path.name)) from None
-
-
-def _check_shapes(model: SensorModel) -> None:
-    """Raises ValueError or IndexError where its arrays are not of the shapes that take places to places."""
-    with np.errstate(all="ignore"):
-        if model.project(np.zeros((_TRIED, 3))).shape != (_TRIED, 2):
-            raise ValueError
 
 
 def _built(kind: Any, plain: Any) -> Any:
@@ -110,12 +93,9 @@ def _built(kind: Any, plain: Any) -> Any:
 class ViewDirection:
     """The line of sight, at the ground."""
 
-    angle: float
-    """From the vertical, degrees, in the middle of the image."""
-    azimuth: float
-    """Where it was taken from, degrees from north over east."""
-    largest: float
-    """The largest angle from the vertical in the image's corners, degrees."""
+    angle: float  # from the vertical, degrees, in the middle of the image
+    azimuth: float  # where it was taken from, degrees from north over east
+    largest: float  # the largest angle from the vertical in the image's corners, degrees
 
     def shift_m(self, terrain_error_m: float) -> float:
         """How far an error in the terrain's heights moves the middle of the orthoimage, m."""
@@ -133,13 +113,10 @@ def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirectio
     """Of a model fitted to points of the system ``wkt``; None for a plane one, or one too bent to be inverted."""
     if not model.SPATIAL:
         return None
-    image = domain.middle_and_corners
-    height = float(np.mean(domain.heights))
+    levels = np.mean(domain.heights) + np.array([-0.5, 0.5]) * _RISE_M
+    grids = (np.column_stack([one := domain.middle_and_corners, np.full(len(one), level)]) for level in levels)
     try:
-        low, high = (
-            located(model, wkt, np.column_stack([image, np.full(len(image), level)]), domain)
-            for level in (height - _RISE_M / 2, height + _RISE_M / 2)
-        )
+        low, high = (located(model, wkt, grid, domain) for grid in grids)
     except SensorModelError:
         return None
     towards = (high - low)[:, :2] * metres_per_unit(WGS84, float(low[0, 1]))
@@ -154,8 +131,7 @@ class FitFiles:
 
     done: Adjustment
     image: OpenRaster | None
-    box: ImageBox
-    """The image's rectangle, or that of the points."""
+    box: ImageBox  # the image's rectangle, or that of the points
     cancelled: Callable[[], bool]
 
     @cached_property
@@ -164,18 +140,13 @@ class FitFiles:
         ground = self.done.points.ground
         heights = ground[:, 2][np.isfinite(ground[:, 2])]
         low, high = (float(heights.min()), float(heights.max())) if len(heights) else (0.0, 0.0)
-        middle = ground[:, :2].mean(axis=0)
+        x, y = ground[:, :2].mean(axis=0).tolist()
         left, top, right, bottom = self.box
-        return Domain((left, right), (top, bottom), (low, high), (float(middle[0]), float(middle[1])))
+        return Domain((left, right), (top, bottom), (low, high), (x, y))
 
     @cached_property
     def _rpc(self) -> RpcOfModel:
         return rpc_of(self.done.fitted.model, self.done.points.wkt, self.domain)
-
-    @property
-    def view(self) -> ViewDirection | None:
-        """The line of sight."""
-        return view_direction(self.done.fitted.model, self.done.points.wkt, self.domain)
 
     @property
     def rpc_bias(self) -> np.ndarray | None:
@@ -185,18 +156,13 @@ class FitFiles:
 
     def save_model(self, path: Path) -> None:
         """The model file."""
-        done = self.done
+        done, fitted = self.done, self.done.fitted
         facts = {
-            "model": done.request.name,
-            "condition": done.fitted.condition,
-            "iterations": done.fitted.iterations,
-            "converged": done.fitted.converged,
-            "sigma_px": done.sigma_px,
-            "control": asdict(done.control),
-            "check": asdict(done.check),
-            "blunders": done.points.named(done.blunder),
-        }
-        save_model(ModelFile(done.fitted.model, done.points.wkt, self.domain, facts), path)
+            "model": done.request.name, "condition": fitted.condition, "iterations": fitted.iterations,
+            "converged": fitted.converged, "sigma_px": done.sigma_px, "control": asdict(done.control),
+            "check": asdict(done.check), "blunders": done.points.named(done.blunder),
+        }  # fmt: skip
+        save_model(ModelFile(fitted.model, done.points.wkt, self.domain, facts), path)
 
     def save_rpc(self, path: Path) -> tuple[Message, bool]:
         """The RPC; what to tell of it, or why there is none, and whether there is one."""
@@ -204,8 +170,7 @@ class FitFiles:
 
     def save_rpc_image(self, path: Path) -> tuple[Message, bool]:
         """A copy of the image with the RPC in its tags; what to tell as for ``save_rpc``."""
-        image = self.image
-        if image is None:
+        if (image := self.image) is None:
             return messages.RPC_IMAGE_WITHOUT_IMAGE(), False
         return self._written(lambda: write_image_with_rpc(image, self._rpc.rpc, path, self.cancelled))
 

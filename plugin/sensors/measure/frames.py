@@ -1,7 +1,8 @@
-"""The frame camera of an aerial photo: where it shows places on the ground."""
+"""The frame camera of an aerial photo: what its lens distorts, and where it shows places on the ground."""
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -9,7 +10,6 @@ from scipy.spatial.transform import Rotation
 
 from ...imagery.errors import SensorModelError
 from . import messages
-from .lenses import Lens
 from .sensor_model import SensorModel, newton
 
 START_REACH = 0.8  # of what the lens shows, where the search for the inverse of its distortion begins at most
@@ -17,20 +17,97 @@ TANGENT_STEP = 1e-6  # that derivatives of the distortion are taken with
 SMALLEST_OFFSET = 1e-12  # tangents: the centre itself has no direction
 EARTH_CURVATURE = 1 / 6_371_000.0  # 1/m, of the mean Earth
 _CURVED_STEPS = 4  # each leaves a thousandth of what the one before changed
+_STEEPEST = 10.0  # focal lengths, 84 degrees off the axis: what no photo of the ground shows
+_STEPS = 2000
+
+
+@dataclass(frozen=True)
+class Lens:
+    """One without distortion, and what all have in common."""
+
+    @cached_property
+    def reach(self) -> float:
+        """Distance from the centre, in focal lengths, up to which what lies further out is shown further out; beyond,
+        the formula folds back into the photo what the lens never showed."""
+        distance = np.linspace(0.0, _STEEPEST, _STEPS)
+        folded = np.flatnonzero(np.diff(distance * self.scale(distance**2)) <= 0)
+        return float(distance[folded[0]]) if folded.size else np.inf
+
+    def scale(self, squared: np.ndarray) -> np.ndarray:
+        """How much further out a point is shown, by the square of its distance from the centre."""
+        return np.ones_like(squared)
+
+    def added(self, x: np.ndarray, y: np.ndarray, squared: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+        """What is not radial, in focal lengths along columns and rows; None for nothing."""
+        return None
+
+    def distorted(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """In focal lengths along columns and rows; NaN for what the lens doesn't show."""
+        squared = x * x + y * y
+        scale = self.scale(squared)
+        if np.isfinite(self.reach):
+            scale[squared > self.reach**2] = np.nan
+        added = self.added(x, y, squared)
+        across, down = x * scale, y * scale
+        return (across, down) if added is None else (across + added[0], down + added[1])
+
+
+@dataclass(frozen=True)
+class BrownLens(Lens):
+    """Brown's (1971) with OpenCV's later terms: a quotient of radial polynomials and a thin prism."""
+
+    radial: tuple[float, ...]  # k1, k2, k3 ...: coefficients of r^2, r^4
+    tangential: tuple[float, float] = (0.0, 0.0)  # p1 (rows) and p2 (columns)
+    divisor: tuple[float, ...] = ()  # k4, k5, k6: coefficients of r^2, r^4, r^6 of what it is divided by
+    prism: tuple[float, ...] = ()  # s1 and s2 (columns), s3 and s4 (rows): coefficients of r^2 and r^4
+
+    def scale(self, squared: np.ndarray) -> np.ndarray:
+        scale = _polynomial(self.radial, squared)
+        return scale / _polynomial(self.divisor, squared) if any(self.divisor) else scale
+
+    def added(self, x: np.ndarray, y: np.ndarray, squared: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+        if not any((*self.tangential, *self.prism)):
+            return None
+        (first, second), product = self.tangential, 2 * x * y
+        across = first * product + second * (squared + 2 * x * x)
+        down = first * (squared + 2 * y * y) + second * product
+        if any(self.prism):
+            across = across + squared * (self.prism[0] + self.prism[1] * squared)
+            down = down + squared * (self.prism[2] + self.prism[3] * squared)
+        return across, down
+
+
+@dataclass(frozen=True)
+class FisheyeLens(Lens):
+    """OpenCV's and OpenSfM's: the distance grows with the angle off the axis (Kannala and Brandt 2006)."""
+
+    angular: tuple[float, ...]  # k1, k2, k3, k4: coefficients of the angle's 2nd, 4th, 6th and 8th power
+
+    def scale(self, squared: np.ndarray) -> np.ndarray:
+        distance = np.sqrt(squared)
+        angle = np.arctan(distance)
+        shown = angle * _polynomial(self.angular, angle * angle)
+        return np.divide(shown, distance, out=np.ones_like(distance), where=distance > 0)
+
+
+def _polynomial(coefficients: tuple[float, ...], value: np.ndarray) -> np.ndarray:
+    """1 + c1 v + c2 v^2 + ..., by Horner's rule."""
+    found = np.zeros_like(value)
+    for coefficient in reversed(np.trim_zeros(coefficients, "b")):
+        found += coefficient
+        found *= value
+    found += 1
+    return found
 
 
 @dataclass(frozen=True)
 class FrameInterior:
     """A camera, in pixels of the image that it is used for: (0, 0) is the upper left corner of the first pixel."""
 
-    focal: np.ndarray
-    """(2,) focal length along columns and rows, px."""
-    principal: np.ndarray
-    """(2,) column and row of the principal point."""
-    lens: Lens
-    """Its distortion, about ``centre``."""
-    centre: np.ndarray
-    """(2,) column and row that distortion is symmetric about."""
+    focal: np.ndarray  # (2,) focal length along columns and rows, px
+    principal: np.ndarray  # (2,) column and row of the principal point
+    lens: Lens  # its distortion, about ``centre``
+    centre: np.ndarray  # (2,) column and row that distortion is symmetric about
 
     def shown(self, across: np.ndarray, down: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column and row of views whose tangents along the camera's columns and rows are given."""
@@ -50,16 +127,13 @@ class FrameInterior:
 
 @dataclass(frozen=True)
 class FrameCamera(SensorModel):
-    """Collinearity: x, y of a plane system and heights are one Cartesian space. A point behind the camera has no place:
-    NaN."""
+    """Collinearity: x, y of a plane system and heights are one Cartesian space. What is behind the camera is NaN."""
 
     GEOGRAPHIC: ClassVar[bool] = False
 
     interior: FrameInterior
-    position: np.ndarray
-    """(3,) projection centre: x, y, height, m."""
-    axes: np.ndarray
-    """(3, 3) columns: the camera's axes along columns, along rows and along the view, on the ground."""
+    position: np.ndarray  # (3,) projection centre: x, y, height, m
+    axes: np.ndarray  # (3, 3) columns: the camera's axes along columns, along rows and along the view, on the ground
     curvature: float = 0.0
     """1/m, of the ground: 0 where x and y are taken as Cartesian, else the Earth's, and x and y are those of a
     projection about the camera that keeps distances there."""
@@ -71,8 +145,7 @@ class FrameCamera(SensorModel):
     def seen(
         self, x: np.ndarray, y: np.ndarray, height: np.ndarray, kind: type = np.float64
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Column and row of places given in arrays that numpy broadcasts; float32 halves the time and is 0.001 px off
-        at 10,000."""
+        """Column and row of arrays of places; float32 halves the time and is 0.001 px off at 10,000."""
         if self.curvature:
             swelling = 1 + self.curvature * height  # further from the Earth's middle, further apart
             x, y = (x - self.position[0]) * swelling, (y - self.position[1]) * swelling
@@ -81,14 +154,11 @@ class FrameCamera(SensorModel):
             x, y, height = (one - origin for one, origin in zip((x, y, height), self.position))
         x, y, height = (np.asarray(one, kind) for one in (x, y, height))
         east, north, up = self.axes.tolist()
-        depth = x * east[2] + y * north[2] + height * up[2]
+        across, down, depth = (x * east[axis] + y * north[axis] + height * up[axis] for axis in (0, 1, 2))
         depth[depth <= 0] = np.nan
-        ideal = []
-        for axis in (0, 1):
-            along = x * east[axis] + y * north[axis] + height * up[axis]
-            along /= depth
-            ideal.append(along)
-        return self.interior.shown(*ideal)
+        across /= depth
+        down /= depth
+        return self.interior.shown(across, down)
 
     def places(
         self, image: np.ndarray, heights: np.ndarray, middle: np.ndarray, metres: tuple[float, float]
@@ -96,8 +166,7 @@ class FrameCamera(SensorModel):
         return self.places_at(self.views(image), heights)  # exact, however oblique
 
     def views(self, image: np.ndarray) -> np.ndarray:
-        """(n, 3) unit vectors on the ground towards (n, 2) column, row. Raises SensorModelError for what the lens can't
-        show."""
+        """(n, 3) unit vectors towards (n, 2) column, row. Raises SensorModelError for what the lens can't show."""
         tangents = self.interior.tangents(image)
         if not np.isfinite(tangents).all():
             raise SensorModelError(messages.LENS_FOLDS())

@@ -1,6 +1,7 @@
 """Heights above the ellipsoid: what heights refer to, terrain models, and the heights of points."""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Union
@@ -18,13 +19,12 @@ from ...imagery.reference_systems import (
     extent_on,
     heights_above_ellipsoid,
     is_geographic,
-    metres_per_unit,
     transform_points,
     vertical_code,
     vertical_part,
 )
 from . import limits, messages
-from .points import Points
+from .points import HIGHEST_M, LOWEST_M, Points
 from .sensor_model import WGS84, Scaling, bounding_box, least_squares, reprojected
 
 AUTO, ELLIPSOID, EGM96, EGM2008, GEOID = limits.HEIGHT_DATUMS
@@ -32,7 +32,6 @@ VERTICAL = {EGM96: "EPSG:5773", EGM2008: "EPSG:3855"}
 MAX_UNDULATION_M = 120.0  # the geoid stays within -107 and +86 m of the ellipsoid
 TURN = 360.0  # degrees of longitude
 MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
-LOWEST_M, HIGHEST_M = -12_000.0, 10_000.0  # the deepest sea, the highest mountain
 UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
 FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain
 
@@ -44,38 +43,29 @@ class Geoid:
     ref: RasterRef
 
     def undulation(self, geographic: np.ndarray) -> np.ndarray:
-        """(n,) m, bilinear, at (n, 2 or more) longitude, latitude. Raises RasterError where the grid is none or does
-        not cover all."""
+        """(n,) m, bilinear, at (n, 2 or more) longitude, latitude. Raises RasterError where the grid has none."""
         source = OpenRaster(self.ref)
         wkt, transform = source.raster.wkt or WGS84, source.raster.geotransform
         if transform is None or not source.raster.is_north_up:
             raise RasterError(messages.NO_GEOID(name=self.ref.name))
         places = transform_points(geographic, WGS84, wkt)
-        round_earth = False
+        around = 0  # columns of a grid that goes around the Earth
         if is_geographic(wkt):  # from 0 to 360 degrees, or from -180 to 180
             middle = transform[0] + transform[1] * source.columns / 2
             places[:, 0] += TURN * np.round((middle - places[:, 0]) / TURN)
-            round_earth = abs(transform[1]) * source.columns >= TURN - 1e-6
-        column = (places[:, 0] - transform[0]) / transform[1] - 0.5
-        row = (places[:, 1] - transform[3]) / transform[5] - 0.5
-        edge = 0.5 + 1e-6
-        outside = (row < -edge) | (row > source.rows - 1 + edge)
-        if not round_earth:
-            outside |= (column < -edge) | (column > source.columns - 1 + edge)
-        if outside.any():
+            around = round(TURN / abs(transform[1])) if abs(transform[1]) * source.columns >= TURN - 1e-6 else 0
+        column, row = grid_places(places, transform[0::3], transform[1::4]).T
+        column = column % around if around else column
+        last = np.array([source.columns - 1, source.rows - 1])
+        inside = np.clip(np.column_stack([column, row]), 0, [around or last[0], last[1]])
+        if np.abs(inside - np.column_stack([column, row])).max(initial=0) > 0.5 + 1e-6:
             raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
-        row = np.clip(row, 0, source.rows - 1)
-        top, bottom = int(row.min()), min(int(row.max()) + 2, source.rows)
-        if round_earth:
-            column %= round(TURN / abs(transform[1]))
-            grid = first_band(source, PixelWindow(0, top, source.columns, bottom - top))
-            grid = np.pad(grid, ((0, 0), (0, 1)), mode="wrap")
-        else:
-            column = np.clip(column, 0, source.columns - 1)
-            left, right = int(column.min()), min(int(column.max()) + 2, source.columns)
-            grid = first_band(source, PixelWindow(left, top, right - left, bottom - top))
-            column -= left
-        found = bilinear(grid, column, row - top)
+        (left, top), (right, bottom) = inside.min(axis=0).astype(int), np.minimum(inside.max(axis=0) + 2, last + 1)
+        if around:
+            left, right = 0, source.columns
+        grid = first_band(source, PixelWindow(int(left), int(top), int(right) - int(left), int(bottom) - int(top)))
+        grid = np.pad(grid, ((0, 0), (0, 1)), mode="wrap") if around else grid
+        found = bilinear(grid, *(inside - [left, top]).T)
         if not np.isfinite(found).all():
             raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
         if np.abs(found).max(initial=0) > MAX_UNDULATION_M:
@@ -94,6 +84,11 @@ def first_band(source: OpenRaster, window: PixelWindow, size: tuple[int, int] | 
         heights += np.float32(band.GetOffset() or 0)
     heights[~block.valid] = np.nan
     return heights
+
+
+def grid_places(places: np.ndarray, origin: Sequence[float], step: Sequence[float]) -> np.ndarray:
+    """(n, 2) columns and rows of x and y (n, 2) in a grid, (0, 0) the middle of its first pixel."""
+    return np.asarray((places[:, :2] - origin) / step - 0.5)
 
 
 def bilinear(grid: np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
@@ -118,10 +113,8 @@ def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Mes
     """What heights of the system ``wkt`` are to be converted from, empty for nothing, and what to say about it."""
     if isinstance(datum, Geoid):
         return datum, ()
-    if datum in VERTICAL:
-        return VERTICAL[datum], ()
-    if datum == ELLIPSOID:
-        return "", ()
+    if datum != AUTO:
+        return VERTICAL.get(datum, ""), ()
     part = vertical_part(wkt)
     if not part:
         return "", (messages.HEIGHTS_ASSUMED(name=name),)
@@ -129,8 +122,7 @@ def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Mes
 
 
 def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
-    """(n,) above the ellipsoid of (n, 3) longitude, latitude and height. Raises RasterError without a grid, and names
-    another."""
+    """(n,) of (n, 3) longitude, latitude and height. Raises RasterError without a grid, and names another."""
     if isinstance(vertical, Geoid):
         moved: np.ndarray = geographic[:, 2] + vertical.undulation(geographic)
         return moved
@@ -138,11 +130,9 @@ def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
         return heights_above_ellipsoid(geographic, vertical)
     except RasterError as error:
         there = []
-        for name, code in VERTICAL.items():
+        for name in (name for name, code in VERTICAL.items() if code != vertical):
             with suppress(RasterError):
-                if code == vertical:
-                    continue
-                heights_above_ellipsoid(geographic[:1], code)
+                heights_above_ellipsoid(geographic[:1], VERTICAL[name])
                 there.append(name)
         if not there:
             raise
@@ -162,35 +152,23 @@ class Terrain:
 
     name: str
     wkt: str
-    origin: tuple[float, float]
-    """x of the left and y of the upper edge."""
-    step: tuple[float, float]
-    """Map units per column and per row; the second is negative."""
-    heights: np.ndarray
-    """(rows, columns) float32, m; NaN where there are none."""
+    origin: tuple[float, float]  # x of the left and y of the upper edge
+    step: tuple[float, float]  # map units per column and per row; the second is negative
+    heights: np.ndarray  # (rows, columns) float32, m; NaN where there are none
     notices: tuple[Message, ...]
-
-    def mesh_m(self) -> tuple[float, float]:
-        """The shorter and the longer side of a mesh on the ground, m."""
-        middle = self.origin[1] + self.step[1] * self.heights.shape[0] / 2
-        sides = np.abs(np.multiply(self.step, metres_per_unit(self.wkt, middle)))
-        return float(sides.min()), float(sides.max())
 
     def at(self, geographic: np.ndarray) -> np.ndarray:
         """Bilinear heights (n,) at longitudes and latitudes (n, 2 or more); NaN where there are none."""
-        places = transform_points(geographic, WGS84, self.wkt)
-        columns = (places[:, 0] - self.origin[0]) / self.step[0] - 0.5
-        rows = (places[:, 1] - self.origin[1]) / self.step[1] - 0.5
-        last_row, last_column = self.heights.shape[0] - 1, self.heights.shape[1] - 1
-        inside = (columns >= -0.5) & (rows >= -0.5) & (columns <= last_column + 0.5) & (rows <= last_row + 0.5)
-        heights = bilinear(self.heights, np.clip(columns, 0, last_column), np.clip(rows, 0, last_row))
-        return np.where(inside, heights, np.nan)
+        places = grid_places(transform_points(geographic, WGS84, self.wkt), self.origin, self.step)
+        inside = np.clip(places, 0, np.array(self.heights.shape[::-1]) - 1)
+        known = (np.abs(inside - places) <= 0.5).all(axis=1)
+        return np.where(known, bilinear(self.heights, *inside.T), np.nan)
 
 
 def constant_terrain(height: float, extent: Extent) -> Terrain:
     """A plane at a height above the ellipsoid, over longitudes and latitudes (west, south, east, north)."""
     west, south, east, north = extent
-    step = ((east - west) / 2, (south - north) / 2)
+    step = (east - west) / 2, (south - north) / 2
     return Terrain("", WGS84, (west, north), step, np.full((2, 2), height, np.float32), ())
 
 
@@ -209,44 +187,40 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
         xmin, ymin, xmax, ymax = extent_on(extent, WGS84, wkt)
     except RasterError:
         raise RasterError(elsewhere) from None
-    left = max(int((xmin - transform[0]) / transform[1]) - 2, 0)
-    top = max(int((ymax - transform[3]) / transform[5]) - 2, 0)
-    right = min(int((xmax - transform[0]) / transform[1]) + 3, source.columns)
-    bottom = min(int((ymin - transform[3]) / transform[5]) + 3, source.rows)
-    if right <= left or bottom <= top:
+    left, right = (int((x - transform[0]) / transform[1]) for x in (xmin, xmax))
+    top, bottom = (int((y - transform[3]) / transform[5]) for y in (ymax, ymin))
+    around = PixelWindow(left - 2, top - 2, right - left + 5, bottom - top + 5)
+    window = around.cut_to(source.columns, source.rows)
+    if window.width <= 0 or window.height <= 0:
         raise RasterError(elsewhere)
-    count = (right - left) * (bottom - top)
-    if count > MAX_DEM_PIXELS:
-        most = MAX_DEM_PIXELS // 10**6
-        raise RasterError(messages.DEM_TOO_LARGE(name=ref.name, count=count // 10**6, most=most))
-    heights = first_band(source, PixelWindow(left, top, right - left, bottom - top))
+    count, most = window.width * window.height, MAX_DEM_PIXELS
+    if count > most:
+        raise RasterError(messages.DEM_TOO_LARGE(name=ref.name, count=count // 10**6, most=most // 10**6))
+    heights = first_band(source, window)
     if np.isnan(heights).all():
         raise RasterError(elsewhere)
     low, high = float(np.nanmin(heights)), float(np.nanmax(heights))
     if low < LOWEST_M or high > HIGHEST_M:
         raise RasterError(messages.DEM_HEIGHTS_IMPLAUSIBLE(name=ref.name, low=low, high=high))
-    origin = (transform[0] + left * transform[1], transform[3] + top * transform[5])
+    origin = (transform[0] + window.column * transform[1], transform[3] + window.row * transform[5])
     vertical, notices = vertical_system(wkt, datum, ref.name)
     terrain = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, notices)
     if not vertical:
         return terrain
-    added = _add_undulation(terrain, vertical)
-    return replace(terrain, notices=(heights_converted(added, wkt, datum, ref.name),))
+    return replace(terrain, notices=(heights_converted(_add_undulation(terrain, vertical), wkt, datum, ref.name),))
 
 
 def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
     """Bring heights to the ellipsoid where they stand, by a coarse grid, since the geoid is smooth; that grid, m."""
-    rows, columns = terrain.heights.shape
-    step = UNDULATION_STEP_PX
-    knots = [np.unique(np.append(np.arange(0, size, step), size - 1)) for size in (rows, columns)]
+    step, sides = UNDULATION_STEP_PX, terrain.heights.shape
+    knots = [np.unique(np.append(np.arange(0, side, step), side - 1)) for side in sides]
     row, column = np.meshgrid(*knots, indexing="ij")
-    x = terrain.origin[0] + (column.ravel() + 0.5) * terrain.step[0]
-    y = terrain.origin[1] + (row.ravel() + 0.5) * terrain.step[1]
-    places = transform_points(np.column_stack([x, y]), terrain.wkt, WGS84)
+    pixels = np.column_stack([column.ravel(), row.ravel()]) + 0.5
+    places = transform_points(terrain.origin + pixels * terrain.step, terrain.wkt, WGS84)
     coarse = above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
-    down, across = (np.interp(np.arange(one[-1] + 1), one, np.arange(len(one))) for one in knots)
+    down, across = (np.interp(np.arange(side), one, np.arange(len(one))) for side, one in zip(sides, knots))
     for heights, place in zip(terrain.heights, down):
-        heights += bilinear(coarse, across, np.full(columns, place))
+        heights += bilinear(coarse, across, np.full(len(across), place))
     return coarse
 
 

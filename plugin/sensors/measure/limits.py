@@ -8,8 +8,7 @@ EXTERIOR_DATUMS = ("as_terrain", "ellipsoid", "egm96", "egm2008", "geoid")  # as
 MAX_NEWTON_ITERATIONS = 30  # the inverse of a smooth model takes four or five
 MIN_SIGMA_PX = 1e-7  # rounding: no measured coordinate is better
 MAX_LINEAR_CONDITION = 1e6  # of the affine camera through the points, its columns scaled
-# the parametric model: nominal orbit and priors (standard deviations)
-DEFAULT_ORBIT_HEIGHT_KM = 694.0  # Pleiades; IKONOS 681, QuickBird 450, EROS-A1 480, WorldView-3 617
+DEFAULT_ORBIT_HEIGHT_KM = 694.0  # pushbroom: Pleiades; IKONOS 681, QuickBird 450, EROS-A1 480, WorldView-3 617
 RESAMPLINGS = ("nearest", "bilinear", "cubic", "cubicspline", "lanczos", "average")  # GDAL's warper
 ORTHO_FORMATS = ("GTiff", "COG")  # GDAL's drivers
 SPREADS = ("grid", "random", "corner")  # of planned control points: a grid over the image, anywhere, one corner

@@ -8,22 +8,17 @@ NO_POINTS = Message("There are no points to fit a model to; measure some, or cho
 NO_POINTS_LEFT = Message("No point is left to fit a model to: {why} Correct the layer, or choose another one.")
 NO_POINTS_FILE = Message(
     "{name} is not a points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); "
-    "choose one, or a point layer with the fields column and row."
-)
+    "choose one, or a point layer with the fields column and row.")
 NO_POINTS_IN_IMAGE = Message("{name} holds no ground control points itself; choose a layer or a file of points.")
 IMAGE_POINTS_BROKEN = Message(
-    "A ground control point inside {name} is not a number; choose a layer or a file of points."
-)
+    "A ground control point inside {name} is not a number; choose a layer or a file of points.")
 POINTS_OF_OTHER_IMAGES = Message(
-    "The points are of the images {names}; choose one of them, since a file that names images is read for one."
-)
+    "The points are of the images {names}; choose one of them, since a file that names images is read for one.")
 POINTS_LINE_UNREADABLE = Message("Line {line} of {name} can't be read; correct or remove it.")
 POINTS_WITHOUT_SYSTEM = Message(
-    "{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points' reference system."
-)
+    "{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points' reference system.")
 POINTS_WITHOUT_FIELD = Message(
-    "The point layer has no field '{field}'; it needs column and row, the place of each point in the image in pixels."
-)
+    "The point layer has no field '{field}'; it needs column and row, the place of each point in the image in pixels.")
 POINTS_DISABLED = Message("Points that are switched off in the georeferencer and left out: {count}.", INFO)
 POINT_LEFT_OUT = Message("Point {name} is left out: {why}", WARNING)
 # why a point is left out
@@ -34,210 +29,159 @@ POINT_OFF_DEM = Message("it has no height and the terrain model has none there."
 # points that can't be what they are said to be
 POINTS_NO_DEGREES = Message(
     "The points are said to be in degrees, and one is at {x:.10g}, {y:.10g}; set the reference system that their "
-    "coordinates are in."
-)
+    "coordinates are in.")
 POINT_HEIGHT_IMPLAUSIBLE = Message(
-    "Point {name} is {height:.6g} m high, which no place on earth is; give heights in metres."
-)
+    "Point {name} is {height:.6g} m high, which no place on earth is; give heights in metres.")
 PIXEL_IMPLAUSIBLE = Message(
     "By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that "
-    "their coordinates are in."
-)
+    "their coordinates are in.")
 ROWS_NEGATIVE = Message(
     "The points' rows are negative, as QGIS's georeferencer shows them; give them from the upper edge downwards, all "
-    "positive, or the .points file itself."
-)
+    "positive, or the .points file itself.")
 COLUMNS_AND_ROWS_INTERCHANGED = Message(
-    "The points lie in the image only with columns and rows interchanged; interchange the two fields."
-)
+    "The points lie in the image only with columns and rows interchanged; interchange the two fields.")
 POINTS_OUTSIDE_IMAGE = Message(
     "{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose "
-    "their image."
-)
+    "their image.")
 POINTS_BEYOND_RPC_HEIGHTS = Message(
     "{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image's RPC holds for {first:.0f} to "
     "{last:.0f} m; but for a shift they miss the RPC by {missed:.3g} px. Errors and recommendation mean nothing if the "
-    "heights are wrong, so check them and their unit.",
-    WARNING,
-)
+    "heights are wrong, so check them and their unit.", WARNING)
 POINTS_BEYOND_IMAGE = Message(
-    "{count} points lie outside the image ({names}), where its RPC sees them, too; they are used.", WARNING
-)
+    "{count} points lie outside the image ({names}), where its RPC sees them, too; they are used.", WARNING)
 HEIGHTS_IN_FEET = Message(
     "By the image's RPC the points' heights are in feet: as metres they miss it by {missed:.3g} px, as feet by "
-    "{left:.3g} px; give metres."
-)
+    "{left:.3g} px; give metres.")
 RPC_SEES_NO_POINTS = Message(
     "The image's RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, "
-    "their reference system and heights, and that it is the RPC of this image."
-)
+    "their reference system and heights, and that it is the RPC of this image.")
 RPC_SEES_INTERCHANGED = Message(
-    "By the image's RPC the points' columns and rows are interchanged; interchange the two fields."
-)
+    "By the image's RPC the points' columns and rows are interchanged; interchange the two fields.")
 RPC_SEES_TURNED = Message(
     "By the image's RPC the points are measured in a mirrored or turned image; count columns and rows from the upper "
-    "left corner of the image that the RPC belongs to."
-)
+    "left corner of the image that the RPC belongs to.")
 CHECK_SHARE_UNSOUND = Message("The share of check points is {share:g}; give a number from 0 to {most:g}.")
 # points that do not determine a model
 NO_HEIGHTS = Message(
     "Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take "
-    "polynomial_2d."
-)
+    "polynomial_2d.")
 TOO_FEW_POINTS = Message(
     "There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model "
-    "with fewer unknowns."
-)
+    "with fewer unknowns.")
 TOO_FEW_AFTER_SPLIT = Message(
     "Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the "
-    "share of check points or measure more."
-)
+    "share of check points or measure more.")
 POINTS_ON_A_LINE = Message(
-    "The control points lie on one line, so the model {model} can't be fitted; add points to both sides of it."
-)
+    "The control points lie on one line, so the model {model} can't be fitted; add points to both sides of it.")
 POINTS_ON_A_PLANE = Message(
     "The control points lie on one plane, so the terms in Z of the model {model} can't be determined; add points of "
-    "other heights, or take polynomial_2d or rpc_bias."
-)
+    "other heights, or take polynomial_2d or rpc_bias.")
 TOO_MANY_BLUNDERS = Message(
     "{count} control points contradict the others, and too few are left to fit the model {model}; check the points, "
-    "above all that columns and rows are not interchanged."
-)
+    "above all that columns and rows are not interchanged.")
 # points that determine a model badly
 BLUNDERS_FOUND = Message(
     "Blunders found and left out of fit and errors: {count} ({names}); check those points and measure them "
-    "again.", WARNING
-)
+    "again.", WARNING)
 CONTROL_ON_A_LINE = Message(
     "The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add "
-    "points to both sides.", WARNING
-)
+    "points to both sides.", WARNING)
 CONTROL_IN_A_CORNER = Message(
     "The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add "
-    "points towards the image's corners.", WARNING
-)
+    "points towards the image's corners.", WARNING)
 BLUNDERS_POSSIBLE = Message(
     "{count} points miss the model by far more than the others ({names}); check them, or look for blunders "
-    "(ROBUST).", WARNING
-)
+    "(ROBUST).", WARNING)
 CHECK_POINTS_MISSING = Message(
     "There are no check points, so the errors given are those of the fit on its own points; set roles or a share of "
-    "check points.", WARNING
-)
+    "check points.", WARNING)
 # the fit
 NOT_CONVERGED = Message(
     "The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points "
-    "or choose a model with fewer unknowns.", WARNING
-)
+    "or choose a model with fewer unknowns.", WARNING)
 ILL_CONDITIONED = Message(
     "The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check "
-    "points only or choose a lower order.", WARNING
-)
+    "points only or choose a lower order.", WARNING)
 TERMS_KEPT = Message("Terms kept, numerator / denominator of scaled coordinates: {terms}.", INFO)
 FIT_DIVERGED = Message(
     "The fit diverges from all of these points; check for interchanged coordinates, or choose a model with fewer "
-    "unknowns."
-)
+    "unknowns.")
 LINE_NOT_FOUND = Message(
-    "No scan line of the image sees one of the points; check the points' places, heights and reference system."
-)
+    "No scan line of the image sees one of the points; check the points' places, heights and reference system.")
 PUSHBROOM_DIVERGED = Message(
     "The parametric model can't be fitted to these points; check for interchanged coordinates or wrong heights, or "
-    "look for blunders (ROBUST)."
-)
+    "look for blunders (ROBUST).")
 NOT_INVERTED = Message(
     "The model can't be inverted over the image, so it is unsound away from its points; choose a lower order or add "
-    "points."
-)
+    "points.")
 # RPCs
 NO_RPC = Message("The image has no RPC of its own; give the file that came with it, or choose a model that needs none.")
 RPC_INCOMPLETE = Message("{name} holds no complete RPC; get the file anew from the image's vendor.")
 RPC_BIAS_FOUND = Message(
-    "The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where "
-    "it is worst; the model corrects that.", INFO
-)
+    "The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it "
+    "is worst; the model corrects that.", INFO)
 PLANE_MODEL_HAS_NO_RPC = Message(
     "The model polynomial_2d knows no heights and can't be written as RPC or used for orthorectification; fit a model "
-    "in space."
-)
+    "in space.")
 RPC_NOT_WRITTEN = Message("No RPC is written: {why}", WARNING)
 RPC_FITTED = Message(
     "The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image "
-    "and heights of {low:.0f} to {high:.0f} m.", INFO
-)
+    "and heights of {low:.0f} to {high:.0f} m.", INFO)
 RPC_EXACT = Message("The RPC is the model itself.", INFO)
 RPC_IMAGE_WITHOUT_IMAGE = Message(
-    "No image with the RPC is written, as there is no image to copy; choose the image.", WARNING
-)
+    "No image with the RPC is written, as there is no image to copy; choose the image.", WARNING)
 RPC_OF_WHOLE_SCENE = Message(
     "The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} "
-    "on.", INFO
-)
+    "on.", INFO)
 # model files
 NO_MODEL_FILE = Message("{name} is not a sensor model file; choose one that Fit sensor model has written.")
 MODEL_FILE_VERSION = Message(
-    "{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew."
-)
+    "{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.")
 MODEL_AND_RPC = Message("Both a model file and an RPC file are given; choose one of them.")
 # frame cameras
 NO_INTERIOR = Message(
     "{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, "
-    "ContextCapture or MicMac that does."
-)
+    "ContextCapture or MicMac that does.")
 INTERIOR_OF_ANOTHER_SHAPE = Message(
     "The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; "
-    "choose the camera's own image, uncropped and not turned."
-)
+    "choose the camera's own image, uncropped and not turned.")
 YAML_MISSING = Message(
-    "{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML."
-)
+    "{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML.")
 PIXELS_NOT_SQUARE = Message(
     "According to {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor's sides are "
-    "interchanged."
-)
+    "interchanged.")
 ANGLES_PERHAPS_RADIANS = Message(
     "All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the "
-    "orthoimage lies.", WARNING
-)
+    "orthoimage lies.", WARNING)
 ANGLES_PERHAPS_GON = Message(
-    "Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.", WARNING
-)
+    "Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.", WARNING)
 ROTATION_TAKEN = Message(
     "The rotation of {name} is read as {way} usually writes it, since no file says so; check how the orthoimage "
-    "lies.", INFO
-)
+    "lies.", INFO)
 PLANE_TAKEN = Message(
     "{name} is taken as in the plane that touches the Earth at its reference, as OpenSfM writes it. One that "
-    "OpenDroneMap has put into UTM is read right only inside its project's folder.", INFO
-)
+    "OpenDroneMap has put into UTM is read right only inside its project's folder.", INFO)
 TOPOCENTRIC_TAKEN = Message("Photos are placed by {exact}, the exact reconstruction beside {name}.", INFO)
 UTM_TAKEN = Message(
-    "{name} is taken as in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: "
-    "up to some decimetres off in a block of a kilometre.", INFO
-)
+    "{name} is taken as in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some "
+    "decimetres off in a block of a kilometre.", INFO)
 CAMERA_UNKNOWN = Message(
-    "{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file."
-)
+    "{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.")
 DISTORTION_UNKNOWN = Message(
-    "The camera of {name} has a distortion that is not known here ({kind}); pinhole, Brown's, OpenCV's and "
-    "fisheye lenses are."
-)
+    "The camera of {name} has a distortion that is not known here ({kind}); pinhole, Brown's, OpenCV's and fisheye "
+    "lenses are.")
 NO_EXTERIOR = Message(
     "{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, "
-    "phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac."
-)
+    "phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac.")
 IMAGE_NOT_ORIENTED = Message(
-    "{name} does not name the image {image} just once; it names {names}. Choose the file of this image."
-)
+    "{name} does not name the image {image} just once; it names {names}. Choose the file of this image.")
 ORIENTATION_INCOMPLETE = Message("An interior orientation needs an exterior one; give it, too.")
 # blocks of photos
 NO_BLOCK = Message(
-    "Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos' orientations (EXTERIOR)."
-)
+    "Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos' orientations (EXTERIOR).")
 NO_PROJECT = Message(
     "{folder} is no OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos' "
-    "orientations (EXTERIOR)."
-)
+    "orientations (EXTERIOR).")
 PHOTO_MISSING = Message("{name} is oriented and is not in {folder}; it is left out.", WARNING)
 PHOTO_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 NO_PHOTOS = Message("None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).")
@@ -245,86 +189,67 @@ ORTHO_IS_INPUT = Message("The orthoimage would be written over {path}, which is 
 PROJECT_TERRAIN = Message("The terrain is that of the project: {name}.", INFO)
 ORIENTATION_AND_MODEL = Message("Orientations of a frame camera and a model or RPC file are given; choose one of them.")
 EXTERIOR_WITHOUT_SYSTEM = Message(
-    "{name} names no coordinate reference system and the image has none; set that of the exterior orientation."
-)
+    "{name} names no coordinate reference system and the image has none; set that of the exterior orientation.")
 EXTERIOR_NOT_METRIC = Message(
     "The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a "
-    "projected reference system in metres."
-)
+    "projected reference system in metres.")
 CAMERA_BELOW_TERRAIN = Message(
     "The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, "
-    "their units and the reference system."
-)
+    "their units and the reference system.")
 ORTHO_APPROXIMATE = Message(
-    "The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the model.",
-    WARNING,
-)
+    "The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the "
+    "model.", WARNING)
 CAMERA_LOOKS_UP = Message(
     "The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; "
-    "check omega, phi and kappa."
-)
+    "check omega, phi and kappa.")
 LENS_FOLDS = Message(
     "The distortion of the camera shows no view at a part of the photo's edge; check its coefficients and the size of "
-    "the image that they belong to."
-)
+    "the image that they belong to.")
 TERRAIN_EMPTY = Message("The terrain model {name} has no heights at all; choose another one.")
 EXTERIOR_SYSTEM_TAKEN = Message("The exterior orientation is taken as in the image's own reference system.", INFO)
 # heights and terrain
 HEIGHTS_ASSUMED = Message(
     "{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level "
-    "differ by up to 100 m: choose egm96 or egm2008 if they are such.", WARNING
-)
+    "differ by up to 100 m: choose egm96 or egm2008 if they are such.", WARNING)
 HEIGHTS_CONVERTED = Message(
-    "The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.", INFO
-)
+    "The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.", INFO)
 ANOTHER_GRID_IS_THERE = Message(
     "PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few "
-    "metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID)."
-)
+    "metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).")
 NO_GEOID = Message(
     "{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, "
-    "such as a .gtx or .tif of PROJ."
-)
+    "such as a .gtx or .tif of PROJ.")
 GEOID_NOT_COVERING = Message("The grid {name} has no values at some of the places; choose one that covers them.")
 GEOID_MISSING = Message("Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).")
 GEOID_UNUSED = Message("The grid file {name} is given and no heights refer to it; choose geoid for those that do.")
 NO_DEM = Message(
-    "No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat."
-)
+    "No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.")
 DEM_AND_HEIGHT = Message("Both a terrain model and a constant height are given; choose one of them.")
 HEIGHT_IMPLAUSIBLE = Message("The constant height is {height:.6g} m, which no place on earth has; give it in metres.")
 DEM_HEIGHTS_IMPLAUSIBLE = Message(
     "The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata "
-    "value, or choose another one."
-)
+    "value, or choose another one.")
 DEM_NOT_COVERING = Message(
     "The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, "
-    "{south:.4f} to {north:.4f} degrees north; choose one that does."
-)
+    "{south:.4f} to {north:.4f} degrees north; choose one that does.")
 DEM_PARTLY_COVERING = Message(
     "The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage "
-    "is empty there, so fill or extend the terrain model.", WARNING
-)
+    "is empty there, so fill or extend the terrain model.", WARNING)
 DEM_TOO_LARGE = Message(
     "The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, "
-    "meshes of 10 to 30 m serve best."
-)
+    "meshes of 10 to 30 m serve best.")
 DEM_WITHOUT_OVERVIEWS = Message(
     "The terrain model {name} has {count} million pixels and no overviews, by which its lowest and highest place would "
-    "be found; build some (gdaladdo), or clip it to the photos."
-)
+    "be found; build some (gdaladdo), or clip it to the photos.")
 MESH_COARSE = Message(
     "The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced "
-    "there; meshes of 10 to 30 m serve best.", WARNING
-)
+    "there; meshes of 10 to 30 m serve best.", WARNING)
 MESH_FINE = Message(
     "The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines "
-    "such as roads; meshes of 10 to 30 m serve best.", WARNING
-)
+    "such as roads; meshes of 10 to 30 m serve best.", WARNING)
 VIEW_TOLD = Message(
     "The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth "
-    "{azimuth:.0f}; an error of {error:g} m in the terrain's heights moves its middle by {shift:.2f} m.", INFO
-)
+    "{azimuth:.0f}; an error of {error:g} m in the terrain's heights moves its middle by {shift:.2f} m.", INFO)
 # orthorectification
 PIXEL_SIZE_NOT_POSITIVE = Message("The pixel size is {size}; give a positive number of map units.")
 EXTENT_WITHOUT_SYSTEM = Message("An extent is given but no reference system; choose the orthoimage's reference system.")
@@ -333,43 +258,25 @@ ORTHO_TOO_LARGE = Message("The orthoimage would have {width} x {height} px; choo
 WARP_FAILED = Message("The orthoimage could not be written ({error}); check the folder and the free space.")
 # planning
 PLAN_COUNTS_UNREADABLE = Message(
-    "The numbers of control points are '{given}'; give whole numbers from 1 to {most}, such as 6, 10, 20."
-)
+    "The numbers of control points are '{given}'; give whole numbers from 1 to {most}, such as 6, 10, 20.")
 PLAN_TERRAIN_WRONG = Message(
-    "The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres."
-)
+    "The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.")
 PLAN_IMAGE_WITHOUT_RPC = Message(
-    "The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner."
-)
+    "The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.")
 PLAN_TOLD = Message(
-    "With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.", INFO
-)
+    "With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.", INFO)
 PLAN_DRAWS_FAILED = Message("With {count} control points {failed} draws failed and count as the worst: {why}", WARNING)
 # the recommendation
-RECOMMEND_PUSHBROOM = Message(
-    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). A parametric "
-    "model needs few points and does not swing between them.", INFO
-)
-RECOMMEND_RPC_BIAS = Message(
-    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The vendor's RPC "
-    "holds the image's geometry and a few points remove its offset.", INFO
-)
+RECOMMENDED = Message(
+    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). {why}", INFO)
+RECOMMEND_PUSHBROOM = Message("A parametric model needs few points and does not swing between them.", INFO)
+RECOMMEND_RPC_BIAS = Message("The vendor's RPC holds the image's geometry and a few points remove its offset.", INFO)
 RECOMMEND_RATIONAL = Message(
-    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). Of the models "
-    "without a parametric base quotients are the soundest, but they need many, well spread points.", INFO
-)
-RECOMMEND_DLT = Message(
-    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). It is the "
-    "quotient of lowest order with one denominator and needs the fewest points.", INFO
-)
+    "Of the models without a parametric base quotients are the soundest, but they need many, well spread points.", INFO)
+RECOMMEND_DLT = Message("It is the quotient of lowest order with one denominator and needs the fewest points.", INFO)
 RECOMMEND_POLYNOMIAL_3D = Message(
-    "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small "
-    "areas only and swing between the points, so watch the check points.", INFO
-)
+    "Polynomials suit small areas only and swing between the points, so watch the check points.", INFO)
 RECOMMEND_POLYNOMIAL_2D = Message(
-    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The terrain is "
-    "flat enough for a plane model, which serves for small areas only.", INFO
-)
+    "The terrain is flat enough for a plane model, which serves for small areas only.", INFO)
 NOTHING_TO_RECOMMEND = Message(
-    "No model could be fitted and judged; the table says why for each, so measure more points or correct them.", INFO
-)
+    "No model could be fitted and judged; the table says why for each, so measure more points or correct them.", INFO)

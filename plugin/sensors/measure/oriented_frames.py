@@ -1,13 +1,17 @@
-"""Photos' cameras on the ground, by the files of their orientations and their terrain."""
+"""Photos' cameras on the ground, by the files of their orientations and their terrain, and the files of a block."""
 from __future__ import annotations
 
+import os
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
-from ...imagery.errors import Message, SensorModelError
-from ...imagery.grids import PixelWindow
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import Message, SensorModelError, SettingsError
+from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit
@@ -15,8 +19,9 @@ from . import messages
 from .camera_files import Cameras, document, orientation_file, read_cameras
 from .exterior_files import AUTO, Exteriors, read_exteriors
 from .frames import FrameCamera
-from .heights import ELLIPSOID, HIGHEST_M, LOWEST_M, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
+from .heights import ELLIPSOID, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
 from .limits import EXTERIOR_DATUMS
+from .points import HIGHEST_M, LOWEST_M
 from .rpc import Domain
 from .sensor_model import WGS84, reprojected
 
@@ -24,40 +29,30 @@ AS_TERRAIN = EXTERIOR_DATUMS[0]
 MIN_DIP = 0.02  # sine of the angle below the horizon of the flattest view
 HEIGHTS_PX = 512  # longer side of the overview of the terrain that the range of heights is taken from
 MOST_WITHOUT_OVERVIEWS = 2_000_000_000  # pixels that are read whole for that: some ten seconds
+PHOTO_ENDINGS = (".tif", ".tiff", ".jpg", ".jpeg", ".png", ".jp2")
+_TERRAINS = ("odm_dem/dtm.tif", "odm_dem/dsm.tif")  # of a project: the ground, else the surface
 
 
 @dataclass(frozen=True)
 class FrameFiles:
     """What a photo's orientation is read from."""
 
-    interior: Path | None
-    """None: the file of the exterior orientation holds the camera, too."""
-    exterior: Path
-    """A file, or an OpenDroneMap project's folder."""
+    interior: Path | None  # none: the file of the exterior orientation holds the camera, too
+    exterior: Path  # A file, or an OpenDroneMap project's folder
     wkt: str
     """Reference system of the exterior orientation, if it is stated; empty: what its file says, else the image's."""
-    datum: Datum
-    """What the projection centre's height refers to: one of ``limits.EXTERIOR_DATUMS``, or a grid."""
-    angles: str = AUTO
-    """What the angles of a table are in: one of ``limits.ANGLE_UNITS``."""
+    datum: Datum  # what the projection centre's height refers to: one of ``limits.EXTERIOR_DATUMS``, or a grid
+    angles: str = AUTO  # what the angles of a table are in: one of ``limits.ANGLE_UNITS``
 
 
-@dataclass(frozen=True)
-class OrientedFrame:
+class OrientedFrame(NamedTuple):
     """A photo's camera on the ground."""
 
     camera: FrameCamera
-    wkt: str
-    """Reference system of its position."""
+    wkt: str  # reference system of its position
     domain: Domain
-    terrain_datum: Datum
-    """What the terrain model's heights are to be taken as: the camera's are of the same kind then."""
+    terrain_datum: Datum  # what the terrain model's heights are to be taken as: the camera's are of the same kind then
     notices: tuple[Message, ...]
-
-    @property
-    def sight(self) -> tuple[FrameCamera, str, Domain, Datum]:
-        """All but the notices."""
-        return self.camera, self.wkt, self.domain, self.terrain_datum
 
 
 @dataclass(frozen=True)
@@ -67,14 +62,11 @@ class FrameBlock:
     files: FrameFiles
     exteriors: Exteriors
     cameras: Cameras
-    heights: tuple[float, float]
-    """Lowest and highest terrain, m."""
-    terrain_datum: Datum
-    """As in ``OrientedFrame``."""
+    heights: tuple[float, float]  # lowest and highest terrain, m
+    terrain_datum: Datum  # as in ``OrientedFrame``
 
     def frame(self, image: OpenRaster, name: str = "") -> OrientedFrame:
-        """The camera of an image, by its file's name or another. Raises SensorModelError where it does not see the
-        ground."""
+        """The camera of an image, by its file's name or another. Raises SensorModelError where it sees no ground."""
         exterior = self.exteriors.of(name or image.ref.name)
         interior = self.cameras.of(exterior.camera, (image.columns, image.rows))
         wkt, notices = _system(image, self.files, exterior.wkt)
@@ -84,18 +76,16 @@ class FrameBlock:
         if vertical is not None:
             place = reprojected(camera.position[None], wkt, WGS84)
             camera = replace(camera, position=np.append(camera.position[:2], above_ellipsoid(place, vertical)))
-        low, high = self.heights
-        if camera.position[2] <= high:
-            height = float(camera.position[2])
-            raise SensorModelError(
-                messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=height, low=low, high=high)
-            )
-        corners = np.array([[0, 0], [image.columns, 0], [0, image.rows], [image.columns, image.rows]], float)
-        views = camera.views(np.vstack([corners, corners.mean(axis=0)]))
+        (low, high), height = self.heights, float(camera.position[2])
+        if height <= high:
+            below = messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=height, low=low, high=high)
+            raise SensorModelError(below)
+        domain = Domain((0.0, image.columns), (0.0, image.rows), self.heights, (0.0, 0.0))
+        views = camera.views(domain.middle_and_corners)
         if views[:, 2].max() > -MIN_DIP:
             raise SensorModelError(messages.CAMERA_LOOKS_UP(name=image.ref.name))
-        (middle,) = camera.places_at(views[-1:], np.array([(low + high) / 2]))
-        domain = Domain((0.0, image.columns), (0.0, image.rows), self.heights, (float(middle[0]), float(middle[1])))
+        ((x, y),) = camera.places_at(views[:1], np.array([(low + high) / 2])).tolist()
+        domain = replace(domain, middle=(x, y))
         return OrientedFrame(camera, wkt, domain, self.terrain_datum, (*notices, *exterior.notices))
 
 
@@ -120,17 +110,86 @@ def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tupl
 
 
 def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
-    """Lowest and highest terrain as the terrain model has it, m; over all of it, which costs an overview only. Raises
-    SensorModelError where it is huge and has none."""
+    """Lowest and highest terrain, m, by an overview. Raises SensorModelError where it is huge and has none."""
     source = OpenRaster(dem)
     count, band = source.columns * source.rows, source.dataset.GetRasterBand(1)
     if count > MOST_WITHOUT_OVERVIEWS and not band.GetOverviewCount():
         raise SensorModelError(messages.DEM_WITHOUT_OVERVIEWS(name=dem.name, count=count // 10**6))
-    whole = PixelWindow(0, 0, source.columns, source.rows)
     share = max(source.columns, source.rows) / HEIGHTS_PX
-    size = (max(round(source.rows / share), 1), max(round(source.columns / share), 1)) if share > 1 else None
-    heights = first_band(source, whole, size)
+    size = (max(round(source.columns / share), 1), max(round(source.rows / share), 1)) if share > 1 else None
+    heights = first_band(source, source.raster.whole, size)
     heights = heights[(heights >= LOWEST_M) & (heights <= HIGHEST_M)]  # others stand for none, and no nodata says so
     if not heights.size:
         raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))
     return float(heights.min()), float(heights.max())
+
+
+def project_photos(exterior: Path) -> Path:
+    """The folder of the photos of a project's reconstruction, or of the file itself."""
+    path = orientation_file(exterior)
+    images = path.parent.parent / "images"
+    return images if path.parent.name == "opensfm" and images.is_dir() else path.parent
+
+
+def project_terrain(exterior: Path) -> RasterRef:
+    """The terrain model of a project. Raises SettingsError where there is none, or no file of that name at all."""
+    path = orientation_file(exterior)
+    if not os.path.isfile(path):
+        raise SettingsError(imagery_messages.NOT_FOUND(path=path))
+    project = path.parent.parent
+    found = next((project / name for name in _TERRAINS if (project / name).is_file()), None)
+    if found is None:
+        raise SettingsError(messages.NO_DEM())
+    return RasterRef(str(found))
+
+
+@dataclass(frozen=True)
+class BlockPhoto:
+    """One photo of a block."""
+
+    name: str  # as its orientation calls it
+    path: Path
+    ortho: Path  # what is made of it
+
+
+def block_photos(
+    exteriors: Exteriors, folder: Path, output: Path, read: Iterable[Path] = ()
+) -> tuple[list[BlockPhoto], list[Message]]:
+    """The photos that are oriented and in a folder, and what to say of others; ``output`` is there then, and nothing in
+    it that is ``read`` is replaced. Raises SeamInspectorError where none can be made."""
+    try:
+        there = [one for one in sorted(folder.iterdir()) if one.suffix.lower() in PHOTO_ENDINGS]
+    except OSError:
+        there = []
+    photos: dict[Path, BlockPhoto] = {}
+    missing: list[Message] = []
+    for name in exteriors.names:
+        alike = [one for one in there if name.lower() in (one.name.lower(), one.stem.lower())]
+        alike = alike or [one for one in there if Path(name).stem.lower() == one.stem.lower()]
+        path = next((one for one in alike if one.name == name), alike[0] if alike else None)
+        if path is None or path in photos:
+            missing.append(messages.PHOTO_MISSING(name=name, folder=folder))
+            continue
+        ortho = output / f"{path.stem}.tif"
+        taken = any(one.ortho == ortho for one in photos.values())
+        photos[path] = BlockPhoto(name, path, output / f"{path.name}.tif" if taken else ortho)
+    if not photos:
+        raise SensorModelError(messages.NO_PHOTOS(folder=folder, name=exteriors.name))
+    inputs = {_identity(one) for one in (*there, *read)} - {None}
+    met = next((one.ortho for one in photos.values() if _identity(one.ortho) in inputs), None)
+    if met is not None:
+        raise SettingsError(messages.ORTHO_IS_INPUT(path=met))
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=output, error=system_reason(error))) from None
+    return list(photos.values()), missing
+
+
+def _identity(path: Path) -> tuple[int, int] | None:
+    """Of a file, whatever leads to it; None where there is none."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_dev, found.st_ino

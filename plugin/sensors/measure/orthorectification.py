@@ -1,5 +1,4 @@
-"""Orthorectification: an image, a model in space and terrain heights. Photos are seen by their own camera, pixel by
-pixel; all other models go through GDAL's warper with an RPC."""
+"""Orthoimages: of photos pixel by pixel by their own camera, of all others by GDAL's warper with an RPC."""
 from __future__ import annotations
 
 import os
@@ -21,21 +20,19 @@ from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import GEOTIFF, raster_writer, whole_raster
 from ...imagery.rasters import Raster, RasterRef
-from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt
+from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_unit, transform_points, utm_wkt
 from . import limits, messages
 from .frames import FrameCamera
 from .heights import Datum, Terrain, constant_terrain, load_terrain
 from .photo_warp import MapGrid, PhotoWarp
-from .point_checks import HIGHEST_M, LOWEST_M
+from .points import HIGHEST_M, LOWEST_M
 from .polynomials import Rational
-from .rpc import Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
+from .rpc import CREATION, Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
 from .sensor_model import WGS84, Map, SensorModel, bounding_box, reprojected
 
 ORTHO_GRID = 21  # places a side of the image that are looked for on the ground
 TOLERATED_PX = 0.5  # how far an RPC may be from the model that it stands for without a warning
 _NO_HEIGHT = -32768.0
-_COMPRESSED = ("COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
-_CREATION = {"GTiff": [*_COMPRESSED, "TILED=YES"], "COG": [*_COMPRESSED]}
 _STRIP_ROWS = 256
 COVER_GRID = 256  # places a side that terrain heights are looked for at
 FINEST_MESH_M, COARSEST_MESH_M = 9.0, 32.0  # 10 to 30 m (Kurczynski and Wolniewicz, conclusion 7); SRTM has 31
@@ -53,33 +50,22 @@ def uncovered_share(image: OpenRaster, project: Map, terrain: Terrain, footprint
     ground = np.column_stack([places, np.where(missing, footprint[:, 2].mean(), heights)])
     column, row = project(ground).T
     inside = (column >= 0) & (row >= 0) & (column < image.columns) & (row < image.rows)
-    held = _held(image)
-    down, across = held.shape
-    inside[inside] = held[
-        (row[inside] * down / image.rows).astype(int), (column[inside] * across / image.columns).astype(int)
-    ]
-    return float(np.count_nonzero(missing & inside) / max(np.count_nonzero(inside), 1))
-
-
-def _held(image: OpenRaster) -> np.ndarray:
-    """(rows, columns) bool, at most ``COVER_GRID`` a side: where the image holds something."""
-    band = image.dataset.GetRasterBand(1)
-    if band.GetMaskFlags() & gdal.GMF_ALL_VALID:
-        return np.ones((1, 1), bool)
     size = min(image.columns, COVER_GRID), min(image.rows, COVER_GRID)
     with gdal_silenced():
-        mask = band.GetMaskBand().ReadAsArray(buf_xsize=size[0], buf_ysize=size[1])
-    return np.ones((1, 1), bool) if mask is None else mask != 0
+        held = image.dataset.GetRasterBand(1).GetMaskBand().ReadAsArray(buf_xsize=size[0], buf_ysize=size[1])
+    if held is not None:
+        down, across = (row / image.rows * size[1])[inside], (column / image.columns * size[0])[inside]
+        inside[inside] = held[down.astype(int), across.astype(int)] != 0
+    return float(np.count_nonzero(missing & inside) / max(np.count_nonzero(inside), 1))
 
 
 def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
     """What is to be said of meshes beyond those that the paper found to serve; aerial photos may need finer ones."""
-    if not terrain.name:
-        return []  # one constant height
-    shorter, longer = terrain.mesh_m()
-    if longer > COARSEST_MESH_M:
+    middle = terrain.origin[1] + terrain.step[1] * terrain.heights.shape[0] / 2
+    shorter, longer = sorted(np.abs(np.multiply(terrain.step, metres_per_unit(terrain.wkt, middle))).tolist())
+    if terrain.name and longer > COARSEST_MESH_M:  # a constant height has no name
         return [messages.MESH_COARSE(name=terrain.name, mesh=longer)]
-    if shorter < FINEST_MESH_M and not of_photo:
+    if terrain.name and shorter < FINEST_MESH_M and not of_photo:
         return [messages.MESH_FINE(name=terrain.name, mesh=shorter)]
     return []
 
@@ -147,11 +133,9 @@ class _Plan:
     """All that the warper needs."""
 
     image: OpenRaster
-    rpc: RpcOfModel | None
-    """What GDAL sees it by; None for a photo, which is seen by its camera."""
+    rpc: RpcOfModel | None  # what GDAL sees it by; None for a photo, which is seen by its camera
     terrain: Terrain
-    footprint: np.ndarray
-    """(n, 3) longitude, latitude, height of places all over the image."""
+    footprint: np.ndarray  # (n, 3) longitude, latitude, height of places all over the image
     uncovered: float
 
 
@@ -170,34 +154,27 @@ def orthorectify(
     grid = _target(request, plan)
     if grid.columns > 2**31 - 1 or grid.rows > 2**31 - 1 or grid.columns * grid.rows > 1e12:
         raise SettingsError(messages.ORTHO_TOO_LARGE(width=grid.columns, height=grid.rows))
-    meshes = mesh_warnings(plan.terrain, plan.rpc is None)
-    name, notices, uncovered = plan.terrain.name, [*plan.terrain.notices, *meshes], plan.uncovered
+    image, rpc, uncovered = plan.image, plan.rpc, plan.uncovered
+    notices = [*plan.terrain.notices, *mesh_warnings(plan.terrain, rpc is None)]
     if uncovered > 0:
-        notices.append(messages.DEM_PARTLY_COVERING(name=name, share=uncovered))
-    rms, most = (plan.rpc.rms_px, plan.rpc.max_px) if plan.rpc is not None else (0.0, 0.0)
+        notices.append(messages.DEM_PARTLY_COVERING(name=plan.terrain.name, share=uncovered))
+    rms, most = (rpc.rms_px, rpc.max_px) if rpc is not None else (0.0, 0.0)
     if most > TOLERATED_PX:
         notices.append(messages.ORTHO_APPROXIMATE(most=most))
     with _heights(plan.terrain) as heights:
-        source = image_with_rpc(plan.image, plan.rpc.rpc) if plan.rpc is not None else None
         del plan  # GDAL has the terrain now
-        if source is None:
+        if rpc is None:
             _warp_photo(request, heights, grid, progress, cancelled)
         else:
-            _warp(request, source, heights, grid, progress, cancelled)
-    size = grid.columns, grid.rows
-    return Ortho(
-        request.output, grid.wkt, grid.extent, grid.pixel_width, *size, rms, most, uncovered, tuple(notices)
-    )
+            _warp(request, image_with_rpc(image, rpc.rpc), heights, grid, progress, cancelled)
+    made = grid.wkt, grid.extent, grid.pixel_width, grid.columns, grid.rows
+    return Ortho(request.output, *made, rms, most, uncovered, tuple(notices))
 
 
 def rpc_domain(rpc: Rational, image: Raster) -> Domain:
     """Where an image's own RPC is used: over the image, at the heights it was made for."""
-    height, half = float(rpc.ground.offset[2]), float(rpc.ground.scale[2])
-    middle = (float(rpc.ground.offset[0]), float(rpc.ground.offset[1]))
-    return Domain((0, image.columns), (0, image.rows), (height - half, height + half), middle)
-
-
-# --- the plan --------------------------------------------------------------------------------------------------
+    (x, y, height), half = rpc.ground.offset.tolist(), float(rpc.ground.scale[2])
+    return Domain((0, image.columns), (0, image.rows), (height - half, height + half), (x, y))
 
 
 def _seen_by(request: OrthoRequest, domain: Domain) -> tuple[SensorModel, str, Domain, RpcOfModel | None]:
@@ -224,11 +201,10 @@ def _plan(request: OrthoRequest) -> _Plan:
     around = np.concatenate([on_ground(np.full(len(places), height)) for height in domain.heights])[:, :2]
     margin = 0.02 * np.ptp(around, axis=0) + 1e-4
     extent = bounding_box(np.concatenate([around - margin, around + margin]))
-    if request.dem is None:
-        assert request.height is not None
-        terrain = constant_terrain(request.height, extent)
-    else:
+    if request.dem is not None:
         terrain = load_terrain(request.dem, extent, request.datum)
+    else:
+        terrain = constant_terrain(domain.heights[0], extent)
     heights = np.full(len(places), float(np.nanmean(terrain.heights)))
     for _ in range(limits.MAX_NEWTON_ITERATIONS):
         ground = on_ground(heights)
@@ -244,11 +220,8 @@ def _plan(request: OrthoRequest) -> _Plan:
     if rpc is not None and rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
         rpc = rpc_of(model, request.wkt, replace(domain, heights=(float(heights.min()), float(heights.max()))))
     footprint = np.column_stack([ground[:, :2], heights])
-
-    def project(ground: np.ndarray) -> np.ndarray:
-        return seen_by.project(reprojected(ground, WGS84, wkt))
-
-    return _Plan(image, rpc, terrain, footprint, uncovered_share(image, project, terrain, footprint))
+    uncovered = uncovered_share(image, lambda at: seen_by.project(reprojected(at, WGS84, wkt)), terrain, footprint)
+    return _Plan(image, rpc, terrain, footprint, uncovered)
 
 
 def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
@@ -259,23 +232,17 @@ def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
     size = request.pixel_size
     if size is None:
         grid = places.reshape(ORTHO_GRID, ORTHO_GRID, 2)
-        steps = [np.median(np.linalg.norm(np.diff(grid, axis=axis), axis=2)) for axis in (1, 0)]
-        cells = ORTHO_GRID - 1
-        size = float(f"{min(steps[0] * cells / plan.image.columns, steps[1] * cells / plan.image.rows):.2g}")
+        across, down = (np.median(np.linalg.norm(np.diff(grid, axis=axis), axis=2)) for axis in (1, 0))
+        size = float(f"{min(across / plan.image.columns, down / plan.image.rows) * (ORTHO_GRID - 1):.2g}")
     if not 0 < size < np.inf:
         raise SettingsError(messages.PIXEL_SIZE_NOT_POSITIVE(size=size))
     bounds = request.extent or bounding_box(places)
-    if request.extent is not None:
-        own = extent_on(bounding_box(plan.footprint), WGS84, wkt)
-        if not extents_meet(bounds, own):  # nor do those that are no numbers
-            raise SettingsError(messages.EXTENT_OUTSIDE())
+    if request.extent and not extents_meet(bounds, extent_on(bounding_box(plan.footprint), WGS84, wkt)):
+        raise SettingsError(messages.EXTENT_OUTSIDE())  # nor meet those that are no numbers
     left, bottom = (float(np.floor(bounds[i] / size) * size) for i in (0, 1))
     right, top = (float(np.ceil(bounds[i] / size) * size) for i in (2, 3))
     columns, rows = max(round((right - left) / size), 1), max(round((top - bottom) / size), 1)
     return MapGrid(left, top, size, size, columns, rows, wkt=wkt)
-
-
-# --- GDAL ------------------------------------------------------------------------------------------------------
 
 
 @contextmanager
@@ -291,7 +258,7 @@ def _heights(terrain: Terrain) -> Iterator[str]:
             file.GetRasterBand(1).SetNoDataValue(_NO_HEIGHT)
         for first in range(0, rows, _STRIP_ROWS):  # strips: a second copy of the whole costs as much as GDAL's own
             strip = terrain.heights[first : first + _STRIP_ROWS]
-            file.GetRasterBand(1).WriteArray(np.where(np.isfinite(strip), strip, np.float32(_NO_HEIGHT)), 0, first)
+            file.WriteArray(np.where(np.isfinite(strip), strip, np.float32(_NO_HEIGHT)), 0, first)
         file = None
     del terrain
     try:
@@ -320,7 +287,7 @@ def _warp(
                 width=grid.columns, height=grid.rows, resampleAlg=request.resampling, rpc=True,
                 transformerOptions=options, errorThreshold=0, multithread=not is_virtual,
                 warpOptions=["NUM_THREADS=ALL_CPUS", "UNIFIED_SRC_NODATA=YES"],
-                dstNodata=0 if nodata is None else nodata, creationOptions=_CREATION[request.format], callback=report,
+                dstNodata=0 if nodata is None else nodata, creationOptions=CREATION[request.format], callback=report,
             )
             error = gdal.GetLastErrorMsg() if made is None else ""
         except RuntimeError as raised:
@@ -341,10 +308,8 @@ def _warp_photo(
 ) -> None:
     image = open_image(request.image)
     nodata = 0.0 if image.nodata is None else image.nodata
-    made = replace(
-        image.raster, columns=grid.columns, rows=grid.rows, geotransform=grid.geotransform,
-        own_wkt=horizontal_wkt(grid.wkt),
-    )  # fmt: skip
+    transform, wkt = grid.geotransform, horizontal_wkt(grid.wkt)
+    made = replace(image.raster, columns=grid.columns, rows=grid.rows, geotransform=transform, own_wkt=wkt)
     names, kind = made.band_names, np.dtype(made.data_type)
     assert isinstance(request.model, FrameCamera)
     photo = PhotoWarp(image, request.model, request.wkt, open_dataset(heights, RASTERS), grid)
@@ -364,5 +329,5 @@ def _warp_photo(
         plain = f"{unfinished}.tif"
         write(plain)
         with gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=request.output)):
-            gdal.Translate(unfinished, plain, format=request.format, creationOptions=_CREATION[request.format])
+            gdal.Translate(unfinished, plain, format=request.format, creationOptions=CREATION[request.format])
         os.remove(plain)

@@ -1,6 +1,7 @@
 """Orthoimages of photos: every pixel is seen by the camera itself and resampled where the photo shows it."""
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -19,12 +20,111 @@ from ...imagery.raster_pool import reading_threads
 from ...imagery.rasters import GeoTransform
 from ...imagery.reference_systems import horizontal_wkt, same_system, transform_points
 from .frames import FrameCamera
-from .resampling import Resampler
 
 STRIP_ROWS = 256  # a tile of a GeoTIFF, so that none is written twice
 _PART_COLUMNS, _NARROWEST = 512, 16  # px that are made at once, fewer where each is made of many
 _KNOT_PX = 16  # between places whose reference system is changed; the ones between lie on the Earth's curve within mm
 _MOST_THREADS = 4
+_PHASES = 4096  # places between two pixels that weights are tabled for: at most 0.0001 px off
+_SMALLEST_WEIGHT = 1e-6
+_AT_ONCE = 16384  # places whose sums stay in a processor's own memory
+
+
+def _catmull_rom(distance: np.ndarray) -> np.ndarray:
+    near = (1.5 * distance - 2.5) * distance**2 + 1
+    return np.where(distance < 1, near, ((2.5 - 0.5 * distance) * distance - 4) * distance + 2)
+
+
+def _b_spline(distance: np.ndarray) -> np.ndarray:
+    return np.where(distance < 1, (distance / 2 - 1) * distance**2 + 2 / 3, (2 - distance) ** 3 / 6)
+
+
+_NEAREST = "nearest"
+KERNELS: dict[str, tuple[float, Callable[[np.ndarray, float], np.ndarray]]] = {
+    _NEAREST: (1.0, lambda distance, wide: np.ones_like(distance)),
+    "bilinear": (1.0, lambda distance, wide: 1 - distance / wide),
+    "cubic": (2.0, lambda distance, wide: _catmull_rom(distance / wide)),
+    "cubicspline": (2.0, lambda distance, wide: _b_spline(distance / wide)),
+    "lanczos": (3.0, lambda distance, wide: np.sinc(distance / wide) * np.sinc(distance / wide / 3)),
+    "average": (1.0, lambda distance, wide: np.clip(wide / 2 + 0.5 - distance, 0, 1)),
+}
+"""How far pixels have a weight, in pixels or steps, whichever are wider; and how much, by their distance from the place
+and by the wider of a pixel and a step, px."""
+
+
+@dataclass(frozen=True)
+class Resampler:
+    """A kernel for a step between places, widened where places are further apart than pixels."""
+
+    tables: tuple[np.ndarray, np.ndarray]
+    """(taps, phases + 1) float32 weights along columns and rows, the sum of each phase 1."""
+    nearest: bool  # whether the pixel that a place lies in is all
+
+    @classmethod
+    def of(cls, name: str, step_px: tuple[float, float]) -> Resampler:
+        """``name``: one of ``KERNELS``; ``step_px``: between neighbouring places, along columns and rows."""
+        radius, weight = KERNELS[name]
+        tables = []
+        for step in step_px:
+            wide = max(step, 1.0)
+            half = math.ceil(radius * wide)
+            distance = np.abs(np.arange(1 - half, half + 1)[:, None] - np.arange(_PHASES + 1) / _PHASES)
+            weights = np.where(distance < radius * wide, weight(distance, wide), 0.0)
+            tables.append((weights / weights.sum(axis=0)).astype(np.float32))
+        return cls((tables[0], tables[1]), name == _NEAREST)
+
+    @property
+    def margin_px(self) -> tuple[int, int]:
+        """Pixels around a place, along columns and rows, that have a share."""
+        return len(self.tables[0]) // 2, len(self.tables[1]) // 2
+
+    def at(
+        self, bands: np.ndarray, valid: np.ndarray | None, columns: np.ndarray, rows: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """(bands, n) values at places (n,), 0.5 the middle of the first pixel, and (n,) bool where there are any: where
+        the pixel that a place lies in is ``valid`` (rows, columns). ``bands`` reach ``margin_px`` beyond the places."""
+        width = bands.shape[2]
+        column, row = columns.astype(np.int64), rows.astype(np.int64)
+        own = row * width + column
+        valid = None if valid is not None and valid.all() else valid
+        sound = np.ones(len(columns), bool) if valid is None else valid.ravel().take(own)
+        if self.nearest:
+            return bands.reshape(len(bands), -1).take(own, axis=1), sound
+        left, top = np.floor(columns - 0.5), np.floor(rows - 0.5)
+        phases = [((place - 0.5 - first) * _PHASES + 0.5).astype(np.int32)
+                  for place, first in ((columns, left), (rows, top))]
+        before = [side - 1 for side in self.margin_px]
+        first = (top.astype(np.int64) - before[1]) * width + left.astype(np.int64) - before[0]
+        planes = [np.where(valid, band, 0) for band in bands] if valid is not None else list(bands)
+        if valid is not None:
+            planes.append(valid)
+        pixels = [np.ascontiguousarray(plane, np.result_type(bands, np.float32)).ravel() for plane in planes]
+        found = np.zeros((len(planes), len(columns)), pixels[0].dtype)
+        for start in range(0, len(columns), _AT_ONCE):
+            some = slice(start, start + _AT_ONCE)
+            weights = [[line.take(phase[some]) for line in table] for table, phase in zip(self.tables, phases)]
+            for plane, sums in zip(pixels, found):
+                _add_convolved(sums[some], plane, width, first[some], *weights)
+        if valid is None:
+            return found, sound
+        sound &= found[-1] > _SMALLEST_WEIGHT
+        return found[:-1] / np.where(sound, found[-1], 1), sound
+
+
+def _add_convolved(
+    sums: np.ndarray, pixels: np.ndarray, width: int, first: np.ndarray, across: list[np.ndarray],
+    down: list[np.ndarray],
+) -> None:  # fmt: skip
+    """Add pixels from ``first`` on (n,), the flat index of the upper left one, weighted."""
+    taken, line = np.empty_like(sums), np.empty_like(sums)
+    for below, weight_down in enumerate(down):
+        line.fill(0)
+        for beside, weight in enumerate(across):
+            pixels[below * width + beside :].take(first, out=taken, mode="clip")
+            taken *= weight
+            line += taken
+        line *= weight_down
+        sums += line
 
 
 @dataclass(frozen=True)
@@ -32,7 +132,6 @@ class MapGrid(Grid):
     """The pixels of an orthoimage, all of them square."""
 
     wkt: str = ""
-    """Reference system."""
 
     @property
     def geotransform(self) -> GeoTransform:
@@ -49,15 +148,10 @@ class PhotoWarp:
     """A photo, its camera and the ground that it shows."""
 
     image: OpenRaster
-    """The photo."""
-    camera: FrameCamera
-    """In its pixels."""
-    wkt: str
-    """Reference system of the camera's position."""
-    terrain: gdal.Dataset
-    """Heights in the camera's own kind, with nodata where there are none."""
-    grid: MapGrid
-    """What is made."""
+    camera: FrameCamera  # in its pixels
+    wkt: str  # reference system of the camera's position
+    terrain: gdal.Dataset  # heights in the camera's own kind, with nodata where there are none
+    grid: MapGrid  # what is made
 
     def strips(
         self, resampling: str, nodata: float, cancelled: Callable[[], bool]
@@ -65,10 +159,8 @@ class PhotoWarp:
         """First row and (bands, rows, columns) of strip after strip, in the photo's data type, ``nodata`` beyond it.
         Ends early when cancelled. Raises RasterError where the photo can't be read."""
         grid, reading = self.grid, Lock()  # GDAL's datasets belong to one thread at a time
-        step, heights = self._step_px(), self._heights()
-        resampler = Resampler.of(resampling, step)
-        raster = self.image.raster
-        kind, bands = np.dtype(raster.data_type), len(raster.band_names)
+        step, heights, raster = self._step_px(), self._heights(), self.image.raster
+        resampler, kind, bands = Resampler.of(resampling, step), np.dtype(raster.data_type), len(raster.band_names)
         width = max(int(_PART_COLUMNS / max(step[0] * step[1], 1)), _NARROWEST)
         with reading_threads(min(os.cpu_count() or 1, _MOST_THREADS)) as threads:
             for top in range(0, grid.rows, STRIP_ROWS):
@@ -111,7 +203,8 @@ class PhotoWarp:
         values, sound = resampler.at(bands, valid, column - left, row - top)
         if target.dtype.kind in "iu":
             limits = np.iinfo(target.dtype)
-            np.clip(np.rint(values, out=values), limits.min, limits.max, out=values)
+            if values.dtype.kind == "f":  # the nearest pixels are whole
+                np.clip(np.rint(values, out=values), limits.min, limits.max, out=values)
             values[:, (values == nodata).all(axis=0)] = nodata + (1 if nodata < limits.max else -1)  # dark, not missing
         if not sound.all():
             shown[shown] = sound
@@ -132,10 +225,8 @@ class PhotoWarp:
     def _height_of(self, heights: gdal.Dataset, part: PixelWindow) -> np.ndarray:
         """(rows, columns) m. Raises RasterError where the terrain can't be read."""
         name = os.path.basename(self.terrain.GetDescription())
-        return np.asarray(gdal_pixels(
-            lambda: heights.ReadAsArray(part.column, part.row, part.width, part.height),
-            imagery_messages.NOT_READABLE(name=name), partial(damaged, name, part),
-        ))
+        window, unread = (part.column, part.row, part.width, part.height), imagery_messages.NOT_READABLE(name=name)
+        return np.asarray(gdal_pixels(lambda: heights.ReadAsArray(*window), unread, partial(damaged, name, part)))
 
     def _may_show(self, part: PixelWindow, height: np.ndarray) -> bool:
         """Whether a part may be in the photo, by a few of its places at its lowest and its highest height."""
@@ -146,15 +237,12 @@ class PhotoWarp:
         column, row = (np.stack(axis) for axis in zip(*seen))
         if np.isnan(column).any():
             return not np.isnan(column).all()
-        across, down = (np.ptp(axis) / 8 for axis in (column, row))  # an edge bends by less
-        return bool(
-            column.max() >= -across and column.min() <= self.image.columns + across
-            and row.max() >= -down and row.min() <= self.image.rows + down
-        )  # fmt: skip
+        sides = (column, self.image.columns), (row, self.image.rows)
+        bends = [np.ptp(axis) / 8 for axis in (column, row)]  # an edge bends by less
+        return all(at.max() >= -bend and at.min() <= side + bend for (at, side), bend in zip(sides, bends))
 
     def _seen(self, part: PixelWindow, height: np.ndarray, count: int = 0) -> tuple[np.ndarray, np.ndarray]:
-        """(rows, columns) each, or ``count`` places a side: where the photo shows a part's places at their ``height``,
-        or NaN."""
+        """(rows, columns), or ``count`` places a side: where the photo shows places at their ``height``, or NaN."""
         columns, rows = (
             np.linspace(first, first + size, count) if count else first + np.arange(size) + 0.5
             for first, size in ((part.column, part.width), (part.row, part.height))
@@ -164,31 +252,22 @@ class PhotoWarp:
             x, y = grid.left + columns * grid.pixel_width, grid.top - rows[:, None] * grid.pixel_height
             return self.camera.seen(x, y, height, np.float32)
         knots = [np.append(np.arange(side[0], side[-1], _KNOT_PX), side[-1]) for side in (columns, rows)]
-        at = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
-        coarse = transform_points(at, self.grid.wkt, self.wkt).T.reshape(2, len(knots[1]), len(knots[0]))
-        across, down = (_interpolation(knot, side) for knot, side in zip(knots, (columns, rows)))
-        x, y = down @ coarse @ across.T
+        places = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
+        coarse = transform_points(places, self.grid.wkt, self.wkt).T.reshape(2, len(knots[1]), len(knots[0]))
+        sides = zip((columns, rows), knots)  # between which it is linear
+        across, down = (np.stack([np.interp(side, at, one) for one in np.eye(len(at))]) for side, at in sides)
+        x, y = down.T @ coarse @ across
         return self.camera.seen(x, y, height, np.float32)
 
     def _step_px(self) -> tuple[float, float]:
         """How far apart the photo shows neighbouring pixels of the orthoimage, along its columns and rows, px."""
-        grid, steps = self.grid, np.linspace(0.1, 0.9, 9)
+        grid, steps, heights, ground = self.grid, np.linspace(0.1, 0.9, 9), self._heights(), []
         columns, rows = (side.ravel() for side in np.meshgrid(steps * grid.columns, steps * grid.rows))
-        heights, ground = self._heights(), []
-        height = [
-            float(self._height_of(heights, PixelWindow(int(x), int(y), 1, 1))[0, 0]) for x, y in zip(columns, rows)
-        ]
+        height = [self._height_of(heights, PixelWindow(int(x), int(y), 1, 1))[0, 0] for x, y in zip(columns, rows)]
         for right, down in ((0, 0), (1, 0), (0, 1)):
             places = transform_points(grid.places(columns + right, rows + down), grid.wkt, self.wkt)
             ground.append(self.camera.project(np.column_stack([places, height])))
         changes = np.stack([ground[1] - ground[0], ground[2] - ground[0]])
         known = np.isfinite(changes).all(axis=(0, 2))
-        if not known.any():
-            return 1.0, 1.0
-        along = np.median(np.linalg.norm(changes[:, known], axis=0), axis=0)
+        along = np.median(np.linalg.norm(changes[:, known], axis=0), axis=0) if known.any() else np.ones(2)
         return float(along[0]), float(along[1])
-
-
-def _interpolation(knots: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """(places, knots) weights of linear interpolation."""
-    return np.stack([np.interp(places, knots, one) for one in np.eye(len(knots))], axis=1)

@@ -30,12 +30,9 @@ _DRIFTS = slice(9, 18)  # of the same: rate, acceleration and jerk of the attitu
 class PlannedScene:
     """The image that points are planned for."""
 
-    model: SensorModel
-    """From longitude, latitude and height to the image: taken for true."""
-    size: tuple[float, float]
-    """Columns and rows."""
-    middle: tuple[float, float]
-    """Longitude and latitude of a place in it, degrees."""
+    model: SensorModel  # from longitude, latitude and height to the image: taken for true
+    size: tuple[float, float]  # columns and rows
+    middle: tuple[float, float]  # longitude and latitude of a place in it, degrees
     heights: tuple[float, float]
     """Lowest and highest terrain, m above the ellipsoid; points lie anywhere between, each by itself."""
 
@@ -52,14 +49,10 @@ class PlannedScene:
 class PointPlan:
     """How points are going to be measured."""
 
-    spread: str
-    """``grid`` (one in each cell of a grid over the image), ``random`` or ``corner``."""
-    corner_share: float
-    """Of the image's area that holds all points, for ``corner``."""
-    sigma_m: float
-    """Standard deviation of each of the three ground coordinates."""
-    sigma_px: float
-    """Standard deviation of each coordinate in the image."""
+    spread: str  # ``grid`` (one in each cell of a grid over the image), ``random`` or ``corner``
+    corner_share: float  # of the image's area that holds all points, for ``corner``
+    sigma_m: float  # standard deviation of each of the three ground coordinates
+    sigma_px: float  # standard deviation of each coordinate in the image
 
 
 @dataclass(frozen=True)
@@ -67,23 +60,19 @@ class ExpectedAccuracy:
     """The outcome for a number of points. Errors are root mean squares in m, of both coordinates together."""
 
     count: int
-    failed: int
-    """Draws that no model could be fitted to; they count as the largest errors."""
+    failed: int  # draws that no model could be fitted to; they count as the largest errors
     image_usual: float | None
     """Over the whole image, against the truth: half of the draws have at most this; None where they failed."""
-    image_most: float | None
-    """90 % of the draws have at most this."""
-    check_usual: float | None
-    """At check points that are measured as well as the control points."""
+    image_most: float | None  # 90 % of the draws have at most this
+    check_usual: float | None  # at check points that are measured as well as the control points
     check_most: float | None
-    reason: Message | None = None
-    """Why draws failed: what the first of them said."""
+    reason: Message | None = None  # why draws failed: what the first of them said
 
 
 def scene_of_rpc(rpc: Rational, size: tuple[float, float] | None, heights: tuple[float, float]) -> PlannedScene:
     """The image of an RPC; ``size`` None: as large as the RPC says."""
-    columns, rows = map(float, rpc.image.offset + rpc.image.scale)
-    longitude, latitude = map(float, rpc.ground.offset[:2])
+    columns, rows = (rpc.image.offset + rpc.image.scale).tolist()
+    longitude, latitude, _ = rpc.ground.offset.tolist()
     return PlannedScene(rpc, size or (columns, rows), (longitude, latitude), heights)
 
 
@@ -119,12 +108,10 @@ def expected_accuracies(
     request: ModelRequest, scene: PlannedScene, plan: PointPlan, counts: tuple[int, ...], seed: int, draws: int = DRAWS,
     progress: Callable[[float], None] = lambda share: None, cancelled: Callable[[], bool] = lambda: False,
 ) -> Iterator[ExpectedAccuracy]:
-    """For each number of points, the same for a seed whatever others are asked for. Raises SettingsError for too
-    few."""
+    """For each number of points, whatever others are asked for. Raises SettingsError for too few."""
     fewest = request.variant.fewest
-    few = [count for count in counts if count < fewest]
-    if few:
-        raise SettingsError(messages.TOO_FEW_POINTS(model=request.name, count=few[0], fewest=fewest))
+    if min(counts) < fewest:
+        raise SettingsError(messages.TOO_FEW_POINTS(model=request.name, count=min(counts), fewest=fewest))
     for number, count in enumerate(counts):
         random = np.random.default_rng([seed, count])
         errors, reason = np.full((draws, 2), np.inf), None
@@ -137,9 +124,7 @@ def expected_accuracies(
                 reason = reason or error.message
             progress((number + (draw + 1) / draws) / len(counts))
         failed = int(np.count_nonzero(~np.isfinite(errors).all(axis=1)))
-        (usual, most), (check_usual, check_most) = (
-            [_at_most(column, share) for share in (_USUAL, _MOST)] for column in errors.T
-        )
+        usual, most, check_usual, check_most = (_at_most(one, share) for one in errors.T for share in (_USUAL, _MOST))
         yield ExpectedAccuracy(count, failed, usual, most, check_usual, check_most, reason)
 
 
@@ -164,7 +149,7 @@ def _errors(
     )
     done = adjust(request, points)
     groups = slice(count + checks, None), slice(count, count + checks)
-    found = [accuracy(done.residuals_px[group], done.residuals_m[group]).rmse for group in groups]
+    found = [accuracy(done.residuals_px, done.residuals_m, group).rmse for group in groups]
     over_image, at_checks = (value if value is not None and np.isfinite(value) else np.inf for value in found)
     return over_image, at_checks
 
@@ -173,8 +158,7 @@ def _spread(plan: PointPlan, count: int, random: np.random.Generator) -> np.ndar
     """(n, 2) places of control points as shares of the image's columns and rows."""
     if plan.spread == GRID:
         return _in_cells(count, random)
-    places = random.uniform(0, 1, (count, 2))
-    return places * np.sqrt(plan.corner_share) if plan.spread == CORNER else places
+    return random.uniform(0, 1, (count, 2)) * (np.sqrt(plan.corner_share) if plan.spread == CORNER else 1.0)
 
 
 def _in_cells(count: int, random: np.random.Generator) -> np.ndarray:

@@ -1,5 +1,4 @@
-"""Polynomials and their quotients, of the plane and of space, and the direct linear transformation. Terms stand in the
-order of RPC00B."""
+"""Polynomials and their quotients, of plane and space, and the DLT; terms in the order of RPC00B."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -42,13 +41,10 @@ def terms_2d(scaled: np.ndarray, order: int) -> np.ndarray:
 
 @np.errstate(over="ignore", invalid="ignore")  # what is not finite is told by the fit, or where the model is inverted
 def _terms(scaled: np.ndarray, exponents: Sequence[tuple[int, int, int]]) -> np.ndarray:
-    columns = []
-    for powers in exponents:
-        column = np.ones(len(scaled))
-        for axis, power in enumerate(powers):
-            for _ in range(power):
-                column = column * scaled[:, axis]
-        columns.append(column)
+    columns = [np.ones(len(scaled)) for _ in exponents]
+    for column, powers in zip(columns, exponents):
+        for axis in np.repeat(range(3), powers):
+            column *= scaled[:, axis]
     return np.column_stack(columns)
 
 
@@ -59,10 +55,8 @@ class Rational(SensorModel):
     order: int
     ground: Scaling
     image: Scaling
-    numerators: np.ndarray
-    """(terms, 2) of column and row, in the order of RPC00B."""
-    denominators: np.ndarray
-    """(terms, 2), the first of each 1."""
+    numerators: np.ndarray  # (terms, 2) of column and row, in the order of RPC00B
+    denominators: np.ndarray  # (terms, 2), the first of each 1
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         terms = terms_3d(self.ground.to(ground), self.order)
@@ -94,31 +88,23 @@ class Dlt(SensorModel):
     def as_rational(self) -> Rational:
         """The same function as quotients: y = (a5 + ...) / (1 + ... - a12 (a1 + ...))."""
         a = self.coefficients
-        column_denominator = np.array([1.0, *a[8:11]])
-        row_denominator = column_denominator - a[11] * a[0:4]
-        lead = row_denominator[0]
-        numerators = np.column_stack([a[0:4], a[4:8] / lead])
-        denominators = np.column_stack([column_denominator, row_denominator / lead])
-        return Rational(1, self.ground, self.image, numerators, denominators)
-
-
-def fit_rational(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
-    """Fit quotients by iterated least squares, each step divided by the last one's denominator; ``weights`` (n,) 1 /
-    standard deviation. Source: Tao and Hu, A comprehensive study of the rational function model, 2001 (without their
-    ridge)."""
-    return _fit_quotients(ground, image, weights, order)
+        of_column = np.array([1.0, *a[8:11]])
+        of_row = of_column - a[11] * a[0:4]
+        numerators = np.column_stack([a[0:4], a[4:8] / of_row[0]])
+        return Rational(1, self.ground, self.image, numerators, np.column_stack([of_column, of_row / of_row[0]]))
 
 
 def fit_chosen_terms(ground: np.ndarray, image: np.ndarray, weights: np.ndarray) -> FittedModel:
-    """Fit quotients of order 2: linear numerators, and of all other terms those that an F-test finds significant, one
-    by one."""
-    return _fit_quotients(ground, image, weights, CHOSEN_ORDER, _significant_terms)
+    """Fit of order 2: linear numerators, and of other terms those that an F-test finds significant, one by one."""
+    return fit_rational(ground, image, weights, CHOSEN_ORDER, _significant_terms)
 
 
-def _fit_quotients(
+def fit_rational(
     ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int, choose: _Choice | None = None
 ) -> FittedModel:
-    """``choose`` tells which columns of a design matrix are taken; all without it."""
+    """Fit by iterated least squares, each step divided by the last one's denominator; ``weights`` (n,) 1 / standard
+    deviation; ``choose`` tells which columns of a design matrix are taken. Source: Tao and Hu, A comprehensive study of
+    the rational function model, 2001 (without their ridge)."""
     scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
     terms, scaled = terms_3d(scale_g.to(ground), order), scale_i.to(image)
     count = terms.shape[1]
@@ -176,14 +162,12 @@ def _significant_terms(design: np.ndarray, wanted: np.ndarray) -> list[int]:
 def terms_told(model: Rational) -> str:
     """Which terms a model of chosen terms has, such as ``column: 1 x y z xz / 1 x; row: 1 x y z / 1``."""
     names = ["".join(letter * power for letter, power in zip("xyz", powers)) or "1" for powers in EXPONENTS_3D]
-    parts = []
-    for axis, side in enumerate(("column", "row")):
-        above, below = (
-            " ".join(name for name, value in zip(names, part[:, axis]) if value != 0)
-            for part in (model.numerators, model.denominators)
-        )
-        parts.append(f"{side}: {above} / {below}")
-    return "; ".join(parts)
+
+    def kept(part: np.ndarray) -> str:
+        return " ".join(name for name, value in zip(names, part) if value != 0)
+
+    sides = zip(("column", "row"), model.numerators.T, model.denominators.T)
+    return "; ".join(f"{side}: {kept(above)} / {kept(below)}" for side, above, below in sides)
 
 
 def off_poles(denominator: np.ndarray) -> np.ndarray:
@@ -227,8 +211,7 @@ class Polynomial3D(SensorModel):
     order: int
     ground: Scaling
     image: Scaling
-    coefficients: np.ndarray
-    """(terms, 2) of the scaled column and row, in the order of RPC00B."""
+    coefficients: np.ndarray  # (terms, 2) of the scaled column and row, in the order of RPC00B
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         return self.image.back(terms_3d(self.ground.to(ground), self.order) @ self.coefficients)
@@ -246,11 +229,9 @@ class Polynomial2D(SensorModel):
     SPATIAL: ClassVar[bool] = False
 
     order: int
-    ground: Scaling
-    """Of x and y."""
+    ground: Scaling  # of x and y
     image: Scaling
-    coefficients: np.ndarray
-    """(terms, 2) of the scaled column and row, or of the scaled x and y when ``to_ground``."""
+    coefficients: np.ndarray  # (terms, 2) of the scaled column and row, or of the scaled x and y when ``to_ground``
     to_ground: bool
     """Whether x and y are the polynomials and column and row their arguments, as QGIS's georeferencer fits them."""
 

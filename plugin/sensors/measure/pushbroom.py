@@ -1,9 +1,8 @@
-"""The parametric model, one perspective per line: a nominal orbit from the affine camera, then an adjustment with
-priors."""
+"""The parametric model, one perspective per line: a nominal orbit, then an adjustment with priors."""
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -36,20 +35,16 @@ MAX_SIGMA_CHANGE = 0.1  # relative: the standard deviation of the points has set
 DEFAULT_SIGMA_PX = 0.5  # a point identified in an image
 
 SIGMAS = np.array([
-    *PUSHBROOM_POSITION_SIGMAS_M,
-    *PUSHBROOM_MOTION_SIGMAS_M,
-    *(sigma for sigmas in PUSHBROOM_ROTATION_SIGMAS for sigma in sigmas),
-    PUSHBROOM_SCALE_SIGMA,
-    1.0,  # the principal column's stands in the orbit: it depends on whether the image's width is known
-])
+    *PUSHBROOM_POSITION_SIGMAS_M, *PUSHBROOM_MOTION_SIGMAS_M, *np.ravel(PUSHBROOM_ROTATION_SIGMAS),
+    PUSHBROOM_SCALE_SIGMA, 1.0,  # the principal column's stands in the orbit: it depends on the image's width
+])  # fmt: skip
 """Prior standard deviations of the unknowns, in the order of ``Pushbroom.unknowns``."""
 
 
 @np.errstate(invalid="ignore", over="ignore")  # places that are none have none here either
 def geocentric(geographic: np.ndarray) -> np.ndarray:
     """(n, 3) longitude and latitude in degrees and height above the ellipsoid in m -> (n, 3) X, Y, Z in m."""
-    longitude, latitude = np.radians(geographic[:, 0]), np.radians(geographic[:, 1])
-    height = geographic[:, 2]
+    (longitude, latitude), height = np.radians(geographic[:, :2]).T, geographic[:, 2]
     prime_vertical = limits.WGS84_SEMI_MAJOR_M / np.sqrt(1 - _SQUARED_ECCENTRICITY * np.sin(latitude) ** 2)
     across = (prime_vertical + height) * np.cos(latitude)
     polar = (prime_vertical * (1 - _SQUARED_ECCENTRICITY) + height) * np.sin(latitude)
@@ -65,30 +60,22 @@ def unit(vectors: np.ndarray) -> np.ndarray:
 class Orbit:
     """The nominal geometry that the unknowns correct, geocentric (WGS 84), in m and m per line."""
 
-    position: np.ndarray
-    """(3,) of the projection centre at the central line."""
-    motion: np.ndarray
-    """(3,) per line."""
-    camera: np.ndarray
-    """(3, 3) rows: along the detectors, along the track, along the view."""
+    position: np.ndarray  # (3,) of the projection centre at the central line
+    motion: np.ndarray  # (3,) per line
+    camera: np.ndarray  # (3, 3) rows: along the detectors, along the track, along the view
     track: np.ndarray
     """(3, 3) rows: along the orbit, across it, back along the view; the directions of the position's unknowns."""
-    distance: float
-    """To the ground along the view, m."""
+    distance: float  # to the ground along the view, m
     focal_px: float
     """Focal length in detector widths; it grows with the distance, so that a pixel keeps its size on the ground."""
-    centre: np.ndarray
-    """(2,) principal column, and the row that time starts from."""
-    half_lines: float
-    """Lines from the centre to the ends: time runs from -1 to 1."""
-    principal_sigma_px: float
-    """Prior standard deviation of the principal column."""
+    centre: np.ndarray  # (2,) principal column, and the row that time starts from
+    half_lines: float  # lines from the centre to the ends: time runs from -1 to 1
+    principal_sigma_px: float  # prior standard deviation of the principal column
 
 
 @dataclass(frozen=True)
 class Pushbroom(SensorModel):
-    """Collinearity in every line, position linear and attitude cubic in time (Kurczynski and Wolniewicz, model
-    parametryczny)."""
+    """Collinearity in every line, position linear and attitude cubic in time (Kurczynski and Wolniewicz)."""
 
     GEOGRAPHIC: ClassVar[bool] = True
 
@@ -98,8 +85,7 @@ class Pushbroom(SensorModel):
     then linear, quadratic and cubic in time; scale; principal column."""
 
     def project(self, ground: np.ndarray) -> np.ndarray:
-        """(n, 3) longitude, latitude, ellipsoidal height -> (n, 2) column, row. Raises SensorModelError for what no
-        line sees."""
+        """(n, 3) longitude, latitude, height -> (n, 2) column, row. Raises SensorModelError for what no line sees."""
         places = geocentric(ground)
         rows = np.full(len(places), self.orbit.centre[1])
         columns, slip = self.in_line(places, rows)
@@ -134,9 +120,8 @@ def fit_pushbroom(
     ground: np.ndarray, image: np.ndarray, weights: np.ndarray, orbit_height_m: float,
     size: tuple[float, float] | None = None, estimate_sigma: bool = True,
 ) -> FittedModel:
-    """Adjust the parametric model to points and to its priors; ``size`` the image's columns and rows, whose middle is
-    the nominal principal column. With ``estimate_sigma`` the weights (n,) are relative, and their common factor follows
-    from the residuals. Raises SensorModelError for points on a plane and where it diverges."""
+    """Adjust to points and priors; ``size``: columns and rows, whose middle is the nominal principal column. With
+    ``estimate_sigma`` weights (n,) are relative. Raises SensorModelError for points on a plane, or if it diverges."""
     places = geocentric(ground)
     model = Pushbroom(nominal_orbit(places, image, orbit_height_m, size), np.zeros(len(SIGMAS)))
     sigma_px = 1 / np.maximum(weights, np.finfo(float).tiny)
@@ -146,7 +131,8 @@ def fit_pushbroom(
     for _ in range(MAX_SIGMA_ROUNDS if estimate_sigma else 1):
         done = _adjusted(model, places, image, sigma_px * factor)
         model, iterations = done.model, iterations + done.iterations
-        unknowns = _determined(done.jacobian, sigma_px * factor)
+        singular = np.linalg.svd(done.jacobian / np.repeat(sigma_px * factor, 2)[:, None], compute_uv=False)
+        unknowns = float(np.sum(singular**2 / (1 + singular**2)))  # by the points, not by the priors: each by its share
         redundancy = max(done.residuals.size - unknowns, MIN_REDUNDANCY)
         misfit = float(np.sqrt(np.sum((done.residuals / np.repeat(sigma_px, 2)) ** 2) / redundancy))
         before, factor = factor, max(misfit, limits.MIN_SIGMA_PX)
@@ -155,13 +141,11 @@ def fit_pushbroom(
     return FittedModel(model, done.condition, iterations, done.converged, unknowns)
 
 
-@dataclass(frozen=True)
-class _Adjusted:
+class _Adjusted(NamedTuple):
     """A model after Gauss and Newton's iteration with given standard deviations."""
 
     model: Pushbroom
-    residuals: np.ndarray
-    """(2n,) px, of the last step but one, which differs by less than a millionth."""
+    residuals: np.ndarray  # (2n,) px, of the last step but one, which differs by less than a millionth
     jacobian: np.ndarray
     condition: float
     iterations: int
@@ -210,17 +194,15 @@ def nominal_orbit(
     motion = on_ground[:, 1] * radius / np.linalg.norm(middle)
     outward = unit(position)
     across = unit(np.cross(outward, motion))
-    return Orbit(
-        position, motion, np.stack([detectors, np.cross(view, detectors), view]),
-        np.stack([np.cross(across, outward), across, -view]), float(distance),
-        float(distance / np.linalg.norm(per_px[:, 0])), centre, float(max((high[1] - low[1]) / 2, 1.0)),
-        PRINCIPAL_SHARE * (high[0] - low[0]) if size is None else PRINCIPAL_SIGMA_PX,
-    )
+    camera = np.stack([detectors, np.cross(view, detectors), view])
+    track = np.stack([np.cross(across, outward), across, -view])
+    focal, half = float(distance / np.linalg.norm(per_px[:, 0])), float(max((high[1] - low[1]) / 2, 1.0))
+    sigma = PRINCIPAL_SHARE * (high[0] - low[0]) if size is None else PRINCIPAL_SIGMA_PX
+    return Orbit(position, motion, camera, track, float(distance), focal, centre, half, sigma)
 
 
 def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Residuals (2n,) px, column and row in turn, and their derivatives (2n, 20), by one Newton step from the measured
-    line."""
+    """Residuals (2n,) px, column and row in turn, and derivatives (2n, 20), by a Newton step from the measured line."""
     columns, slip = model.in_line(places, image[:, 1])
     next_columns, next_slip = model.in_line(places, image[:, 1] + 1)
     slope, drift = next_slip - slip, next_columns - columns
@@ -230,16 +212,6 @@ def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tupl
         return np.column_stack([columns + drift * rows - image[:, 0], rows]).ravel()
 
     residuals = stepped(columns, slip)
-    jacobian = np.empty((len(residuals), len(model.unknowns)))
-    for index in range(len(model.unknowns)):
-        unknowns = model.unknowns.copy()
-        unknowns[index] += PUSHBROOM_DIFFERENCE
-        moved = stepped(*replace(model, unknowns=unknowns).in_line(places, image[:, 1]))
-        jacobian[:, index] = (moved - residuals) / PUSHBROOM_DIFFERENCE
-    return residuals, jacobian
-
-
-def _determined(jacobian: np.ndarray, sigma_px: np.ndarray) -> float:
-    """How many of the unknowns the points determine, the priors the others: each by its share."""
-    singular = np.linalg.svd(jacobian / np.repeat(sigma_px, 2)[:, None], compute_uv=False)
-    return float(np.sum(singular**2 / (1 + singular**2)))
+    changed = (replace(model, unknowns=one) for one in model.unknowns + PUSHBROOM_DIFFERENCE * np.eye(len(SIGMAS)))
+    moved = np.column_stack([stepped(*one.in_line(places, image[:, 1])) for one in changed])
+    return residuals, (moved - residuals[:, None]) / PUSHBROOM_DIFFERENCE

@@ -22,46 +22,37 @@ if TYPE_CHECKING:
 class Variant:
     """One form of a model: an order, a term or a correction."""
 
-    name: str
-    """Empty for a model's plain form."""
-    unknowns: int
-    """How many the points have to fix; of a model with priors those that the priors leave open."""
-    fewest: int
-    """The fewest control points."""
+    name: str  # empty for a model's plain form
+    unknowns: int  # how many the points have to fix; of a model with priors those that the priors leave open
+    fewest: int  # the fewest control points
     rank: int
     """Place in the preference of Kurczynski and Wolniewicz, the smallest first: parametric, the vendor's RPC corrected,
     quotients by their order, polynomials for small areas, those of the plane where it is flat."""
-    with_priors: int | None = None
-    """All unknowns, where priors hold some of them."""
+    with_priors: int | None = None  # all unknowns, where priors hold some of them
 
 
 @dataclass(frozen=True)
 class ModelKind:
     """A sensor model that can be chosen."""
 
-    name: str
-    """As parameters, tables and model files call it."""
+    name: str  # as parameters, tables and model files call it
     variants: tuple[Variant, ...]
     code: tuple[str, str, str]
     """Module, class (what a model file holds), and the fit: it takes ground (n, 3), image (n, 2) and weights (n,) of
     points, and the options."""
-    recommendation: Message
-    """Why it is the one to take; with ``model``, ``rmse`` and ``best``."""
+    recommendation: Message  # why it is the one to take
     options: Callable[[ModelRequest, Points], Sequence[object]] = lambda request, points: (int(request.variant.name),)
     """What the fit takes beside points: the order, unless said otherwise."""
-    corrects_rpc: bool = False
-    """Whether it starts from the vendor's RPC and its unknowns are a correction in the image."""
+    corrects_rpc: bool = False  # whether it starts from the vendor's RPC and its unknowns are a correction in the image
 
     def model_class(self) -> type[SensorModel]:
         """Imported when it is asked for, as is the fit."""
-        loaded: type[SensorModel] = getattr(import_module(self.code[0], __package__), self.code[1])
-        return loaded
+        return getattr(import_module(self.code[0], __package__), self.code[1])
 
     def fit(self, request: ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
         """Fit to points whose ground is longitude and latitude where the class says so."""
         function = getattr(import_module(self.code[0], __package__), self.code[2])
-        fitted: FittedModel = function(points.ground, points.image, weights, *self.options(request, points))
-        return fitted
+        return function(points.ground, points.image, weights, *self.options(request, points))
 
     def request(
         self, *words: str, orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000,
@@ -108,18 +99,14 @@ POLYNOMIAL_3D = ModelKind(
     (".polynomials", "Polynomial3D", "fit_polynomial_3d"), messages.RECOMMEND_POLYNOMIAL_3D,
 )
 RATIONAL_TERMS = ModelKind(
-    "rational_terms",
-    (Variant("", 8, 12, 3),),  # it starts from 8 unknowns; fewer points have none to spare for more
-    (".polynomials", "Rational", "fit_chosen_terms"),
-    messages.RECOMMEND_RATIONAL,
-    lambda request, points: (),
-)
+    "rational_terms", (Variant("", 8, 12, 3),),  # it starts from 8 unknowns; fewer points have none to spare for more
+    (".polynomials", "Rational", "fit_chosen_terms"), messages.RECOMMEND_RATIONAL, lambda request, points: (),
+)  # fmt: skip
 RATIONAL = ModelKind(
     "rational",
     tuple(Variant(str(order), 4 * terms - 2, 2 * terms - 1, 1 + order) for order, terms in _TERMS_3D.items()),
-    (".polynomials", "Rational", "fit_rational"),
-    messages.RECOMMEND_RATIONAL,
-)
+    (".polynomials", "Rational", "fit_rational"), messages.RECOMMEND_RATIONAL,
+)  # fmt: skip
 DLT = ModelKind(
     "dlt", (Variant("", 11, 6, 2), Variant("xy", 12, 6, 2)), (".polynomials", "Dlt", "fit_dlt"), messages.RECOMMEND_DLT,
     lambda request, points: (request.variant.name == "xy",),

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import re
+import uuid
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,7 +16,7 @@ from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import save_text
 from ...imagery.documents import looks_like_xml, xml_root
 from ...imagery.errors import CancelledError, Message, SensorModelError, SettingsError
-from ...imagery.gdal_calls import gdal_silenced, gdal_writing
+from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing, taken_from_memory
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import whole_raster
 from ...imagery.rasters import Raster, RasterRef
@@ -28,30 +29,22 @@ RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit:
 MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
 _Used = tuple[int, ...]
 _TRIALS: dict[str, tuple[tuple[_Used, _Used], ...]] = {
-    "shift": (((0,), (0,)),),
-    "shift_drift": (((0, 2), (0,)), ((0,), (0, 2))),
-    "affine": (((0, 1, 2), (0, 1, 2)),),
-}
+    "shift": (((0,), (0,)),), "shift_drift": (((0, 2), (0,)), ((0,), (0, 2))), "affine": (((0, 1, 2), (0, 1, 2)),),
+}  # fmt: skip
 """Which of constant, column and row the corrections of column and row use; of several the one that fits best."""
 _OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
 _COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
-_RPB_NAMES = {"line": "LINE", "samp": "SAMP", "lat": "LAT", "long": "LONG", "height": "HEIGHT"}
 RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
 ALOS_WIDTHS, ALOS_COEFFICIENT = (6, 5, 8, 9, 5), 12  # characters of offsets and scales, and of a coefficient
-PIXEL_CENTRE = 0.5
-"""An RPC counts from the centre of the first pixel, GDAL and we from its corner."""
-DIMAP_FIRST_PIXEL = 1
-"""DIMAP numbers the first pixel 1, all others 0."""
+PIXEL_CENTRE = 0.5  # an RPC counts from the centre of the first pixel, GDAL and we from its corner
+DIMAP_FIRST_PIXEL = 1  # all others number it 0
+_COMPRESSED = ("COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
+CREATION = {"GTiff": [*_COMPRESSED, "TILED=YES"], "COG": [*_COMPRESSED]}
 
 
 def open_image(ref: RasterRef) -> OpenRaster:
     """An image as a sensor took it, which may have no place on the map yet; radar's complex values are welcome."""
     return OpenRaster(ref, complex_values=True)
-
-
-def rpc_metadata(image: OpenRaster) -> dict[str, str]:
-    """GDAL's metadata domain RPC; empty where the image has none."""
-    return dict(image.dataset.GetMetadata("RPC") or {})
 
 
 def satellite_name(image: OpenRaster) -> str:
@@ -86,8 +79,7 @@ class RpcOfModel:
     """An RPC and how closely it follows the model it was made from."""
 
     rpc: Rational
-    rms_px: float
-    """Against the model, on places between those it was fitted to; 0 for a model that is an RPC already."""
+    rms_px: float  # against the model, on places between those it was fitted to; 0 for a model that is an RPC already
     max_px: float
 
     @property
@@ -97,8 +89,7 @@ class RpcOfModel:
 
 
 def rpc_of(model: SensorModel, wkt: str, domain: Domain) -> RpcOfModel:
-    """A model in space as RPC: itself where it has that form, else by a terrain-independent fit. Raises
-    SensorModelError."""
+    """A model in space: itself where it has that form, else a terrain-independent fit. Raises SensorModelError."""
     if not model.SPATIAL:
         raise SensorModelError(messages.PLANE_MODEL_HAS_NO_RPC())
     exact = model.as_rational() if same_system(model.ground_system(wkt), WGS84) else None
@@ -117,10 +108,10 @@ def rpc_of(model: SensorModel, wkt: str, domain: Domain) -> RpcOfModel:
 
 def _grid(domain: Domain, counts: tuple[int, int, int], inset: float) -> np.ndarray:
     """(n, 3) column, row, height; with ``inset`` 0.5 the middles of the grid's cells."""
-    axes = []
-    for (first, last), count in zip((domain.columns, domain.rows, rpc_heights(domain)), counts):
-        cells = count if inset else count - 1
-        axes.append(first + (np.arange(count) + inset) * (last - first) / cells)
+    axes = [
+        first + (np.arange(count) + inset) * (last - first) / (count if inset else count - 1)
+        for (first, last), count in zip((domain.columns, domain.rows, rpc_heights(domain)), counts)
+    ]
     return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
 
 
@@ -146,8 +137,7 @@ class BiasedRpc(SensorModel):
     GEOGRAPHIC: ClassVar[bool] = True
 
     rpc: Rational
-    correction: np.ndarray
-    """(3, 2) px: constant, per scaled column, per scaled row; of column and row."""
+    correction: np.ndarray  # (3, 2) px: constant, per scaled column, per scaled row; of column and row
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         seen = self.rpc.project(ground)
@@ -167,14 +157,13 @@ class BiasedRpc(SensorModel):
 def fit_bias(
     ground: np.ndarray, image: np.ndarray, weights: np.ndarray, form: str, rpc: Rational | None
 ) -> FittedModel:
-    """Fit the correction; ``shift_drift`` lets the column or the row grow with the line. Raises SettingsError without
-    an RPC."""
+    """``shift_drift`` lets the column or the row grow with the line. Raises SettingsError without an RPC."""
     if rpc is None:
         raise SettingsError(messages.NO_RPC())
     seen = rpc.project(ground)
     linear = _linear(rpc.image, seen)
     missing = image - seen
-    best: tuple[float, FittedModel] | None = None
+    fits = []
     for used in _TRIALS[form]:
         correction, condition = np.zeros((3, 2)), 1.0
         for axis in (0, 1):
@@ -182,10 +171,8 @@ def fit_bias(
             correction[list(used[axis]), axis] = solution.values
             condition = max(condition, solution.condition)
         misfit = float(np.sum(((missing - linear @ correction) * weights[:, None]) ** 2))
-        if best is None or misfit < best[0]:
-            best = misfit, FittedModel(BiasedRpc(rpc, correction), condition, 1, True, sum(map(len, used)))
-    assert best is not None
-    return best[1]
+        fits.append((misfit, FittedModel(BiasedRpc(rpc, correction), condition, 1, True, sum(map(len, used)))))
+    return min(fits, key=lambda one: one[0])[1]
 
 
 def _linear(scaling: Scaling, image: np.ndarray) -> np.ndarray:
@@ -219,27 +206,22 @@ def from_metadata(items: Mapping[str, str], name: str, first_pixel: int = 0) -> 
     if not sound or arrays["LINE_DEN"][0] == 0 or arrays["SAMP_DEN"][0] == 0:
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name))
     image, ground = [1, 0], [3, 2, 4]  # of those five
-    return Rational(
-        3,
-        Scaling(offsets[ground], scales[ground]),
-        Scaling(offsets[image] - first_pixel + PIXEL_CENTRE, scales[image]),
-        np.column_stack([arrays["SAMP_NUM"], arrays["LINE_NUM"]]),
-        np.column_stack([arrays["SAMP_DEN"], arrays["LINE_DEN"]]),
-    )
+    scaling = Scaling(offsets[image] - first_pixel + PIXEL_CENTRE, scales[image])
+    above, below = (np.column_stack([arrays[f"SAMP_{part}"], arrays[f"LINE_{part}"]]) for part in ("NUM", "DEN"))
+    return Rational(3, Scaling(offsets[ground], scales[ground]), scaling, above, below)
 
 
 def write_rpc(rpc: Rational, path: Path) -> None:
-    """A file as GDAL reads it beside ``image.tif``: ``image.RPB`` where the name ends so, else ``image_RPC.TXT``."""
-    lines = []
-    if path.suffix.lower() == ".rpb":
-        save_text(_rpb_text(to_metadata(rpc)), path, "ascii")
-        return
-    for name, value in to_metadata(rpc).items():
-        if name.endswith("_COEFF"):
-            lines += [f"{name}_{number}: {one}" for number, one in enumerate(value.split(), 1)]
-        else:
-            lines.append(f"{name}: {value}")
-    save_text("\n".join(lines) + "\n", path, "ascii")
+    """A file as GDAL has it beside ``image.tif``: ``image.RPB`` where the name ends so, else ``image_RPC.TXT``."""
+    option, ending = ("RPB=YES", ".RPB") if path.suffix.lower() == ".rpb" else ("RPCTXT=YES", "_RPC.TXT")
+    image = f"/vsimem/rpc-{uuid.uuid4().hex}"
+    with gdal_silenced():
+        bare = gdal.GetDriverByName("MEM").Create("", 1, 1)
+        bare.SetMetadata(to_metadata(rpc), "RPC")
+        gdal.GetDriverByName("GTiff").CreateCopy(f"{image}.tif", bare, options=["PROFILE=BASELINE", option])
+    drop_from_memory(f"{image}.tif")
+    text = taken_from_memory(image + ending).decode()
+    save_text(text.replace('"QB02"', '""').replace('"P"', '""'), path, "ascii")  # not every satellite is GDAL's
 
 
 def read_rpc(path: Path) -> Rational:
@@ -254,9 +236,8 @@ def read_rpc(path: Path) -> Rational:
         return from_metadata(_orthority_items(text, path.name), path.name)
     if "BEGIN_GROUP" in text:
         return from_metadata(_rpb_items(text), path.name)
-    items: dict[str, str] = {}
-    for name, value in re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE):
-        items[name.upper()] = value
+    found = re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE)
+    items = {name.upper(): value for name, value in found}
     first, pattern = (0, "{}_COEFF_{:02d}") if "LINE_NUM_COEFF_00" in items else (1, "{}_COEFF_{}")
     return from_metadata({**items, **_coefficients(items, pattern, first)}, path.name)
 
@@ -273,11 +254,8 @@ def _alos_items(text: str) -> dict[str, str]:
 def _orthority_items(text: str, name: str) -> dict[str, str]:
     """Of a file for one image: GDAL's items in small letters."""
     try:
-        (rpc,) = (one["rpc"] for one in yaml_document(text, name).values())
-        return {
-            key.upper(): " ".join(map(str, value)) if isinstance(value, list) else str(value)
-            for key, value in rpc.items()
-        }
+        (rpc,) = (one["rpc"].items() for one in yaml_document(text, name).values())
+        return {key.upper(): " ".join(map(str, value if isinstance(value, list) else [value])) for key, value in rpc}
     except (ValueError, TypeError, KeyError, AttributeError):
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
 
@@ -297,42 +275,24 @@ def _dimap_items(content: bytes, name: str) -> dict[str, str]:
         root = xml_root(content)
     except ParseError:
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
-    model, validity = (
-        {element.tag: (element.text or "").strip() for element in root.iterfind(f".//{part}//*")}
-        for part in ("Inverse_Model", "RFM_Validity")
-    )
+    parts = (root.iterfind(f".//{part}//*") for part in ("Inverse_Model", "RFM_Validity"))
+    model, validity = ({one.tag: (one.text or "").strip() for one in part} for part in parts)
     return {**validity, **_coefficients(model, "{}_COEFF_{}", 1)}
 
 
-def _rpb_text(items: Mapping[str, str]) -> str:
-    """The RPB of GDAL's items; the errors of the RPC are not known and stand as 0, as GDAL writes them."""
-    lines = ['satId = "";', 'bandId = "";', 'SpecId = "RPC00B";', "BEGIN_GROUP = IMAGE"]
-    lines += ["\terrBias = 0.0;", "\terrRand = 0.0;"]
-    for kind, ending in (("OFF", "Offset"), ("SCALE", "Scale")):
-        lines += [f"\t{ours}{ending} = {items[f'{name}_{kind}']};" for ours, name in _RPB_NAMES.items()]
-    for name in _COEFFICIENTS:
-        axis, part = name.lower().split("_")
-        values = ",\n".join(f"\t\t\t{value}" for value in items[f"{name}_COEFF"].split())
-        lines.append(f"\t{axis}{part.capitalize()}Coef = (\n{values});")
-    return "\n".join([*lines, "END_GROUP = IMAGE", "END;", ""])
-
-
 def _rpb_items(text: str) -> dict[str, str]:
+    """``lineOffset = 1.0;`` and ``lineNumCoef = (1.0, ...);`` as GDAL has them."""
     items = {}
-    for name, value in re.findall(r"\b(\w+)\s*=\s*([-+.\deE]+)\s*;", text):
-        for ours in _RPB_NAMES:
-            if name in (f"{ours}Offset", f"{ours}Scale"):
-                items[f"{_RPB_NAMES[ours]}_{'OFF' if name.endswith('Offset') else 'SCALE'}"] = value
-    for name, values in re.findall(r"\b(\w+)Coef\s*=\s*\(([^)]*)\)", text):
-        ours = re.sub(r"(?=[A-Z])", "_", name).upper()
-        items[f"{ours}_COEFF"] = " ".join(values.replace(",", " ").split())
+    for name, kind, value in re.findall(r"\b([a-z]+)(Off|Scale)(?:set)?\s*=\s*([-+.\deE]+)\s*;", text):
+        items[f"{name}_{kind}".upper()] = value
+    for name, part, values in re.findall(r"\b([a-z]+)([A-Z]\w*)Coef\s*=\s*\(([^)]*)\)", text):
+        items[f"{name}_{part}_COEFF".upper()] = values.replace(",", " ")
     return items
 
 
 def own_rpc(image: OpenRaster) -> Rational | None:
     """The RPC that goes with an image: GDAL's, or that of OSSIM's ``.geom`` beside it. Raises SensorModelError."""
-    metadata = rpc_metadata(image)
-    if metadata:
+    if metadata := image.dataset.GetMetadata("RPC"):
         return from_metadata(metadata, image.ref.name)
     beside = Path(image.ref.path).with_suffix(".geom")
     return read_rpc(beside) if beside.is_file() else None
@@ -374,10 +334,8 @@ def write_image_with_rpc(
     def report(share: float, message: str, data: Any) -> int:
         return 0 if cancelled() else 1
 
-    failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
-    creation = ["COMPRESS=DEFLATE", "TILED=YES", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS"]
     with whole_raster(str(path)) as unfinished:
-        with gdal_writing(failure):
-            gdal.GetDriverByName("GTiff").CreateCopy(unfinished, source, False, creation, report)
+        with gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=path)):
+            gdal.GetDriverByName("GTiff").CreateCopy(unfinished, source, False, CREATION["GTiff"], report)
         if cancelled():
             raise CancelledError(imagery_messages.CANCELLED())

@@ -55,8 +55,7 @@ class SensorModel:
 
     GEOGRAPHIC: ClassVar[bool] = False
     """Whether the ground is longitude and latitude (WGS 84) instead of the points' own reference system."""
-    SPATIAL: ClassVar[bool] = True
-    """Whether heights play a part; without them there is no RPC."""
+    SPATIAL: ClassVar[bool] = True  # whether heights play a part; without them there is no RPC
 
     @classmethod
     def ground_system(cls, wkt: str) -> str:
@@ -98,10 +97,8 @@ class FittedModel:
 class Solution:
     """Of a linear least squares problem."""
 
-    values: np.ndarray
-    """The unknowns."""
-    condition: float
-    """Largest over smallest singular value of the design matrix with columns of length 1."""
+    values: np.ndarray  # the unknowns
+    condition: float  # largest over smallest singular value of the design matrix with columns of length 1
     rank: int
 
 
@@ -122,10 +119,8 @@ def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
 class Scaling:
     """Coordinates brought to -1..1: (value - offset) / scale."""
 
-    offset: np.ndarray
-    """(k,) the middle of the range."""
-    scale: np.ndarray
-    """(k,) half the range, never 0."""
+    offset: np.ndarray  # (k,) the middle of the range
+    scale: np.ndarray  # (k,) half the range, never 0
 
     @classmethod
     def of(cls, coordinates: np.ndarray) -> Scaling:
@@ -152,17 +147,10 @@ def newton(function: Map, wanted: np.ndarray, start: np.ndarray, step: float = 1
     last = np.full(len(found), np.inf)
     for _ in range(steps or limits.MAX_NEWTON_ITERATIONS):
         misfit = wanted - function(found)
-        jacobian = np.empty((len(found), 2, 2))
-        for axis in (0, 1):
-            shift = np.zeros(2)
-            shift[axis] = step
-            jacobian[:, :, axis] = (function(found + shift) - function(found - shift)) / (2 * step)
-        determinant = jacobian[:, 0, 0] * jacobian[:, 1, 1] - jacobian[:, 0, 1] * jacobian[:, 1, 0]
-        with np.errstate(all="ignore"):
-            change = np.column_stack([
-                jacobian[:, 1, 1] * misfit[:, 0] - jacobian[:, 0, 1] * misfit[:, 1],
-                jacobian[:, 0, 0] * misfit[:, 1] - jacobian[:, 1, 0] * misfit[:, 0],
-            ]) / determinant[:, None]
+        (a, c), (b, d) = ((function(found + one) - function(found - one)).T / (2 * step) for one in np.eye(2) * step)
+        x, y = misfit.T
+        with np.errstate(all="ignore"):  # of a plane of two equations, [[a, b], [c, d]]
+            change = np.column_stack([d * x - b * y, a * y - c * x]) / (a * d - b * c)[:, None]
         found = found + change
         last = np.abs(change).max(axis=1)
         if not np.any(last > step * 1e-6):

@@ -100,6 +100,35 @@ def test_grain_that_texture_hides_is_bounded_and_the_bound_holds(data_folder: Pa
     assert set(above) <= {NoiseAmount.UNCERTAIN, NoiseAmount.MUCH}
 
 
+def in_colour(ground: np.ndarray, noise: np.ndarray) -> BandNoise:
+    """The green band of a texture that three bands have by different shares, each with its noise (3, rows, columns)."""
+    bands = np.stack([120 + share * ground for share in (0.8, 1.0, 0.6)]) + noise
+    return measure_noise(np.rint(bands).clip(0, 255).astype(np.uint8), ("red", "green", "blue"))["green"]
+
+
+ROUGH = 40 * texture((512, 512), 3, 3)
+
+
+@pytest.mark.parametrize(("size", "error"), [(0, 0.1), (1, 0.15), (2, 0.25)])
+@pytest.mark.parametrize(("sigma", "amount"), [(5, "some"), (20, "much")])
+def test_bands_tell_noise_from_texture_that_is_as_strong_everywhere(
+    size: float, error: float, sigma: float, amount: str
+) -> None:
+    noise = np.random.default_rng(1).normal(0, 1, (3, 512, 512))
+    noise = ndimage.gaussian_filter(noise, (0, size, size), mode="wrap")
+    found = in_colour(ROUGH, sigma * noise / noise.std())
+    assert found.noise == pytest.approx(sigma, rel=error)
+    assert found.amount == amount
+
+
+def test_noise_that_all_bands_share_is_told_as_that_of_one() -> None:
+    smooth = 10 * patchy_texture((512, 512), 3, 1)
+    assert in_colour(smooth, np.broadcast_to(white(6), (3, 512, 512))).noise == pytest.approx(6, rel=0.1)
+    same = np.broadcast_to(np.rint(120 + smooth + white(6)), (3, 512, 512)).astype(np.uint8)
+    found = measure_noise(same, ("red", "green", "blue"))["green"]
+    assert found.noise == pytest.approx(measure_noise(same[:1], ("band_1",))["band_1"].noise)
+
+
 def test_figures_follow_the_scale_of_values_and_rounding_is_no_noise() -> None:
     ground = (120 + 10 * texture((512, 512), 4, 2) + white(5)) / 255
     one, other = measured(ground, whole=False), measured(1000 * ground, whole=False)

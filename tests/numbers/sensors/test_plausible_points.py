@@ -11,13 +11,13 @@ from hypothesis import strategies as st
 from scipy.spatial import ConvexHull, HalfspaceIntersection
 from seam_inspector.plugin.imagery.errors import WARNING, SensorModelError
 from seam_inspector.plugin.sensors.measure.adjustment import adjust, suspects
-from seam_inspector.plugin.sensors.measure.point_checks import (
+from seam_inspector.plugin.sensors.measure.points import (
+    Points,
     check_against_rpc,
     check_inside,
     check_plausible,
     control_coverage,
 )
-from seam_inspector.plugin.sensors.measure.points import Points
 from seam_inspector.plugin.sensors.measure.registry import POLYNOMIAL_2D
 
 from tests.numbers.sensors import sensor_scenes

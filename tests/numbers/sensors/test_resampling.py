@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.sensors.measure.resampling import KERNELS, Resampler
+from seam_inspector.plugin.sensors.measure.photo_warp import KERNELS, Resampler
 
 from tests.numbers.synthetic import wkt
 

@@ -17,8 +17,7 @@ from seam_inspector.plugin.sensors.measure.adjustment import (
     compare,
 )
 from seam_inspector.plugin.sensors.measure.heights import is_flat
-from seam_inspector.plugin.sensors.measure.point_checks import control_coverage, coverage_warnings
-from seam_inspector.plugin.sensors.measure.points import choose_check_points
+from seam_inspector.plugin.sensors.measure.points import choose_check_points, control_coverage, coverage_warnings
 from seam_inspector.plugin.sensors.measure.pushbroom import geocentric, unit
 from seam_inspector.plugin.sensors.measure.registry import ModelRequest
 

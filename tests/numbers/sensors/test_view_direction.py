@@ -8,8 +8,7 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.reference_systems import metres_per_unit
 from seam_inspector.plugin.sensors.measure.fit_files import view_direction
-from seam_inspector.plugin.sensors.measure.frames import FrameCamera, FrameInterior, camera_axes
-from seam_inspector.plugin.sensors.measure.lenses import BrownLens
+from seam_inspector.plugin.sensors.measure.frames import BrownLens, FrameCamera, FrameInterior, camera_axes
 from seam_inspector.plugin.sensors.measure.polynomials import fit_polynomial_2d
 from seam_inspector.plugin.sensors.measure.pushbroom import SIGMAS, geocentric
 from seam_inspector.plugin.sensors.measure.rpc import Domain, located, to_metadata
