@@ -58,7 +58,11 @@ class Rows:
 
     def chosen(self: _Rows, where: np.ndarray) -> _Rows:
         """The rows that a mask or an index names."""
-        return type(self)(*(getattr(self, name)[..., where] for name in self.names()))
+        if where.dtype == bool:
+            if where.all():
+                return self
+            where = np.flatnonzero(where)  # once for all columns
+        return type(self)(*(np.take(getattr(self, name), where, axis=-1) for name in self.names()))
 
     def moved(self: _Rows, rows: int, columns: int) -> _Rows:
         """The same so many cells farther down and to the right."""
@@ -167,16 +171,30 @@ class WholeCells:
 
 def whole_cells(table: CellTable) -> WholeCells:
     """The cells that the rows of a table are of."""
-    keys, of_row = np.unique(table.keys, return_inverse=True)
+    keys, of_row = _numbered(table)
     count = len(keys)
-    nearest = np.full(count, len(EDGES_PX), np.uint8)
-    np.minimum.at(nearest, of_row, table.bin)
+    bins = np.bincount(of_row * len(EDGES_PX) + table.bin, minlength=count * len(EDGES_PX))
+    nearest = (bins.reshape(count, len(EDGES_PX)) > 0).argmax(axis=1).astype(np.uint8)
     sums = [
         np.stack([np.bincount(of_row, row, count) for row in values]) if count else np.zeros((table.levels, 0))
         for values in (table.area, table.mm, table.cc, table.mc)
     ]
     area, mm, cc, mc = sums
     return WholeCells(keys, nearest, area, mm, cc, mc, of_row)
+
+
+def _numbered(table: CellTable) -> tuple[np.ndarray, np.ndarray]:
+    """Keys of the cells, ascending, and the number of each row's; by the rectangle around them, as sorting takes ten
+    times as long."""
+    if not len(table):
+        return np.zeros(0, np.int64), np.zeros(0, np.intp)
+    top, left = int(table.row.min()), int(table.column.min())
+    width = int(table.column.max()) - left + 1
+    place = (table.row.astype(np.intp) - top) * width + (table.column - left)
+    held = np.flatnonzero(np.bincount(place))
+    number = np.empty(int(held[-1]) + 1, np.intp)
+    number[held] = np.arange(len(held))
+    return (top + held // width << 32) + left + held % width, number[place]
 
 
 def _no_place() -> tuple[np.ndarray, np.ndarray, np.ndarray]:

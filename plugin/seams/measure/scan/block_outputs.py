@@ -11,13 +11,13 @@ from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.records import packed, unpacked
 from ..following.boxes import in_squares
-from ..profile.cell_table import CellTable
+from ..profile.cell_table import CellTable, whole_cells
 from ..profile.ground import EnergyResponse, LevelGround, grounds
 from ..seam_cells import UNKNOWN
 from ..while_measuring import measuring
 from . import messages
 from .block_files import BlockFiles
-from .block_runs import NOTHING, block_labels, whole_block
+from .block_runs import NOTHING, block_labels, global_numbers, whole_block
 from .blocks.block_grid import LABEL_PX, LABELS, UNITS, BlockKey
 from .blocks.scan_block import BlockScan
 from .lines.label_borders import MARGIN, Chain, LabelTile, cleaned_chains
@@ -70,11 +70,13 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     """Of one block; what its ground makes one expect is kept beside it. Raises SettingsError where what was measured
     can't be read any more, or nothing can be kept."""
     files, key = request.files, request.key
-    labels, scan = block_labels(files, key, request.numbers), whole_block(files, key)
-    chains = cleaned_chains(_labels_around(request), request.tile, LABEL_PX) if request.traces else []
+    scan = whole_block(files, key)
+    labels = None if scan is None else global_numbers(scan.sources, request.numbers)[scan.labels]
+    chains = cleaned_chains(_labels_around(request, labels), request.tile, LABEL_PX) if request.traces else []
     if scan is None or labels is None:
         return BlockOutputs(key, chains, None, (), np.zeros((UNITS, UNITS), np.uint8))
-    ground = grounds(scan.cells, around=lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
+    whole = whole_cells(scan.cells)
+    ground = grounds(scan.cells, whole, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
     try:
         files.save(_ground_name(key), packed({"ground": np.array([_row(one) for one in ground])}))
     except OSError as error:
@@ -83,10 +85,10 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
         )) from None
     picture = None
     if request.cell_px:
-        cells = loss_cells(scan, labels + 1, ground, request.cell_px)
+        cells = loss_cells(scan, labels + 1, ground, request.cell_px, whole)
         picture = packed({_CELLS: cells}, (_CELLS,)) if (cells != NODATA).any() else None
-    used = np.unique(labels)
-    return BlockOutputs(key, chains, picture, used[used != NOTHING].tolist(), _units(scan))
+    used = np.flatnonzero(np.bincount(labels.ravel() - NOTHING)[1:]).tolist()
+    return BlockOutputs(key, chains, picture, used, _units(scan))
 
 
 def held_ground(files: BlockFiles, key: BlockKey) -> list[LevelGround | None]:
@@ -99,8 +101,8 @@ def held_ground(files: BlockFiles, key: BlockKey) -> list[LevelGround | None]:
     return [] if record is None else [_level(row) for row in unpacked(record)["ground"].tolist()]
 
 
-def _labels_around(request: OutputsRequest) -> np.ndarray:
-    """Of the block and as much of its neighbours as cleaning has to know."""
+def _labels_around(request: OutputsRequest, own: np.ndarray | None) -> np.ndarray:
+    """Of the block, ``own``, and as much of its neighbours as cleaning has to know."""
     place = request.tile.around(MARGIN)
     found = np.full([one.stop - one.start for one in place], NOTHING, np.int32)
     first, last = ([edge // LABELS for edge in edges] for edges in zip(*((one.start, one.stop - 1) for one in place)))
@@ -111,7 +113,10 @@ def _labels_around(request: OutputsRequest) -> np.ndarray:
                  slice(max(start, one.start) - start, min(start + LABELS, one.stop) - start))
                 for start, one in zip((row * LABELS, column * LABELS), place)
             ))
-            labels = block_labels(request.files, (row, column), request.numbers, theirs)
+            if (row, column) == request.key:
+                labels = None if own is None else own[theirs]
+            else:
+                labels = block_labels(request.files, (row, column), request.numbers, theirs)
             if labels is not None:
                 found[ours] = labels
     return found

@@ -10,7 +10,7 @@ from scipy import ndimage
 from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import placed_components
 from ...compared_image import ComparedImage
-from ...following.boxes import enlarged, in_squares, narrowed
+from ...following.boxes import enlarged, narrowed, square_shares, square_sums
 from ...following.expected_mosaic import expected_mosaic
 from ...following.followed_source import HIGH_PASS_PX, follow_planes, high_pass
 from ...following.levelling import SQUARE_PX as TONE_PX
@@ -20,7 +20,7 @@ from ...following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, cleare
 from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...profile.detail_sums import compared_planes, detail_sums, energy_of_rounding, numbers_of
-from ...seam_cells import UNKNOWN
+from ...seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
 from .block_pixels import JUDGED, BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
@@ -67,12 +67,12 @@ def measure_part(
     around = window.with_margin(MARGIN_PX)
     planes = pixels.part(around, numbers)
     own = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
-    present = tuple(planes.sources)
+    given = tuple(planes.sources)
     known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
-    if not present or known[own].mean() < MIN_VALID:
+    if not given or known[own].mean() < MIN_VALID:
         return _nothing(window, levels, float(known[own].any()))
     image, images = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic), planes.compared
-    known_filters = None if filters is None else _of_planes(filters, present)
+    known_filters = None if filters is None else _of_planes(filters, given)
     if known_filters is not None and known_filters.taps:
         followed = _follow_filtered(image, images, known_filters)
     else:
@@ -87,7 +87,7 @@ def measure_part(
         image.plane, followed.planes, followed.fine, following, valid, None, None if moved else known_filters,
         QUICK, PATCH_PX, bool(planes.resampled),
     )
-    expected = expected.of_sources([present[of] for of in followed.source_of])
+    expected = expected.of_sources([given[of] for of in followed.source_of])
     labels = expected.labels
     labels[~known] = UNKNOWN
     guessed = known & guesses(labels, following.clear | following.mixed)
@@ -96,7 +96,7 @@ def measure_part(
         guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels[guessed] = UNKNOWN
     details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
-    masks = {number: planes.valid[number] for number in present if number in planes.valid}
+    masks = {number: planes.valid[number] for number in given if number in planes.valid}
     cells, beside = detail_sums(
         details, labels, numbers_of(expected), masks, expected.is_filtered, expected.shares,
         energy_of_rounding(image.plane),
@@ -106,8 +106,7 @@ def measure_part(
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
     mixed, clear, grey = (
-        in_squares(one[own], CELL_PX).mean(axis=(1, 3), dtype=np.float32)
-        for one in (following.mixed, following.clear, image.plane)
+        square_shares(one[own], CELL_PX) for one in (following.mixed, following.clear, image.plane)
     )
     return DensePart(
         window,
@@ -118,7 +117,7 @@ def measure_part(
         _grain(followed.fine[1:], known)[place],
         cells.within(place).moved(*first),
         beside.within(place).moved(*first),
-        float((labels[own][known[own]] == UNKNOWN).mean()),
+        np.count_nonzero((labels[own] == UNKNOWN) & known[own]) / np.count_nonzero(known[own]),
     )
 
 
@@ -126,8 +125,8 @@ def _grain(fine: Sequence[np.ndarray], known: np.ndarray) -> np.ndarray:
     """Largest rms of the sources' finest detail in every cell, NaN where the mosaic has no pixels: what fills it there
     makes a step. (rows, columns) of cells."""
     inner = narrowed(known, HIGH_PASS_PX)
-    seen = in_squares(inner, CELL_PX).sum(axis=(1, 3))
-    total = np.max([in_squares(np.square(one) * inner, CELL_PX).sum(axis=(1, 3)) for one in fine], axis=0)
+    seen = square_shares(inner, CELL_PX) * CELL_PX**2
+    total = np.max([square_sums(one, one if inner.all() else one * inner, CELL_PX) for one in fine], axis=0)
     return np.sqrt(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))
 
 
@@ -193,9 +192,11 @@ def measure_plain(
     own = pixels.window
     rows, columns = -(-own.height // SQUARE_PX) * SQUARE_PX, -(-own.width // SQUARE_PX) * SQUARE_PX
     window = replace(own, width=columns, height=rows).with_margin(BLOCK_MARGIN_PX)
-    source = np.where(np.isin(look.source, list(look.learned_of)), look.source, np.uint8(UNKNOWN))
-    numbers = np.unique(source[source != UNKNOWN]).tolist()
-    if not numbers or look.filters is None:
+    if look.learned is None:
+        return CellTable.empty(levels)
+    source = np.where(is_one_of(look.source, look.learned.of), look.source, np.uint8(UNKNOWN))
+    numbers = present(source)
+    if not numbers:
         return CellTable.empty(levels)
     planes = pixels.part(window, numbers)
     labels = np.pad(enlarged(source, SQUARE_PX), BLOCK_MARGIN_PX, mode="edge")
@@ -206,14 +207,14 @@ def measure_plain(
             labels[(labels == number) & ~planes.valid[number]] = UNKNOWN
     if planes.mosaic_valid is not None:
         labels[~planes.mosaic_valid] = UNKNOWN
-    made, gain = _composite(planes, labels, list(planes.sources), look.filters)
+    made, gain = _composite(planes, labels, list(planes.sources), look.learned.filters)
     inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
-    known = _by_cell((labels[inside] != UNKNOWN).astype(np.float32), CELL_PX) == CELL_PX**2
+    known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
     measured = enlarged(dense, UNIT_PX // CELL_PX)
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
-    (finest,) = placed_components(np.stack([planes.mosaic, made]), wavelet, 1)
-    own_part = np.s_[:, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
-    m, c = (finest[:, k][own_part] for k in (0, 1))
+    own_part = np.s_[:, 0, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
+    # One by one: arrays of more than 32 MB would be taken from the system every time.
+    m, c = (next(placed_components(one[np.newaxis], wavelet, 1))[own_part] for one in (planes.mosaic, made))
     sums = np.stack([
         _by_cell(np.einsum("dij,dij->ij", a, b), CELL_PX // 2)[np.newaxis] for a, b in ((m, m), (c, c), (m, c))
     ])

@@ -3,11 +3,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.following.source_filters import Filters, Learned
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CELL_PX,
     EDGES_PX,
@@ -16,6 +18,7 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CellTable,
 )
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
+from seam_inspector.plugin.seams.measure.scan.blocks import scan_block as scan_block_module
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     BLOCK_PX,
     LABEL_PX,
@@ -26,6 +29,7 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     UNITS,
     BlockGrid,
 )
+from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import DensePart, measure_part
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
     CELLS,
     BlockScan,
@@ -154,6 +158,28 @@ def test_mixture_and_clear_tell_where_two_sources_are_seen(tmp_path: Path) -> No
     assert np.nanmean(found.clear) > 0.7
 
 
+def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learned(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = images(count=3)
+    request = scene(tmp_path, blended(*given[:2], beside(SEAM)), given).request()
+    first = scan_block(request)
+    assert first.learned is not None
+    looks = []
+
+    def noted(*asked: Any) -> DensePart:
+        looks.append((asked[2], asked[5]))
+        return measure_part(*asked)
+
+    monkeypatch.setattr(scan_block_module, "measure_part", noted)
+    again = replace(request, wanted=first.dense, look_every=0, learned=first.learned, followed=frozenset({0, 1}))
+    found = scan_block(again)
+    assert looks
+    assert all(numbers == (0, 1) and filters is first.learned.filters for numbers, filters in looks)
+    np.testing.assert_array_equal(found.labels[found.dense.repeat(8, 0).repeat(8, 1)],
+                                  first.labels[first.dense.repeat(8, 0).repeat(8, 1)])
+
+
 # --- records ----------------------------------------------------------------------------------------------------
 
 
@@ -163,6 +189,16 @@ def test_a_record_gives_back_the_same_block(hard: Scene, density: str) -> None:
     assert len(found.cells)
     assert_same(scan_of(record_of(found)), found)
     assert record_of(scan_of(record_of(found))) == record_of(found)
+
+
+def test_a_record_keeps_what_came_over_the_mosaic(hard: Scene) -> None:
+    taps = np.random.default_rng(5).normal(size=(2, 5, 5)).astype(np.float32)
+    for alike in ((), (frozenset(), frozenset({0, 2})), (frozenset({2}), frozenset({0}))):
+        learned = Learned(Filters(dict(zip((0, 2), taps)), True, alike), frozenset({0, 2}))
+        again = scan_of(record_of(replace(BlockScan.nothing(hard.request(), ()), learned=learned))).learned
+        assert again is not None
+        assert (again.of, again.filters.alike, again.filters.came_over_cuts) == ({0, 2}, alike, True)
+        assert all((again.filters.taps[number] == learned.filters.taps[number]).all() for number in (0, 2))
 
 
 def test_a_record_of_nothing_is_nothing(hard: Scene) -> None:
