@@ -84,7 +84,7 @@
         <translation>Kontrola linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/feature_sinks.py" line="108"/>
+        <location filename="../plugin/toolkit/algorithms/feature_sinks.py" line="109"/>
         <source>A result can&apos;t be written; is the disk full?</source>
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
@@ -894,47 +894,47 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="155"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="155"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="158"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="158"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="177"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="177"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="179"/>
+        <location filename="../plugin/seams/desk/dock.py" line="180"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="179"/>
+        <location filename="../plugin/seams/desk/dock.py" line="180"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="28"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="29"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
@@ -944,7 +944,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="313"/>
+        <location filename="../plugin/seams/desk/dock.py" line="312"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -1569,22 +1569,22 @@
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="23"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="24"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="123"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="120"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="124"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="119"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="80"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="62"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
@@ -1604,22 +1604,22 @@
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="40"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="39"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="42"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="41"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="43"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="42"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="44"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="43"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
@@ -2274,212 +2274,212 @@
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="201"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="182"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="61"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="79"/>
         <source>Ground control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="140"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="127"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="141"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="129"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="75"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="91"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="84"/>
+        <location filename="../plugin/sensors/planpoints.py" line="68"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="118"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="117"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="80"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="96"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="127"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="121"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="131"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="122"/>
         <source>Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="136"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="125"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="137"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="126"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="89"/>
+        <location filename="../plugin/sensors/planpoints.py" line="72"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="147"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="132"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="58"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="63"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="60"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="72"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="68"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="235"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="202"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="77"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="70"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="79"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="72"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="74"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="76"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="79"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="88"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="97"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="124"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="124"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="125"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="129"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="130"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="131"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="107"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="241"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="207"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="241"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="207"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="209"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
@@ -2529,32 +2529,32 @@
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="137"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="117"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="148"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="127"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="151"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="128"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="160"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="133"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="82"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="64"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="83"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="65"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
@@ -2564,77 +2564,77 @@
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="162"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="135"/>
         <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="72"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="91"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="164"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="136"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="165"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="137"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="94"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="76"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="94"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="76"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="97"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="78"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="98"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="79"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="168"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="138"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="169"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="139"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="173"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="142"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="174"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="143"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="175"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="144"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="239"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="210"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
@@ -3414,17 +3414,17 @@
         <translation>{name} nie jest plikiem punktów georeferencera QGIS (jego nagłówek nie zawiera mapX, mapY oraz sourceX lub pixelX); wybierz taki plik albo warstwę punktową z polami column i row.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="20"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="17"/>
         <source>Line {line} of {name} can&apos;t be read; correct or remove it.</source>
         <translation>Nie można odczytać wiersza {line} pliku {name}; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="22"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="19"/>
         <source>{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points&apos; reference system.</source>
         <translation>Plik {name} nie podaje układu współrzędnych, jak pliki sprzed QGIS 3.26; ustaw układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="25"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="21"/>
         <source>The point layer has no field &apos;{field}&apos;; it needs column and row, the place of each point in the image in pixels.</source>
         <translation>Warstwa punktów nie ma pola „{field}”; wymagane są column i row, miejsce każdego punktu na obrazie w pikselach.</translation>
     </message>
@@ -3434,137 +3434,137 @@
         <translation>Nie ma punktów do dopasowania modelu; zmierz je albo wybierz inną warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="28"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="23"/>
         <source>Point {name} is left out: {why}</source>
         <translation>Punkt {name} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="30"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="25"/>
         <source>its place in the image or on the ground is missing.</source>
         <translation>brakuje jego miejsca na obrazie lub w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="31"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="26"/>
         <source>its role &apos;{role}&apos; is neither control nor check.</source>
         <translation>jego rola „{role}” nie jest ani control, ani check.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="33"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="28"/>
         <source>it has no height and the terrain model has none there.</source>
         <translation>nie ma wysokości, a NMT też jej tam nie podaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="27"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="22"/>
         <source>Points that are switched off in the georeferencer and left out: {count}.</source>
         <translation>Punkty wyłączone w georeferencerze i pominięte: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="66"/>
         <source>Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take polynomial_2d.</source>
         <translation>Niektóre punkty nie mają wysokości, której wymaga model {model}; dodaj pole z, wybierz NMT albo użyj polynomial_2d.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="88"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="69"/>
         <source>There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model with fewer unknowns.</source>
         <translation>{count:Jest|Są|Jest} {count} {count:fotopunkt|fotopunkty|fotopunktów}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="92"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="72"/>
         <source>Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
         <translation>Z {total} {total:punktu|punktów|punktów} jako fotopunkty zostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="96"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="75"/>
         <source>The control points lie on one line, so the model {model} can&apos;t be fitted; add points to both sides of it.</source>
         <translation>Fotopunkty leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="99"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="77"/>
         <source>The control points lie on one plane, so the terms in Z of the model {model} can&apos;t be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
         <translation>Fotopunkty leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="80"/>
         <source>{count} control points contradict the others, and too few are left to fit the model {model}; check the points, above all that columns and rows are not interchanged.</source>
         <translation>{count} {count:fotopunkt jest sprzeczny|fotopunkty są sprzeczne|fotopunktów jest sprzecznych} z innymi, a pozostałych jest za mało, aby dopasować model {model}; sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="112"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="87"/>
         <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
         <translation>Fotopunkty leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="116"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="90"/>
         <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
         <translation>Fotopunkty pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="124"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="96"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="100"/>
         <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="133"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="142"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="110"/>
         <source>No scan line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
         <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="149"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="115"/>
         <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
         <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="124"/>
         <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="153"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="118"/>
         <source>The image has no RPC of its own; give the file that came with it, or choose a model that needs none.</source>
         <translation>Obraz nie ma własnego RPC; podaj plik dostarczony z obrazem albo wybierz model, który go nie wymaga.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="119"/>
         <source>{name} holds no complete RPC; get the file anew from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="163"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="126"/>
         <source>No RPC is written: {why}</source>
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="165"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="128"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="168"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="130"/>
         <source>The RPC is the model itself.</source>
         <translation>RPC jest samym modelem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="173"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="134"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="177"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="137"/>
         <source>{name} is not a sensor model file; choose one that Fit sensor model has written.</source>
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="179"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="139"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
@@ -3574,67 +3574,67 @@
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="301"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="233"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="305"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="236"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="309"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="239"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="292"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="294"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="227"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="181"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="140"/>
         <source>Both a model file and an RPC file are given; choose one of them.</source>
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="329"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="330"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="331"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="332"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="257"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="333"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="258"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
@@ -3644,37 +3644,7 @@
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="350"/>
-        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
-        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="354"/>
-        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
-        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="358"/>
-        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
-        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="362"/>
-        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
-        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="366"/>
-        <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small areas only and swing between the points, so watch the check points.</source>
-        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m), ale wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="370"/>
-        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
-        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="374"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="282"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -3721,22 +3691,22 @@
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="41"/>
+        <location filename="../plugin/sensors/report.py" line="42"/>
         <source>Blunders</source>
         <translation>Błędy grube</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="66"/>
+        <location filename="../plugin/sensors/report.py" line="60"/>
         <source>Column (px)</source>
         <translation>Kolumna (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="67"/>
+        <location filename="../plugin/sensors/report.py" line="60"/>
         <source>Row (px)</source>
         <translation>Wiersz (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="96"/>
+        <location filename="../plugin/sensors/report.py" line="88"/>
         <source>Mean error on points not used in the fit (m)</source>
         <translation>Błąd średni na punktach nieużytych w dopasowaniu (m)</translation>
     </message>
@@ -4182,7 +4152,7 @@
         <translation>między kanałami</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="139"/>
+        <location filename="../plugin/sensors/report.py" line="114"/>
         <source>check</source>
         <translation>kontrola</translation>
     </message>
@@ -4226,37 +4196,37 @@
         <translation>Niewiadome</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="175"/>
+        <location filename="../plugin/sensors/report.py" line="121"/>
         <source>{count}, held by priors</source>
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="43"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="45"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
         <source>polynomials of space, without physics</source>
         <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="46"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="45"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="50"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="47"/>
         <source>the direct linear transformation, without physics</source>
         <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="51"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="52"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="49"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
@@ -4330,12 +4300,12 @@
         <translation>Błąd gruby</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="139"/>
+        <location filename="../plugin/sensors/report.py" line="114"/>
         <source>control</source>
         <translation>fotopunkt</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="142"/>
+        <location filename="../plugin/sensors/report.py" line="116"/>
         <source>yes</source>
         <translation>tak</translation>
     </message>
@@ -4380,7 +4350,7 @@
         <translation>Porównanie modeli sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="196"/>
+        <location filename="../plugin/sensors/report.py" line="156"/>
         <source>unknown</source>
         <translation>nieznane</translation>
     </message>
@@ -4684,7 +4654,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="181"/>
+        <location filename="../plugin/seams/desk/dock.py" line="182"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -5190,22 +5160,22 @@
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="163"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="163"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="167"/>
+        <location filename="../plugin/seams/desk/dock.py" line="168"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="167"/>
+        <location filename="../plugin/seams/desk/dock.py" line="168"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5750,22 +5720,22 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="443"/>
+        <location filename="../plugin/seams/window_summary.py" line="445"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="446"/>
+        <location filename="../plugin/seams/window_summary.py" line="448"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="454"/>
+        <location filename="../plugin/seams/window_summary.py" line="456"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="458"/>
+        <location filename="../plugin/seams/window_summary.py" line="460"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -6305,12 +6275,12 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="456"/>
+        <location filename="../plugin/seams/desk/dock.py" line="465"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="457"/>
+        <location filename="../plugin/seams/desk/dock.py" line="466"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
@@ -6325,27 +6295,27 @@
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="290"/>
+        <location filename="../plugin/seams/desk/dock.py" line="289"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="299"/>
+        <location filename="../plugin/seams/desk/dock.py" line="298"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="296"/>
+        <location filename="../plugin/seams/desk/dock.py" line="295"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="41"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="45"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="43"/>
         <source>Show where detail was lost, over the map and the images (L). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L). Jedna skala dla wszystkich okien</translation>
     </message>
@@ -6430,27 +6400,27 @@
         <translation>najbliższe miejsce, które można ocenić: {metres:.1f} m na {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="215"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="208"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="216"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="209"/>
         <source>Detail kept (L hides it)</source>
         <translation>Zachowane detale (L ukrywa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="30"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="63"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="72"/>
         <source>Undoes the last change to the windows ({keys}).</source>
         <translation>Cofa ostatnią zmianę okien ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="64"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="73"/>
         <source>Redoes what was undone ({keys}).</source>
         <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
@@ -6917,7 +6887,7 @@
         <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="92"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="105"/>
         <source>There is no such change.</source>
         <translation>Nie ma takiej zmiany.</translation>
     </message>
@@ -6927,7 +6897,7 @@
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="451"/>
+        <location filename="../plugin/seams/window_summary.py" line="453"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
@@ -6947,7 +6917,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="253"/>
+        <location filename="../plugin/seams/desk/dock.py" line="249"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -7142,7 +7112,7 @@
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layers.py" line="86"/>
+        <location filename="../plugin/toolkit/layers.py" line="87"/>
         <source>temporary layer</source>
         <translation>warstwa tymczasowa</translation>
     </message>
@@ -7162,307 +7132,307 @@
         <translation>Nie ma już punktów do dopasowania modelu: {why} Popraw warstwę albo wybierz inną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="13"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="12"/>
         <source>{name} holds no ground control points itself; choose a layer or a file of points.</source>
         <translation>{name} nie zawiera fotopunktów; wybierz warstwę albo plik z punktami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="15"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="14"/>
         <source>A ground control point inside {name} is not a number; choose a layer or a file of points.</source>
         <translation>Fotopunkt zapisany w pliku {name} nie jest liczbą; wybierz warstwę albo plik z punktami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="18"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="16"/>
         <source>The points are of the images {names}; choose one of them, since a file that names images is read for one.</source>
         <translation>Punkty należą do obrazów {names}; wybierz jeden z nich, ponieważ plik, który podaje nazwy obrazów, jest czytany dla jednego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="32"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="27"/>
         <source>it has no height, and others have one.</source>
         <translation>nie ma wysokości, a inne mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="36"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="31"/>
         <source>The points are said to be in degrees, and one is at {x:.10g}, {y:.10g}; set the reference system that their coordinates are in.</source>
         <translation>Punkty mają być w stopniach, a jeden leży w {x:.10g}, {y:.10g}; ustaw układ współrzędnych, w którym podano ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="40"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="34"/>
         <source>Point {name} is {height:.6g} m high, which no place on earth is; give heights in metres.</source>
         <translation>Punkt {name} ma wysokość {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj wysokości w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="43"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="36"/>
         <source>By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that their coordinates are in.</source>
         <translation>Według punktów piksel ma w terenie {size:.2g} m; sprawdź, czy ich układ współrzędnych jest tym, w którym podano współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="47"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="39"/>
         <source>The points&apos; rows are negative, as QGIS&apos;s georeferencer shows them; give them from the upper edge downwards, all positive, or the .points file itself.</source>
         <translation>Wiersze punktów są ujemne, jak pokazuje je georeferencer QGIS; podaj je od górnej krawędzi w dół, wszystkie dodatnie, albo podaj sam plik .points.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="51"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="42"/>
         <source>The points lie in the image only with columns and rows interchanged; interchange the two fields.</source>
         <translation>Punkty leżą na obrazie tylko przy zamienionych kolumnach i wierszach; zamień te dwa pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="54"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="44"/>
         <source>{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose their image.</source>
         <translation>Poza obrazem {columns} × {rows} px {count:leży|leżą|leży} {count} {count:punkt|punkty|punktów} ({names}); popraw je lub usuń albo wybierz właściwy obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="71"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="56"/>
         <source>The image&apos;s RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, their reference system and heights, and that it is the RPC of this image.</source>
         <translation>Według RPC punkty leżą {distance:.3g} px poza obrazem; sprawdź, czy x i y nie są zamienione, ich układ współrzędnych i wysokości oraz czy jest to RPC tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="75"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="59"/>
         <source>By the image&apos;s RPC the points&apos; columns and rows are interchanged; interchange the two fields.</source>
         <translation>Według RPC obrazu kolumny i wiersze punktów są zamienione; zamień oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="78"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="61"/>
         <source>By the image&apos;s RPC the points are measured in a mirrored or turned image; count columns and rows from the upper left corner of the image that the RPC belongs to.</source>
         <translation>Według RPC obrazu punkty zmierzono na obrazie odbitym lub obróconym; licz kolumny i wiersze od lewego górnego narożnika obrazu, do którego należy RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="81"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="63"/>
         <source>The share of check points is {share:g}; give a number from 0 to {most:g}.</source>
         <translation>Udział punktów kontrolnych wynosi {share:g}; podaj liczbę od 0 do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="105"/>
         <source>Terms kept, numerator / denominator of scaled coordinates: {terms}.</source>
         <translation>Zachowane wyrazy, licznik / mianownik współrzędnych przeskalowanych: {terms}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="138"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="107"/>
         <source>The fit diverges from all of these points; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="121"/>
         <source>The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it is worst; the model corrects that.</source>
         <translation>RPC jest przesunięte w środku obrazu o {columns:.2f} kolumny i {rows:.2f} wiersza, a w najgorszym miejscu o {most:.2f} px; model to koryguje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="170"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="132"/>
         <source>No image with the RPC is written, as there is no image to copy; choose the image.</source>
         <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="146"/>
         <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
         <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="199"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
         <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the orthoimage lies.</source>
         <translation>Wszystkie kąty w {name} są mniejsze od 3,15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
         <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
         <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="230"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="177"/>
         <source>{name} does not name the image {image} just once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="190"/>
         <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
         <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="192"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="194"/>
         <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="197"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
         <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="208"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="209"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="281"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="217"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="285"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
         <source>{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="288"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="289"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="224"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="295"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
         <source>The constant height is {height:.6g} m, which no place on earth has; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="297"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="230"/>
         <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="317"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="245"/>
         <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="321"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
         <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="325"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="336"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="261"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="339"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="342"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="265"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="345"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="347"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="40"/>
+        <location filename="../plugin/sensors/planpoints.py" line="36"/>
         <source>Plan control points</source>
         <translation>Zaplanuj fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="42"/>
+        <location filename="../plugin/sensors/planpoints.py" line="38"/>
         <source>Predicts the accuracy from the number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning figure; your own check points tell how accurate the image became.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="55"/>
+        <location filename="../plugin/sensors/planpoints.py" line="47"/>
         <source>Numbers of control points</source>
         <translation>Liczby fotopunktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="56"/>
+        <location filename="../plugin/sensors/planpoints.py" line="49"/>
         <source>One row of the table for each, such as 6, 10, 20. Check points are not counted.</source>
         <translation>Jeden wiersz tabeli na każdą z nich, na przykład 6, 10, 20. Punktów kontrolnych się nie wlicza.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="59"/>
+        <location filename="../plugin/sensors/planpoints.py" line="51"/>
         <source>Spread</source>
         <translation>Rozmieszczenie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="60"/>
+        <location filename="../plugin/sensors/planpoints.py" line="52"/>
         <source>grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner.</source>
         <translation>grid: po jednym punkcie w każdym oczku siatki na obrazie; random: gdziekolwiek; corner: wszystkie w jednym narożniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="63"/>
+        <location filename="../plugin/sensors/planpoints.py" line="55"/>
         <source>Share of the corner</source>
         <translation>Część obrazu w narożniku</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="64"/>
+        <location filename="../plugin/sensors/planpoints.py" line="55"/>
         <source>Of the image&apos;s area, for the spread corner.</source>
         <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="67"/>
+        <location filename="../plugin/sensors/planpoints.py" line="56"/>
         <source>Standard deviation on the ground (metres)</source>
         <translation>Odchylenie standardowe w terenie (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="71"/>
+        <location filename="../plugin/sensors/planpoints.py" line="58"/>
         <source>Standard deviation in the image (pixels)</source>
         <translation>Odchylenie standardowe na obrazie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="72"/>
+        <location filename="../plugin/sensors/planpoints.py" line="59"/>
         <source>Of a point&apos;s column and row: how well it is identified.</source>
         <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="75"/>
+        <location filename="../plugin/sensors/planpoints.py" line="63"/>
         <source>Lowest terrain (metres)</source>
         <translation>Najniższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="76"/>
+        <location filename="../plugin/sensors/planpoints.py" line="63"/>
         <source>Highest terrain (metres)</source>
         <translation>Najwyższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="85"/>
+        <location filename="../plugin/sensors/planpoints.py" line="69"/>
         <source>An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner.</source>
         <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="90"/>
+        <location filename="../plugin/sensors/planpoints.py" line="73"/>
         <source>Of the nominal scanner, and for the model pushbroom.</source>
         <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="92"/>
+        <location filename="../plugin/sensors/planpoints.py" line="74"/>
         <source>Angle of the view (degrees)</source>
         <translation>Kąt wychylenia (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="92"/>
+        <location filename="../plugin/sensors/planpoints.py" line="74"/>
         <source>From the vertical; nominal scanner.</source>
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
@@ -7472,17 +7442,17 @@
         <translation>Wielkość piksela (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="93"/>
+        <location filename="../plugin/sensors/planpoints.py" line="75"/>
         <source>On the ground; nominal scanner.</source>
         <translation>W terenie; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="94"/>
+        <location filename="../plugin/sensors/planpoints.py" line="76"/>
         <source>Side of the image (km)</source>
         <translation>Bok obrazu (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="94"/>
+        <location filename="../plugin/sensors/planpoints.py" line="76"/>
         <source>The image is square; nominal scanner.</source>
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
@@ -7492,137 +7462,137 @@
         <translation>Ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="99"/>
+        <location filename="../plugin/sensors/planpoints.py" line="80"/>
         <source>The same number gives the same draws.</source>
         <translation>Ta sama liczba daje te same losowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="103"/>
+        <location filename="../plugin/sensors/planpoints.py" line="81"/>
         <source>Expected accuracy</source>
         <translation>Oczekiwana dokładność</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="105"/>
+        <location filename="../plugin/sensors/planpoints.py" line="82"/>
         <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="156"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="139"/>
         <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
         <translation>Kąt wychylenia od pionu w środku obrazu (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="157"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="140"/>
         <source>Azimuth that the image was taken from (degrees)</source>
         <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="158"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="141"/>
         <source>Displacement of the image&apos;s middle by the error of terrain heights (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="64"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="80"/>
         <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, a GeoJSON of orthority, or a TIFF that holds such points. Empty: those inside the image.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS, GeoJSON programu orthority lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="85"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="99"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="109"/>
         <source>Error of terrain heights (metres)</source>
         <translation>Błąd wysokości terenu (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="105"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="110"/>
         <source>The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="91"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
         <source>Grid of the geoid</source>
         <translation>Siatka geoidy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="93"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="104"/>
         <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="88"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="107"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="113"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="132"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="108"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="133"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="139"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="119"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="48"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="41"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="63"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="50"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="64"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="51"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="68"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="53"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="54"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
@@ -10124,12 +10094,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="185"/>
+        <location filename="../plugin/seams/desk/dock.py" line="186"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="185"/>
+        <location filename="../plugin/seams/desk/dock.py" line="186"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -10222,7 +10192,7 @@
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
@@ -10772,7 +10742,7 @@
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="474"/>
+        <location filename="../plugin/seams/window_summary.py" line="476"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -10846,12 +10816,12 @@
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="259"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
         <source>The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the model.</source>
         <translation>Ortoobraz leży do {most:.1f} px od miejsca, w którym widzi go dokładny model, bo model zastępuje RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="206"/>
         <source>The distortion of the camera shows no view at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
@@ -11361,12 +11331,12 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="171"/>
+        <location filename="../plugin/seams/desk/dock.py" line="172"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="172"/>
+        <location filename="../plugin/seams/desk/dock.py" line="173"/>
         <source>Accept or reject the delivery: by its last scan, or all the way from its files</source>
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
@@ -11446,7 +11416,7 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="398"/>
+        <location filename="../plugin/seams/window_summary.py" line="403"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
@@ -11456,37 +11426,32 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="400"/>
+        <location filename="../plugin/seams/window_summary.py" line="405"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="410"/>
+        <location filename="../plugin/seams/window_summary.py" line="415"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="414"/>
+        <location filename="../plugin/seams/window_summary.py" line="418"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="397"/>
+        <location filename="../plugin/seams/window_summary.py" line="402"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="424"/>
-        <source>It is less than an eye just sees at 2x.</source>
-        <translation>To mniej, niż oko ledwo dostrzega przy powiększeniu 2x.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="425"/>
+        <location filename="../plugin/seams/window_summary.py" line="427"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="473"/>
+        <location filename="../plugin/seams/window_summary.py" line="475"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -12039,17 +12004,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="427"/>
+        <location filename="../plugin/seams/desk/dock.py" line="436"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="428"/>
+        <location filename="../plugin/seams/desk/dock.py" line="437"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="429"/>
+        <location filename="../plugin/seams/desk/dock.py" line="438"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -12167,72 +12132,72 @@
         <translation>Wysokość minimalna, z którą porównuje się wyniki, albo po jednej dla każdego sensora, typu obrazu lub kierunku: &apos;DMC 2714; RC20 2015&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="58"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="47"/>
         <source>{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image&apos;s RPC holds for {first:.0f} to {last:.0f} m; but for a shift they miss the RPC by {missed:.3g} px. Errors and recommendation mean nothing if the heights are wrong, so check them and their unit.</source>
         <translation>Punkty ({count}: {names}) mają wysokości od {low:.0f} do {high:.0f} m, a RPC obrazu obowiązuje od {first:.0f} do {last:.0f} m; poza przesunięciem różnią się od RPC o {missed:.3g} px. Błędy i zalecenie nic nie znaczą, jeśli wysokości są złe, więc sprawdź je i ich jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="64"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="51"/>
         <source>{count} points lie outside the image ({names}), where its RPC sees them, too; they are used.</source>
         <translation>Liczba punktów leżących poza obrazem ({names}) tam, gdzie widzi je także jego RPC: {count}; są używane.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="67"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="53"/>
         <source>By the image&apos;s RPC the points&apos; heights are in feet: as metres they miss it by {missed:.3g} px, as feet by {left:.3g} px; give metres.</source>
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {missed:.3g} px, jako stopy o {left:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="184"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="143"/>
         <source>{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac that does.</source>
         <translation>{name} nie zawiera kamery, którą można odczytać; wybierz plik programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac, który ją zawiera.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="192"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="149"/>
         <source>{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML.</source>
         <translation>{name} odczytuje pakiet PyYAML języka Python, którego brak; zainstaluj go albo podaj kamerę jako JSON lub XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="157"/>
         <source>Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.</source>
         <translation>Kąty w {name} sięgają {angle:.6g} i są brane jako stopnie; ustaw ich jednostkę, jeśli są w gradach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="171"/>
         <source>The camera of {name} has a distortion that is not known here ({kind}); pinhole, Brown&apos;s, OpenCV&apos;s and fisheye lenses are.</source>
         <translation>Kamera z {name} ma dystorsję, która nie jest tu znana ({kind}); znane są obiektywy bez dystorsji, Browna, OpenCV i rybie oko.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="174"/>
         <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
         <translation>{name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa albo plik programu OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="232"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="178"/>
         <source>An interior orientation needs an exterior one; give it, too.</source>
         <translation>Orientacja wewnętrzna wymaga zewnętrznej; podaj także ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="74"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="58"/>
         <source>Of a table. auto: what its header says, else degrees.</source>
         <translation>W tabeli. auto: to, co mówi jej nagłówek, inaczej stopnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="153"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="129"/>
         <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS&apos;s text or a YAML file of orthority. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, tekst ALOS albo plik YAML programu orthority. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="58"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="47"/>
         <source>The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac write it. Empty: in the file of the exterior orientation.</source>
         <translation>Kamera zdjęcia lotniczego w zapisie programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac. Puste: w pliku orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="50"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="42"/>
         <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa, or a file of OpenSfM (an OpenDroneMap project&apos;s folder, too), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
         <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa albo plik programu OpenSfM (także katalog projektu OpenDroneMap), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="57"/>
         <source>Angles of the exterior orientation</source>
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
@@ -12699,7 +12664,7 @@
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="449"/>
+        <location filename="../plugin/seams/window_summary.py" line="451"/>
         <source>it measures detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
@@ -12719,67 +12684,67 @@
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="46"/>
         <source>quotients of order 2 at most, without the terms that the points do not support</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="108"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
         <source>Blunders found and left out of fit and errors: {count} ({names}); check those points and measure them again.</source>
         <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="120"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="93"/>
         <source>{count} points miss the model by far more than the others ({names}); check them, or look for blunders (ROBUST).</source>
         <translation>{count} punktów odbiega od modelu znacznie bardziej niż pozostałe ({names}); sprawdź je albo włącz wyszukiwanie błędów grubych (ROBUST).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="145"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="112"/>
         <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or look for blunders (ROBUST).</source>
         <translation>Modelu parametrycznego nie da się dopasować do tych punktów; sprawdź, czy współrzędne nie są zamienione, a wysokości błędne, albo włącz wyszukiwanie błędów grubych (ROBUST).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="195"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="151"/>
         <source>According to {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
         <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="206"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="159"/>
         <source>The rotation of {name} is read as {way} usually writes it, since no file says so; check how the orthoimage lies.</source>
         <translation>Obrót {name} przyjęto tak, jak zwykle zapisuje go {way}, czego żaden plik nie mówi; sprawdź położenie ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="162"/>
         <source>{name} is taken as in the plane that touches the Earth at its reference, as OpenSfM writes it. One that OpenDroneMap has put into UTM is read right only inside its project&apos;s folder.</source>
         <translation>{name} jest odczytany w płaszczyźnie stycznej do Ziemi w jego punkcie odniesienia, jak zapisuje go OpenSfM. Plik przeliczony przez OpenDroneMap do UTM jest czytany poprawnie tylko w katalogu swojego projektu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="213"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
         <source>Photos are placed by {exact}, the exact reconstruction beside {name}.</source>
         <translation>Zdjęcia są umieszczone według {exact}, dokładnej rekonstrukcji obok {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="166"/>
         <source>{name} is taken as in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some decimetres off in a block of a kilometre.</source>
         <translation>{name} jest odczytany w układzie {system} z przesunięciem z {offsets}, dokąd OpenDroneMap przelicza go w przybliżeniu: błąd do kilku decymetrów w bloku kilometrowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="241"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
         <source>{name} is oriented and is not in {folder}; it is left out.</source>
         <translation>{name} ma orientację, a nie ma go w {folder}; zostaje pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="187"/>
         <source>None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).</source>
         <translation>W {folder} nie ma żadnego ze zdjęć, które wymienia {name}; wskaż ich katalog (PHOTOS).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="245"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
         <source>The terrain is that of the project: {name}.</source>
         <translation>Teren pochodzi z projektu: {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="46"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="45"/>
         <source>All files (*)</source>
         <translation>Wszystkie pliki (*)</translation>
     </message>
@@ -12789,47 +12754,47 @@
         <translation>Ortorektyfikacja bloku zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="46"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="41"/>
         <source>Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an OpenDroneMap project.</source>
         <translation>Wysokości terenu pod wszystkimi zdjęciami, w dowolnym układzie współrzędnych. Puste: model terenu albo pokrycia z projektu OpenDroneMap.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="49"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="44"/>
         <source>Of the orthoimages. Empty: the UTM zone of the first photo.</source>
         <translation>Ortoobrazów. Puste: strefa UTM pierwszego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="52"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="47"/>
         <source>A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends.</source>
         <translation>Katalog: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="51"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="46"/>
         <source>Orthoimages</source>
         <translation>Ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="55"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="49"/>
         <source>Orthoimages made</source>
         <translation>Wykonane ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="55"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="49"/>
         <source>Photos without an orthoimage</source>
         <translation>Zdjęcia bez ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="52"/>
+        <location filename="../plugin/sensors/planpoints.py" line="46"/>
         <source>The sensor model to be fitted, with its order or form. rpc_bias needs an RPC.</source>
         <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="68"/>
+        <location filename="../plugin/sensors/planpoints.py" line="57"/>
         <source>Of each ground coordinate of a point, as it will be surveyed.</source>
         <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="80"/>
+        <location filename="../plugin/sensors/planpoints.py" line="65"/>
         <source>Height above the ellipsoid. Points lie anywhere between the lowest and the highest.</source>
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
@@ -13031,22 +12996,22 @@
         <translation>co najwyżej umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="25"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="26"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Of the models whose errors, there and at control points left out in turn, differ by no more than chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="235"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="181"/>
         <source>Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos&apos; orientations (EXTERIOR).</source>
         <translation>Wskaż katalog projektu OpenDroneMap (PHOTOS) albo plik orientacji zdjęć (EXTERIOR).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="238"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
         <source>{folder} is no OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos&apos; orientations (EXTERIOR).</source>
         <translation>{folder} nie jest projektem OpenDroneMap, ponieważ nie ma w nim opensfm/reconstruction.json; wskaż plik orientacji zdjęć (EXTERIOR).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
         <source>The orthoimage would be written over {path}, which is read; choose another folder.</source>
         <translation>Ortoobraz zastąpiłby plik {path}, z którego odczytywane są dane; wybierz inny katalog.</translation>
     </message>
@@ -13056,12 +13021,12 @@
         <translation>Umieszcza na mapie wszystkie zdjęcia lotnicze bloku, z użyciem NMT i na jednej siatce pikseli: te, które wymienia plik ich orientacji. W przypadku projektu OpenDroneMap wystarczy katalog albo reconstruction.json. Zdjęcie, którego nie można użyć, jest wymieniane, a pozostałe powstają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="40"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="36"/>
         <source>Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation&apos;s project, else in the folder of its file.</source>
         <translation>W przypadku projektu nie trzeba podawać nic więcej. Puste: zdjęcia są w katalogu images projektu, z którego pochodzi orientacja zewnętrzna, w przeciwnym razie w katalogu jej pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="36"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="34"/>
         <source>Folder of an OpenDroneMap project, or of photos</source>
         <translation>Katalog projektu OpenDroneMap lub katalog zdjęć</translation>
     </message>
@@ -13114,7 +13079,7 @@
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="313"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="242"/>
         <source>The terrain model {name} has {count} million pixels and no overviews, by which its lowest and highest place would be found; build some (gdaladdo), or clip it to the photos.</source>
         <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
     </message>
@@ -13199,14 +13164,9 @@
         <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="356"/>
+        <location filename="../plugin/seams/window_summary.py" line="360"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="365"/>
-        <source>{lost} % of detail lost in the whole window</source>
-        <translation>{lost} % detali utracono w całym oknie</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="182"/>
@@ -13214,17 +13174,17 @@
         <translation>niedopasowanie {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="358"/>
+        <location filename="../plugin/seams/window_summary.py" line="362"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="379"/>
+        <location filename="../plugin/seams/window_summary.py" line="384"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="383"/>
+        <location filename="../plugin/seams/window_summary.py" line="388"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
@@ -13319,19 +13279,59 @@
         <translation>Inny stan tej ortofotomapy: tam, gdzie są podobne, przechodzi razem z nią z ortoobrazu na ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="369"/>
-        <source>{said}, {lost} % more along the seam</source>
-        <translation>{said}, wzdłuż linii jeszcze {lost} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="371"/>
+        <location filename="../plugin/seams/window_summary.py" line="376"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="337"/>
+        <location filename="../plugin/seams/window_summary.py" line="341"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="369"/>
+        <source>{lost} % of the window&apos;s detail lost</source>
+        <translation>{lost} % detali okna utracono</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="373"/>
+        <source>{said}, {lost} % of the rest along the seam</source>
+        <translation>{said}, wzdłuż linii {lost} % reszty</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
+        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). {why}</source>
+        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). {why}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <source>A parametric model needs few points and does not swing between them.</source>
+        <translation>Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="273"/>
+        <source>The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
+        <translation>RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
+        <source>Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
+        <translation>Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="276"/>
+        <source>It is the quotient of lowest order with one denominator and needs the fewest points.</source>
+        <translation>To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
+        <source>Polynomials suit small areas only and swing between the points, so watch the check points.</source>
+        <translation>Wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="280"/>
+        <source>The terrain is flat enough for a plane model, which serves for small areas only.</source>
+        <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
 </context>
 </TS>

@@ -18,7 +18,7 @@ from xml.parsers import expat
 
 from . import messages
 from .errors import Message, SettingsError
-from .gdal_calls import is_endless
+from .gdal_paths import is_endless
 from .messages import system_reason
 
 MOST_BYTES = 100_000_000  # a hundred times the largest table of points or rules anybody has

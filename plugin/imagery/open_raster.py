@@ -14,15 +14,8 @@ from osgeo import gdal, gdal_array
 
 from . import limits, messages
 from .errors import Message, RasterError
-from .gdal_calls import (
-    RASTERS,
-    check_raster_path,
-    gdal_call,
-    gdal_pixels,
-    open_dataset,
-    read_metadata,
-    whole_jpeg_tiles,
-)
+from .gdal_calls import gdal_call, gdal_pixels, read_metadata, whole_jpeg_tiles
+from .gdal_paths import RASTERS, check_raster_path, open_dataset
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef

@@ -15,7 +15,7 @@ from dataclasses import replace
 from typing import Protocol, TypeVar
 
 from .errors import CancelledError, RasterError
-from .gdal_calls import is_remote, readable_path
+from .gdal_paths import is_remote, readable_path
 from .grids import PixelWindow
 from .open_raster import OpenRaster, PixelBlock
 from .rasters import RasterRef

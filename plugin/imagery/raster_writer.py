@@ -12,15 +12,8 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .atomic_files import replacing
 from .errors import Message, RasterError
-from .gdal_calls import (
-    RASTERS,
-    drop_from_memory,
-    gdal_call,
-    gdal_masks_beside,
-    gdal_silenced,
-    gdal_writing,
-    open_dataset,
-)
+from .gdal_calls import drop_from_memory, gdal_call, gdal_masks_beside, gdal_silenced, gdal_writing
+from .gdal_paths import RASTERS, open_dataset
 from .rasters import Raster
 
 GEOTIFF = "GTiff"

@@ -16,7 +16,8 @@ from osgeo import gdal
 
 from . import messages
 from .errors import CancelledError, Message, RasterError
-from .gdal_calls import gdal_settings, gdal_silenced, is_remote, readable_path, vrt_parts
+from .gdal_calls import gdal_settings, gdal_silenced
+from .gdal_paths import is_remote, readable_path, vrt_parts
 
 Result = TypeVar("Result")
 

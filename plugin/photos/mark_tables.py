@@ -9,7 +9,7 @@ from osgeo import gdal
 from qgis.core import QgsDataProvider, QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsVectorLayer, QgsWkbTypes
 
 from ..imagery.errors import PhotoError
-from ..imagery.gdal_calls import is_endless, is_layer_file
+from ..imagery.gdal_paths import is_endless, is_layer_file
 from ..toolkit.table_fields import attributes, feature, is_known, is_true, number, table_fields, text
 from ..toolkit.translation import sentence
 from .measure import messages

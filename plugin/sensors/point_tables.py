@@ -22,7 +22,8 @@ from qgis.core import (
 )
 
 from ..imagery.errors import Message, SensorModelError
-from ..imagery.gdal_calls import FEATURES, gdal_silenced, open_dataset
+from ..imagery.gdal_calls import gdal_silenced
+from ..imagery.gdal_paths import FEATURES, open_dataset
 from ..imagery.records import Column
 from ..toolkit.layers import features, layer_path, system_wkt
 from ..toolkit.table_fields import Attributes, attributes, column_fields, column_values, feature, number, text

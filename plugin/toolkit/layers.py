@@ -31,7 +31,8 @@ from qgis.core import (
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import RasterError, WindowError, WindowLayerError
-from ..imagery.gdal_calls import FEATURES, gdal_silenced, open_dataset
+from ..imagery.gdal_calls import gdal_silenced
+from ..imagery.gdal_paths import FEATURES, open_dataset
 from ..imagery.grids import Extent
 from ..imagery.rasters import Raster, RasterRef
 from . import messages

@@ -13,7 +13,7 @@ from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsVector
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.errors import SeamInspectorError, WindowLayerError
-from ...imagery.gdal_calls import holds_only_tables
+from ...imagery.gdal_paths import holds_only_tables
 from ...imagery.record_store import RecordKeeper
 from ...toolkit import layers
 from ..measure.window.window_result import WindowResult

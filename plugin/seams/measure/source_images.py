@@ -10,7 +10,7 @@ import numpy as np
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, RasterError, SettingsError
-from ...imagery.gdal_calls import readable_path
+from ...imagery.gdal_paths import readable_path
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.open_raster import placed
 from ...imagery.raster_pool import RasterPool

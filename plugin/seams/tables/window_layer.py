@@ -30,7 +30,7 @@ from qgis.core import (
 )
 
 from ...imagery.errors import WindowLayerError
-from ...imagery.gdal_calls import holds_only_tables
+from ...imagery.gdal_paths import holds_only_tables
 from ...imagery.statistics import FIRST, JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.layer_styles import load_style, name_fields

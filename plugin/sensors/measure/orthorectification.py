@@ -14,7 +14,8 @@ from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, Message, RasterError, SettingsError
-from ...imagery.gdal_calls import RASTERS, drop_from_memory, gdal_silenced, gdal_writing, open_dataset, vrt_parts
+from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing
+from ...imagery.gdal_paths import RASTERS, open_dataset, vrt_parts
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster

@@ -16,7 +16,8 @@ from qgis.PyQt import sip
 
 from ...imagery.atomic_files import UnfinishedFile, drop_unfinished, leads_as_checked
 from ...imagery.errors import Message, cell_text
-from ...imagery.gdal_calls import FEATURES, gdal_silenced, open_dataset
+from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.gdal_paths import FEATURES, open_dataset
 from .. import messages
 from ..translation import sentence, tr
 from .outputs import DataPlace

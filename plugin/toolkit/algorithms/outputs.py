@@ -41,7 +41,7 @@ from qgis.PyQt.QtCore import QUrl
 from ...imagery import messages as imagery_messages
 from ...imagery.documents import document_bytes, xml_root
 from ...imagery.errors import RasterError, SettingsError
-from ...imagery.gdal_calls import ANYTHING, check_raster_path, open_dataset
+from ...imagery.gdal_paths import ANYTHING, check_raster_path, open_dataset
 from ...imagery.messages import system_reason
 from .. import messages
 from . import parameters as common

@@ -28,7 +28,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
-from ...imagery.gdal_calls import check_raster_path, is_endless, is_remote
+from ...imagery.gdal_paths import check_raster_path, is_endless, is_remote
 from .. import messages
 from ..translation import tr
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal, ogr
-from seam_inspector.plugin.imagery.gdal_calls import is_remote, readable_path
+from seam_inspector.plugin.imagery.gdal_paths import is_remote, readable_path
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.raster_pool import open_raster

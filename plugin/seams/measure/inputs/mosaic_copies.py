@@ -10,7 +10,7 @@ import numpy as np
 
 from ....imagery.clips import MAX_OVERVIEW_PIXELS, read_clip
 from ....imagery.errors import Message, RasterError
-from ....imagery.gdal_calls import vrt_parts
+from ....imagery.gdal_paths import vrt_parts
 from ....imagery.grids import Extent, Grid, PixelWindow
 from ....imagery.limits import measured_bands
 from ....imagery.open_raster import OpenRaster, placed

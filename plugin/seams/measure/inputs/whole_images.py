@@ -13,7 +13,7 @@ import numpy as np
 
 from ....imagery.clips import Clip
 from ....imagery.errors import Message, RasterError
-from ....imagery.gdal_calls import is_remote
+from ....imagery.gdal_paths import is_remote
 from ....imagery.grids import PixelWindow, extents_meet
 from ....imagery.open_raster import OpenRaster, placed
 from ....imagery.raster_pool import RasterPool

@@ -12,7 +12,8 @@ import numpy as np
 from osgeo import gdal, gdal_array
 
 from ....imagery import messages as imagery_messages
-from ....imagery.gdal_calls import RASTERS, gdal_call, gdal_writing, open_dataset, taken_from_memory
+from ....imagery.gdal_calls import gdal_call, gdal_writing, taken_from_memory
+from ....imagery.gdal_paths import RASTERS, open_dataset
 from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import band_roles
 from ....imagery.raster_writer import whole_raster

@@ -21,7 +21,8 @@ from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import drop_unfinished
 from ....imagery.documents import xml_root
 from ....imagery.errors import Message, SettingsError
-from ....imagery.gdal_calls import gdal_silenced, is_remote, readable_path, vrt_parts
+from ....imagery.gdal_calls import gdal_silenced
+from ....imagery.gdal_paths import is_remote, readable_path, vrt_parts
 from ....imagery.messages import system_reason
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.record_store import RecordStore

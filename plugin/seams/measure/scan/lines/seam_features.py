@@ -11,7 +11,8 @@ from osgeo import gdal, ogr
 from .....imagery import lines as seamlines
 from .....imagery import messages as imagery_messages
 from .....imagery.errors import Message, RasterError, SeamlineError
-from .....imagery.gdal_calls import FEATURES, check_raster_path, gdal_silenced, open_dataset
+from .....imagery.gdal_calls import gdal_silenced
+from .....imagery.gdal_paths import FEATURES, check_raster_path, open_dataset
 from .....imagery.grids import Extent, Grid, extents_meet
 from .....imagery.rasters import Raster
 from .....imagery.reference_systems import geometry_on

@@ -15,10 +15,11 @@ from xml.sax.saxutils import escape
 import numpy as np
 import pytest
 from osgeo import gdal, ogr
-from seam_inspector.plugin.imagery import gdal_calls, limits
+from seam_inspector.plugin.imagery import gdal_paths, limits
 from seam_inspector.plugin.imagery.documents import document_bytes, json_document
 from seam_inspector.plugin.imagery.errors import RasterError
-from seam_inspector.plugin.imagery.gdal_calls import check_raster_path, holds_only_tables, is_layer_file, vrt_parts
+from seam_inspector.plugin.imagery.gdal_calls import gdal_settings
+from seam_inspector.plugin.imagery.gdal_paths import check_raster_path, holds_only_tables, is_layer_file, vrt_parts
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
@@ -173,7 +174,7 @@ def test_a_pipe_beside_a_raster_is_not_opened(tmp_path: Path, ending: str) -> No
 def imagine(at: Path, option: str, value: str, ending: str) -> Path:
     """An Erdas Imagine file whose other part is called differently, and is a pipe."""
     write_raster(at / "a.tif", np.zeros((1, 512, 512), np.uint8))
-    with gdal_calls.gdal_settings(HFA_USE_RRD="YES"):
+    with gdal_settings(HFA_USE_RRD="YES"):
         gdal.Translate(str(at / "a.img"), str(at / "a.tif"), format="HFA", creationOptions=[f"{option}={value}"])
         gdal.Open(str(at / "a.img"), gdal.GA_Update).BuildOverviews("NEAREST", [2])
     (at / f"a{ending}").unlink()
@@ -253,13 +254,13 @@ def test_formats_that_name_other_files_are_not_used(tmp_path: Path, name: str, t
 def test_what_is_looked_at_of_a_vrt_grows_with_its_size_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Elements that never end, many names, elements in elements: of twice the bytes twice the names."""
     steps: list[int] = []
-    plain = gdal_calls._places
+    plain = gdal_paths._places
 
     def counted(*of: Any) -> Any:
         steps.append(1)
         return plain(*of)
 
-    monkeypatch.setattr(gdal_calls, "_places", counted)
+    monkeypatch.setattr(gdal_paths, "_places", counted)
     for kind in ("<SourceFilename ", "<SourceFilename>a.tif</SourceFilename>", "<a>", "<SourceFilename>&lt;"):
         counts = []
         for times in (2000, 4000):
@@ -327,7 +328,7 @@ OPENING = re.compile(
     r"|QgsVectorLayer|QgsRasterLayer|mapLayerFromString)\(|expat\.P"
 )
 OPENED_BY = {
-    "documents.py": {"json.loads", "expat.P"}, "gdal_calls.py": {"gdal.OpenEx", "sqlite3.connect"},
+    "documents.py": {"json.loads", "expat.P"}, "gdal_paths.py": {"gdal.OpenEx", "sqlite3.connect"},
     "record_store.py": {"sqlite3.connect"}, "window_layer.py": {"sqlite3.connect", "QgsVectorLayer"},
     "keeping.py": {"sqlite3.connect"}, "outputs.py": {"sqlite3.connect", "mapLayerFromString"},
     "fit_files.py": {"json.loads"}, "open_raster.py": {"gdal.BuildVRT"}, "delivered_files.py": {"gdal.BuildVRT"},
@@ -339,9 +340,9 @@ OPENED_BY = {
 
 
 def test_nobody_else_opens_data_or_reads_documents() -> None:
-    """Who does is told in gdal_calls.py, and does it by what stands there and in documents.py."""
+    """Who does is told in gdal_paths.py, and does it by what stands there and in documents.py."""
     found: dict[str, set[str]] = {}
-    for module in Path(gdal_calls.__file__).parents[1].rglob("*.py"):
+    for module in Path(gdal_paths.__file__).parents[1].rglob("*.py"):
         for one in OPENING.finditer(module.read_text(encoding="utf-8")):
             found.setdefault(module.name, set()).add(one.group().rstrip("("))
     assert found == OPENED_BY
@@ -402,7 +403,7 @@ def test_what_stays_as_it_is_is_looked_at_once(tmp_path: Path, monkeypatch: pyte
     mosaic.write_text(VRT.format("".join(SOURCE.format(part) for part in parts)))
     check_raster_path(str(mosaic), "mosaic.vrt")
     with monkeypatch.context() as patch:
-        for module, name in ((os.path, "realpath"), (gdal_calls, "_document")):
+        for module, name in ((os.path, "realpath"), (gdal_paths, "_document")):
             patch.setattr(module, name, lambda *path: pytest.fail("it is looked at again"))
         check_raster_path(str(mosaic), "mosaic.vrt")
     parts[7].unlink()
