@@ -53,7 +53,7 @@ ROAD, FIELD = (396.3, 144.6), (168.0, 292.6)
 EXAMPLES = (
     Example(
         "reading_hard", "A hard cut", True, ROAD,
-        (("no colour along the seam", (560, 505), (0.5, 0.16)),),
+        (("no line along the seam", (560, 505), (0.5, 0.16)),),
         (("at 1 and above from the\nseam outwards: nothing is lost", (0.5, 1.03), (0.42, 0.42)),),
         (("below its sources at level 1:\nall of it was resampled", (0, 0.0225), (0.52, 0.2)),),
     ),
