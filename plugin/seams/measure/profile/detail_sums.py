@@ -79,14 +79,16 @@ def detail_sums(
     ``ExpectedMosaic`` has them. ``of_rounding``: ``energy_of_rounding``; sources with no more have no detail.
     """
     rows, columns = (length // CELL_PX for length in labels.shape)
-    place = seam_geometry(labels[: rows * CELL_PX, : columns * CELL_PX])
-    others = _among_others(shares or {}, numbers, place.labels)
+    place = seam_geometry(labels)
     levels, beside = len(details), _pairs(place, numbers, valid or {})
     pairs, per_cell = len(beside.pairs), CELL_PX // _GRID_PX
+    whole = np.s_[: rows * per_cell, : columns * per_cell]  # cells
+    followed, other, bins, pair = (one[whole] for one in (place.labels, place.other, place.bins, beside.pair))
+    others = _among_others(shares or {}, numbers, place.labels)[(slice(None), *whole)]
     cell = np.add.outer(*(np.arange(many * per_cell) // per_cell * by for many, by in ((rows, columns), (columns, 1))))
     # What no source explains, and what lies beside no seam, is left out. Each coarser coefficient lies at a finest one.
-    of_bin = _numbered(cell * len(EDGES_PX) + place.bins, place.bins < len(EDGES_PX))
-    of_pair = _numbered((cell * MIXED_BINS + place.bins) * pairs + beside.pair, beside.pair < pairs)
+    of_bin = _numbered(cell * len(EDGES_PX) + bins, bins < len(EDGES_PX))
+    of_pair = _numbered((cell * MIXED_BINS + bins) * pairs + pair, pair < pairs)
     sums = np.zeros((4, levels, len(of_bin.held)))
     mixed = np.zeros((len(PRODUCTS), levels, len(of_pair.held)))
     number = np.zeros(UNKNOWN + 1, np.intp)
@@ -98,7 +100,7 @@ def detail_sums(
             break  # coefficients larger than a cell tell nothing of a place
         coarse = np.s_[step // 2 :: step, step // 2 :: step]
         one = np.ascontiguousarray(one[..., : rows * counted, : columns * counted])
-        own = place.labels[coarse]
+        own = followed[coarse]
         planes = one.reshape(3, -1)  # by one number each, and whole rows first: a third of the time
         m, c = one[:, MOSAIC], one[:, CUT]
         s = _followed(one, numbers, own) if numbers else c
@@ -108,7 +110,7 @@ def detail_sums(
             continue
         index = of_pair.number[coarse].ravel()
         at = np.flatnonzero(index < len(of_pair.held))
-        here, there = (np.take(number[of], at) for of in (own, place.other[coarse]))
+        here, there = (np.take(number[of], at) for of in (own, other[coarse]))
         m, c, s = (np.take(of, at, axis=1) for of in (m, c, s))
         o = np.take(planes, there * own.size + at, axis=1)
         among = others[(slice(None), *coarse)].reshape(len(others), own.size)[:, at]
