@@ -13,6 +13,7 @@ from functools import cache
 
 import numpy as np
 from scipy import ndimage
+from scipy.sparse import csc_matrix
 
 from ..following.boxes import enlarged, narrowed
 from ..following.expected_mosaic import ExpectedMosaic
@@ -77,40 +78,42 @@ def detail_sums(
     has, of those that don't have all. ``is_filtered``: whether each source is there in both ways. ``shares``: as
     ``ExpectedMosaic`` has them. ``of_rounding``: ``energy_of_rounding``; sources with no more have no detail.
     """
-    place = seam_geometry(labels)
-    others = _among_others(shares or {}, numbers, place.labels)
     rows, columns = (length // CELL_PX for length in labels.shape)
+    place = seam_geometry(labels)
     levels, beside = len(details), _pairs(place, numbers, valid or {})
-    pairs = len(beside.pairs)
-    # What no source explains, and what lies beside no seam, has a place of its own, which is left out.
-    sums = np.zeros((4, levels, rows * columns, len(EDGES_PX) + 1))
-    mixed = np.zeros((len(PRODUCTS), levels, rows * columns * MIXED_BINS * max(pairs, 1)))
+    pairs, per_cell = len(beside.pairs), CELL_PX // _GRID_PX
+    whole = np.s_[: rows * per_cell, : columns * per_cell]  # cells
+    followed, other, bins, pair = (one[whole] for one in (place.labels, place.other, place.bins, beside.pair))
+    others = _among_others(shares or {}, numbers, place.labels)[(slice(None), *whole)]
+    cell = np.add.outer(*(np.arange(many * per_cell) // per_cell * by for many, by in ((rows, columns), (columns, 1))))
+    # What no source explains, and what lies beside no seam, is left out. Each coarser coefficient lies at a finest one.
+    of_bin = _numbered(cell * len(EDGES_PX) + bins, bins < len(EDGES_PX))
+    of_pair = _numbered((cell * MIXED_BINS + bins) * pairs + pair, pair < pairs)
+    sums = np.zeros((4, levels, len(of_bin.held)))
+    mixed = np.zeros((len(PRODUCTS), levels, len(of_pair.held)))
+    number = np.zeros(UNKNOWN + 1, np.intp)
+    number[list(numbers)] = np.arange(FIRST_SOURCE, FIRST_SOURCE + len(numbers))
     for level, one in enumerate(details):
         pixels = 2 ** (level + 1)
-        counted = CELL_PX // pixels
-        one = np.ascontiguousarray(one[..., : rows * counted, : columns * counted])
-        step = pixels // _GRID_PX
+        step, counted = pixels // _GRID_PX, CELL_PX // pixels
+        if not counted:
+            break  # coefficients larger than a cell tell nothing of a place
         coarse = np.s_[step // 2 :: step, step // 2 :: step]
-        own, other, bins, pair = (
-            every[coarse][: rows * counted, : columns * counted]
-            for every in (place.labels, place.other, place.bins, beside.pair)
-        )
-        cell = (np.arange(rows * counted) // counted * columns)[:, np.newaxis] + np.arange(columns * counted) // counted
+        one = np.ascontiguousarray(one[..., : rows * counted, : columns * counted])
+        own = followed[coarse]
+        planes = one.reshape(3, -1)  # by one number each, and whole rows first: a third of the time
         m, c = one[:, MOSAIC], one[:, CUT]
         s = _followed(one, numbers, own) if numbers else c
-        index = (cell * sums.shape[3] + bins).ravel()
-        _add(sums[:, level].reshape(4, -1), index, pixels**2, ((m, m), (s, s), (m, s)))
+        m, c, s = (of.reshape(3, -1) for of in (m, c, s))
+        _add(sums[:, level], of_bin.number[coarse], pixels**2, ((m, m), (s, s), (m, s)))
         if not pairs:
             continue
-        at = np.flatnonzero(pair.ravel() < pairs)
-        index = np.take((cell * MIXED_BINS + bins) * pairs + pair, at)
-        number = np.zeros(UNKNOWN + 1, np.intp)
-        number[list(numbers)] = np.arange(FIRST_SOURCE, FIRST_SOURCE + len(numbers))
-        here, there = (np.take(number[of], at) for of in (own, other))
-        planes = one.reshape(3, -1)  # by one number each, and whole rows first: a third of the time
-        m, c, s, o = (np.take(planes, of * own.size + at, axis=1) for of in (MOSAIC, CUT, here, there))
-        among = others[(slice(None), *coarse)][:, : rows * counted, : columns * counted].reshape(len(others), own.size)
-        among = among[:, at]
+        index = of_pair.number[coarse].ravel()
+        at = np.flatnonzero(index < len(of_pair.held))
+        here, there = (np.take(number[of], at) for of in (own, other[coarse]))
+        m, c, s = (np.take(of, at, axis=1) for of in (m, c, s))
+        o = np.take(planes, there * own.size + at, axis=1)
+        among = others[(slice(None), *coarse)].reshape(len(others), own.size)[:, at]
         o = _beyond(o, one, at, among, FIRST_SOURCE)
         k = c - s
         products = [(m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)]
@@ -118,21 +121,43 @@ def detail_sums(
             p, q = (np.take(planes, (of + len(numbers)) * own.size + at, axis=1) for of in (here, there))
             q = _beyond(q, one, at, among, FIRST_SOURCE + len(numbers))
             products += [(p, p), (p, q), (q, q)]
-        _add(mixed[:, level], index, pixels**2, products)
+        _add(mixed[:, level], np.take(index, at), pixels**2, products)
     if not is_filtered:
         mixed[_BEFORE] = mixed[_SHOWN]
     sums[2:, sums[2] <= of_rounding * sums[0]] = 0
     mixed[1:, np.maximum(mixed[_SS], mixed[_OO]) <= of_rounding * mixed[0]] = 0
-    return _cell_table(sums[..., :-1].reshape(4, levels, -1), columns), _mixture_table(mixed, columns, beside.pairs)
+    return _cell_table(of_bin.held, sums, columns), _mixture_table(of_pair.held, mixed, columns, beside.pairs)
+
+
+@dataclass(frozen=True, eq=False)
+class _Numbered:
+    """Samples of the finest grid by what they are counted to."""
+
+    held: np.ndarray
+    """(n,) codes of what there is, ascending."""
+    number: np.ndarray
+    """int, as the samples: which of them; their count where a sample is left out."""
+
+
+def _numbered(codes: np.ndarray, where: np.ndarray) -> _Numbered:
+    held = np.flatnonzero(np.bincount(codes[where]))
+    number = np.full(codes.max(initial=0) + 1, len(held), np.int32)
+    number[held] = np.arange(len(held))
+    return _Numbered(held, np.where(where, np.take(number, codes), np.int32(len(held))))
 
 
 def _add(
-    sums: np.ndarray, index: np.ndarray, pixels: int, products: Sequence[tuple[np.ndarray, np.ndarray]]
+    sums: np.ndarray, number: np.ndarray, pixels: int, products: Sequence[tuple[np.ndarray, np.ndarray]]
 ) -> None:
-    """Area and products of three details each, by the place of every sample; into (sums, places)."""
-    sums[0] = np.bincount(index, minlength=sums.shape[1]) * pixels
-    for target, (a, b) in zip(sums[1:], products):
-        target[:] = np.bincount(index, np.einsum("d...,d...->...", a, b).ravel(), sums.shape[1])
+    """Area and products of three details each, (3, n), by the number of every sample, (n,); into (sums, numbers). As
+    one product with a sparse matrix: a third of the time that it takes to count one by one."""
+    count, size = sums.shape[1], number.size
+    values = np.empty((size, 1 + len(products)), products[0][0].dtype)
+    values[:, 0] = pixels
+    for place, (a, b) in enumerate(products, 1):
+        np.einsum("dn,dn->n", a, b, out=values[:, place])
+    each = csc_matrix((np.ones(size, values.dtype), number.ravel(), np.arange(size + 1)), shape=(count + 1, size))
+    sums[: len(products) + 1] = (each @ values)[:count].T
 
 
 def seam_geometry(labels: np.ndarray) -> SeamGeometry:
@@ -237,23 +262,20 @@ def _beyond(found: np.ndarray, details: np.ndarray, at: np.ndarray, among: np.nd
     return found
 
 
-def _cell_table(sums: np.ndarray, columns: int) -> CellTable:
-    """``sums``: area, mm, cc and mc, (4, levels, cells x bins)."""
-    held = np.flatnonzero(sums[0, 0])
+def _cell_table(held: np.ndarray, sums: np.ndarray, columns: int) -> CellTable:
+    """``sums``: area, mm, cc and mc, (4, levels, n), of the cells and bins that are ``held``."""
     cells, bins = np.divmod(held, len(EDGES_PX))
-    return CellTable(*_places(cells, columns), bins.astype(np.uint8), *sums[:, :, held].astype(np.float32))
+    return CellTable(*_places(cells, columns), bins.astype(np.uint8), *sums.astype(np.float32))
 
 
-def _mixture_table(sums: np.ndarray, columns: int, pairs: np.ndarray) -> MixtureTable:
-    """``sums``: products, (PRODUCTS, levels, cells x bins x pairs)."""
+def _mixture_table(held: np.ndarray, sums: np.ndarray, columns: int, pairs: np.ndarray) -> MixtureTable:
+    """``sums``: products, (PRODUCTS, levels, n), of the cells, bins and pairs that are ``held``."""
     if not len(pairs):
         return MixtureTable.empty(sums.shape[1])
-    held = np.flatnonzero(sums[0, 0])
     rest, pair = np.divmod(held, len(pairs))
     cells, bins = np.divmod(rest, MIXED_BINS)
     source, other = pairs[pair].T
-    products = sums[:, :, held].astype(np.float32)
-    return MixtureTable(*_places(cells, columns), bins.astype(np.uint8), source, other, products)
+    return MixtureTable(*_places(cells, columns), bins.astype(np.uint8), source, other, sums.astype(np.float32))
 
 
 def _places(cells: np.ndarray, columns: int) -> tuple[np.ndarray, np.ndarray]:

@@ -321,3 +321,18 @@ def test_what_float32_leaves_of_even_ground_is_no_detail(planes: np.ndarray) -> 
     assert not found[0].cc[0, cells].any()
     assert beside.any()
     assert not found[1].products[1:, 0, beside].any()
+
+
+def test_what_lies_beyond_whole_cells_is_known_to_them() -> None:
+    """A seam, a hole and a third source in a rim narrower than a cell."""
+    shape = (CELL_PX * 4 + 8, CELL_PX * 5 + 8)
+    labels = np.zeros(shape, np.uint8)
+    labels[:, -4:], labels[-4:] = 1, 2
+    planes = np.stack([25 * texture(shape, 1.2, seed) for seed in range(5)]).astype(np.float32)
+    shares = {number: np.full((9, 11), 1 / 3, np.float32) for number in range(3)}
+    valid = {1: np.arange(shape[0])[:, np.newaxis] * np.ones(shape[1]) < 40}
+    cells, beside = detail_sums(list(detail_components(planes, WAVELET, 3)), labels, (0, 1, 2), valid, shares=shares)
+    assert (cells.row.max(), cells.column.max()) == (3, 4)
+    assert cells.bin[cells.column == 4].min() < FARTHEST
+    assert set(beside.other.tolist()) == {1, 2}
+    assert beside.row[beside.other == 1].max() == 2  # of 40 rows the source has pixels in
