@@ -17,14 +17,24 @@ def square_sums(a: np.ndarray, b: np.ndarray, side: int) -> np.ndarray:
     sums = np.empty((rows, columns), np.float32)
     for start in range(0, rows, piece):
         own = slice(start * side, min(start + piece, rows) * side)
-        part = a[own, whole] * b[own, whole]
-        # By halves: numpy takes three times as long over runs of four. Whole rows first are fastest.
-        for _ in range(side.bit_length() - 1):
-            part = part[0::2] + part[1::2]
-        for _ in range(side.bit_length() - 1):
-            part = part[:, 0::2] + part[:, 1::2]
-        sums[start : start + piece] = part
+        sums[start : start + piece] = _summed(a[own, whole] * b[own, whole], side)
     return sums
+
+
+def square_shares(values: np.ndarray, side: int) -> np.ndarray:
+    """Means of values, or shares of a mask (rows, columns), over such squares, float32."""
+    rows, columns = (length // side * side for length in values.shape)
+    sums = _summed(values[:rows, :columns].astype(np.float32, copy=False), side)
+    return np.asarray(sums * np.float32(1 / side**2))
+
+
+def _summed(part: np.ndarray, side: int) -> np.ndarray:
+    """Over squares, by halves: numpy takes three times as long over runs of four. Whole rows first are fastest."""
+    for _ in range(side.bit_length() - 1):
+        part = part[0::2] + part[1::2]
+    for _ in range(side.bit_length() - 1):
+        part = part[:, 0::2] + part[:, 1::2]
+    return part
 
 
 def box_means(values: np.ndarray, sides: Sequence[int], mirrored: bool = False) -> list[np.ndarray]:

@@ -12,6 +12,7 @@ from seam_inspector.plugin.seams.measure.following.boxes import (
     near_border,
     opened,
     runs,
+    square_shares,
     square_sums,
     widened,
 )
@@ -74,3 +75,7 @@ def test_sums_over_squares_are_those_of_numpy(shape: tuple[int, int], side: int,
     rows, columns = (length // side for length in shape)
     whole = (a * b)[: rows * side, : columns * side].reshape(rows, side, columns, side)
     np.testing.assert_allclose(square_sums(a, b, side), whole.sum(axis=(1, 3)), atol=1e-4)
+    np.testing.assert_allclose(square_shares(a, side) * side**2, square_sums(a, np.ones_like(a), side), atol=1e-4)
+    mask = a > 0
+    shares = mask[: rows * side, : columns * side].reshape(rows, side, columns, side).mean(axis=(1, 3))
+    np.testing.assert_allclose(square_shares(mask, side), shares, atol=1e-6)

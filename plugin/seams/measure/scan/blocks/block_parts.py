@@ -10,7 +10,7 @@ from scipy import ndimage
 from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import placed_components
 from ...compared_image import ComparedImage
-from ...following.boxes import enlarged, in_squares, narrowed
+from ...following.boxes import enlarged, narrowed, square_shares, square_sums
 from ...following.expected_mosaic import expected_mosaic
 from ...following.followed_source import HIGH_PASS_PX, follow_planes, high_pass
 from ...following.levelling import SQUARE_PX as TONE_PX
@@ -106,8 +106,7 @@ def measure_part(
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
     mixed, clear, grey = (
-        in_squares(one[own], CELL_PX).mean(axis=(1, 3), dtype=np.float32)
-        for one in (following.mixed, following.clear, image.plane)
+        square_shares(one[own], CELL_PX) for one in (following.mixed, following.clear, image.plane)
     )
     return DensePart(
         window,
@@ -118,7 +117,7 @@ def measure_part(
         _grain(followed.fine[1:], known)[place],
         cells.within(place).moved(*first),
         beside.within(place).moved(*first),
-        float((labels[own][known[own]] == UNKNOWN).mean()),
+        np.count_nonzero((labels[own] == UNKNOWN) & known[own]) / np.count_nonzero(known[own]),
     )
 
 
@@ -126,8 +125,8 @@ def _grain(fine: Sequence[np.ndarray], known: np.ndarray) -> np.ndarray:
     """Largest rms of the sources' finest detail in every cell, NaN where the mosaic has no pixels: what fills it there
     makes a step. (rows, columns) of cells."""
     inner = narrowed(known, HIGH_PASS_PX)
-    seen = in_squares(inner, CELL_PX).sum(axis=(1, 3))
-    total = np.max([in_squares(np.square(one) * inner, CELL_PX).sum(axis=(1, 3)) for one in fine], axis=0)
+    seen = square_shares(inner, CELL_PX) * CELL_PX**2
+    total = np.max([square_sums(one, one if inner.all() else one * inner, CELL_PX) for one in fine], axis=0)
     return np.sqrt(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))
 
 
