@@ -17,6 +17,7 @@ from scipy import ndimage
 from ..profile.ground import EnergyResponse, fit_response, sampled
 from ..seam_cells import is_one_of, present
 from .best_ground import (
+    MIN_ALIKE_STRANGE,
     MIN_EVEN_LEFT,
     MIN_EVEN_LEFT_COMPRESSED,
     MIN_STAND_IN_FACTOR,
@@ -173,8 +174,12 @@ def _unexplained(
     # A step of tones leaves over much along a line, and nothing beside it.
     even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
     sharp = textured & (wide >= _AS_STRONG * energy)  # a seam that was brushed soft is followed all the same
-    found = _strange_parts(wide, left, textured, even, sampling, is_compressed, _stand_ins(wide, left, sharp, labels))
-    if not found.any():
+    found = _strange_parts(wide, left, textured, even, sampling, is_compressed, np.zeros_like(sharp))
+    if len(sources) == 1 or not found.any():
+        stand_ins = _stand_ins(wide, left, sharp, labels)
+        if opened(stand_ins & even, _ALIKE_CELLS).any():
+            found = _strange_parts(wide, left, textured, even, sampling, is_compressed, stand_ins)
+    if len(sources) == 1 or not found.any():
         return found
     common = {
         (i, j): energies[i] if i == j else square_sums(sources[i], sources[j], CELL_PX)
@@ -185,8 +190,6 @@ def _unexplained(
         for some in combinations(sources, count):
             by_some = _left_by(own, [products[i] for i in some], [[common[i, j] for j in some] for i in some])
             np.minimum(left, by_some, out=left)
-    if len(sources) == 1:
-        return found
     if _is_explained(wide, left, textured):
         return np.zeros_like(found)
     same, *anew = alike() or (frozenset(sources),)
@@ -237,6 +240,13 @@ def _strange_parts(
     """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool, and
     evenly. ``stand_ins``: images that resemble the true one are told as well, and these are such; what compression
     leaves over of true ones is as much."""
+    seen = textured & even
+    certain = np.zeros_like(seen) if stand_ins is None else seen & stand_ins
+    could_be = opened(seen & (left > MIN_STRANGE * wide), _STRIP_CELLS).any()
+    if stand_ins is not None and not could_be:
+        could_be = opened(certain | (seen & (left > MIN_ALIKE_STRANGE * wide)), _ALIKE_CELLS).any()
+    if not could_be and not (sampling is FINE and _is_much_left(wide, left, textured)):
+        return np.zeros_like(seen)  # whatever true sources leave over
     ground = learn_best_ground(wide[textured], left[textured])
     if ground is None:
         return np.zeros_like(textured)
@@ -244,11 +254,9 @@ def _strange_parts(
     if is_of_none and (ground.is_of_none(MIN_EVEN_LEFT_COMPRESSED) or not is_compressed()):
         return textured
     strange, alike = ground.strangeness(wide, left)
-    seen = textured & even
     found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
     inside = np.zeros_like(found)
     if stand_ins is not None:
-        certain = seen & stand_ins
         inside = ndimage.binary_propagation(opened(certain, _ALIKE_CELLS), mask=certain)
         found |= opened(seen & alike, _ALIKE_CELLS) | inside
     if not found.any():
@@ -262,7 +270,12 @@ def _is_explained(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> b
     much = (textured & (left > least * wide) for least in (MIN_STRANGE, MIN_STAND_IN_STRANGE))
     if any(opened(one, side).any() for one, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
         return False
-    return np.count_nonzero(textured & (left > MIN_EVEN_LEFT / 2 * wide)) * 2 < np.count_nonzero(textured)
+    return not _is_much_left(wide, left, textured)
+
+
+def _is_much_left(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> bool:
+    """Whether not even the best ground may be of a given source."""
+    return np.count_nonzero(textured & (left > MIN_EVEN_LEFT / 2 * wide)) * 2 >= np.count_nonzero(textured)
 
 
 def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:
@@ -271,7 +284,8 @@ def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:
         parts, count = ndimage.label(found)
         if not count:
             break
-        inside = np.clip(ndimage.median(strange[found], parts[found], np.arange(1, count + 1)), 0, 1)
+        boxes = enumerate(ndimage.find_objects(parts), 1)
+        inside = np.clip([np.median(strange[box][parts[box] == number]) for number, box in boxes], 0, 1)
         # A share is the square of a correlation, and that is what is halfway.
         halfway = np.concatenate([[np.inf], 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2])
         found = strange > halfway[parts]
@@ -285,12 +299,18 @@ def _left_by(
     which are above zero, are even within the near ones. ``products`` of each with the mosaic, ``common`` of each with
     each."""
     own, *shared = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *products))
-    normal = np.stack([[box_means(one, (NEAR_CELLS,))[0] for one in row] for row in common])
-    right = np.stack(shared, axis=-1)[..., np.newaxis]
-    normal = np.moveaxis(normal, (0, 1), (-2, -1)) + LEAST_ENERGY * CELL_PX**2 * np.eye(len(shared))
-    weights = np.linalg.solve(normal, right)
-    explained = (weights * right).sum(axis=(-2, -1))
-    left = np.where(weights.min(axis=(-2, -1)) > 0, np.maximum(own - explained, 0), own)
+    normal = np.stack([[box_means(one, (NEAR_CELLS,))[0] for one in row] for row in common]).astype(np.float64)
+    for place in range(len(shared)):
+        normal[place, place] += LEAST_ENERGY * CELL_PX**2
+    if len(shared) == 2:  # as ``solve`` has it, in a fifth of the time
+        (aa, ab), (_, bb) = normal
+        (a, b), determinant = shared, aa * bb - ab * ab
+        weights = np.stack([a * bb - b * ab, b * aa - a * ab]) / determinant
+    else:
+        weights = np.linalg.solve(np.moveaxis(normal, (0, 1), (-2, -1)), np.stack(shared, axis=-1)[..., np.newaxis])
+        weights = np.moveaxis(weights[..., 0], -1, 0)
+    explained = sum(weight * one for weight, one in zip(weights, shared))
+    left = np.where((weights > 0).all(axis=0), np.maximum(own - explained, 0), own)
     return box_means(left, (WIDE_CELLS - NEAR_CELLS + 1,))[0]
 
 
