@@ -124,6 +124,19 @@ class Filters:
         return filtered(plane, self.taps[source]) if self.taps else plane
 
 
+@dataclass(frozen=True, eq=False)
+class Learned:
+    """What came over a mosaic, as far as that is known of more ground than there is in a part of it."""
+
+    filters: Filters
+    of: frozenset[int]
+    """The sources that it was learned of."""
+
+    def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
+        """A source's plane as the mosaic shows it; as it is where that is not known."""
+        return self.filters.applied(source, plane) if source in self.of else plane
+
+
 def find_filters(
     own: np.ndarray, fine: Mapping[int, np.ndarray], in_tone: Mapping[int, Levelled], labels: np.ndarray,
     sure: np.ndarray,

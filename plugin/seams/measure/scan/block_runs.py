@@ -19,6 +19,7 @@ from ....imagery.errors import Message, SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.records import NotUnderstoodError, packed, understanding, unpacked
 from ..following.boxes import enlarged
+from ..following.source_filters import UNTOUCHED, Filters, Learned
 from ..inspection import in_order, unforeseen
 from ..profile.cell_table import CellTable, MixtureTable
 from ..seam_cells import UNKNOWN
@@ -229,6 +230,7 @@ _OWN = {
     "grey": CELLS, "grain": CELLS,
 }
 """And how many samples each has along a side."""
+_LEARNED = "learned taps", "learned over cuts", "learned of", "learned alike"
 _TABLES = {"cells": CellTable.names(), "beside": MixtureTable.names()}
 
 
@@ -239,7 +241,7 @@ def record_of(scan: BlockScan) -> bytes:
         arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in names}
     arrays["key"] = np.array(scan.key)
     arrays["sources"] = np.frombuffer("\n".join(scan.sources).encode(), np.uint8)
-    return packed(arrays, compressed=_OWN)
+    return packed(arrays | _learned_arrays(scan.learned), compressed=_OWN)
 
 
 def scan_of(record: bytes) -> BlockScan:
@@ -255,8 +257,37 @@ def scan_of(record: bytes) -> BlockScan:
             raise NotUnderstoodError("a table with holes")
         own = {name: held[name] for name in _OWN}
         return BlockScan(
-            (row, column), _names(held), **own, cells=cells, beside=beside
+            (row, column), _names(held), **own, cells=cells, beside=beside, learned=_learned(held)
         )
+
+
+def _learned_arrays(learned: Learned | None) -> dict[str, np.ndarray]:
+    learned = learned or Learned(Filters({}, False), frozenset())
+    filters, of = learned.filters, sorted(learned.of)
+    taps = np.array([filters.taps[number] for number in of if filters.taps], np.float32)
+    alike = np.array([(number, place) for place, group in enumerate(filters.alike) for number in group], np.uint8)
+    found = taps.reshape(-1, *UNTOUCHED.shape), filters.came_over_cuts, np.array(of, np.uint8), alike.reshape(-1, 2)
+    return {name: np.asarray(one) for name, one in zip(_LEARNED, found)}
+
+
+def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
+    taps, over_cuts, of, alike = (held[name] for name in _LEARNED)
+    if taps.shape[1:] != UNTOUCHED.shape or {of.dtype, alike.dtype} != {np.dtype(np.uint8)}:
+        raise NotUnderstoodError("filters of another kind")
+    numbers, (number, place) = of.tolist(), alike.T
+    count = int(place.max()) + 1 if len(place) else 0
+    groups = tuple(frozenset(number[place == group].tolist()) for group in range(count))
+    return Learned(Filters(dict(zip(numbers, taps)), bool(over_cuts), groups), frozenset(numbers)) if numbers else None
+
+
+def learned_in(files: BlockFiles, key: BlockKey) -> Learned | None:
+    """What the first look at a block told of what came over the mosaic. Raises SettingsError as ``held`` does."""
+    record = held_record(FIRST_LOOK, files, key)
+    try:
+        with understanding():
+            return None if record is None else _learned(unpacked(record, _LEARNED))
+    except NotUnderstoodError as error:
+        raise _lost(FIRST_LOOK, files, key, str(error)) from None
 
 
 def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
@@ -306,7 +337,7 @@ class BlockRun:
         if self._looks_twice and not cancelled():
             second = dict(self._second_look())
             yield from blocks.steps(SECOND_LOOK, list(second), lambda key: replace(
-                self._request.block(key), wanted=second[key], look_every=0
+                self._request.block(key), wanted=second[key], look_every=0, learned=learned_in(self._journal.files, key)
             ))
 
     def _second_look(self) -> Iterator[tuple[BlockKey, np.ndarray]]:

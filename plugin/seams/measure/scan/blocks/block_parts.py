@@ -20,7 +20,7 @@ from ...following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, cleare
 from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...profile.detail_sums import compared_planes, detail_sums, energy_of_rounding, numbers_of
-from ...seam_cells import UNKNOWN
+from ...seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
 from .block_pixels import JUDGED, BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
@@ -67,12 +67,12 @@ def measure_part(
     around = window.with_margin(MARGIN_PX)
     planes = pixels.part(around, numbers)
     own = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
-    present = tuple(planes.sources)
+    given = tuple(planes.sources)
     known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
-    if not present or known[own].mean() < MIN_VALID:
+    if not given or known[own].mean() < MIN_VALID:
         return _nothing(window, levels, float(known[own].any()))
     image, images = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic), planes.compared
-    known_filters = None if filters is None else _of_planes(filters, present)
+    known_filters = None if filters is None else _of_planes(filters, given)
     if known_filters is not None and known_filters.taps:
         followed = _follow_filtered(image, images, known_filters)
     else:
@@ -87,7 +87,7 @@ def measure_part(
         image.plane, followed.planes, followed.fine, following, valid, None, None if moved else known_filters,
         QUICK, PATCH_PX, bool(planes.resampled),
     )
-    expected = expected.of_sources([present[of] for of in followed.source_of])
+    expected = expected.of_sources([given[of] for of in followed.source_of])
     labels = expected.labels
     labels[~known] = UNKNOWN
     guessed = known & guesses(labels, following.clear | following.mixed)
@@ -96,7 +96,7 @@ def measure_part(
         guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels[guessed] = UNKNOWN
     details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
-    masks = {number: planes.valid[number] for number in present if number in planes.valid}
+    masks = {number: planes.valid[number] for number in given if number in planes.valid}
     cells, beside = detail_sums(
         details, labels, numbers_of(expected), masks, expected.is_filtered, expected.shares,
         energy_of_rounding(image.plane),
@@ -192,9 +192,11 @@ def measure_plain(
     own = pixels.window
     rows, columns = -(-own.height // SQUARE_PX) * SQUARE_PX, -(-own.width // SQUARE_PX) * SQUARE_PX
     window = replace(own, width=columns, height=rows).with_margin(BLOCK_MARGIN_PX)
-    source = np.where(np.isin(look.source, list(look.learned_of)), look.source, np.uint8(UNKNOWN))
-    numbers = np.unique(source[source != UNKNOWN]).tolist()
-    if not numbers or look.filters is None:
+    if look.learned is None:
+        return CellTable.empty(levels)
+    source = np.where(is_one_of(look.source, look.learned.of), look.source, np.uint8(UNKNOWN))
+    numbers = present(source)
+    if not numbers:
         return CellTable.empty(levels)
     planes = pixels.part(window, numbers)
     labels = np.pad(enlarged(source, SQUARE_PX), BLOCK_MARGIN_PX, mode="edge")
@@ -205,7 +207,7 @@ def measure_plain(
             labels[(labels == number) & ~planes.valid[number]] = UNKNOWN
     if planes.mosaic_valid is not None:
         labels[~planes.mosaic_valid] = UNKNOWN
-    made, gain = _composite(planes, labels, list(planes.sources), look.filters)
+    made, gain = _composite(planes, labels, list(planes.sources), look.learned.filters)
     inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
     known = _by_cell((labels[inside] != UNKNOWN).astype(np.float32), CELL_PX) == CELL_PX**2
     measured = enlarged(dense, UNIT_PX // CELL_PX)

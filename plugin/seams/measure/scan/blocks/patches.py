@@ -24,7 +24,7 @@ from ...following.followed_source import (
     mixtures,
 )
 from ...following.likely_source import MIN_FIT
-from ...following.source_filters import Filters
+from ...following.source_filters import Learned
 from ...profile.cell_table import CELL_PX, CellTable
 from ...seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import SQUARE_PX
@@ -59,10 +59,8 @@ class SquareLook:
     """bool: where the mosaic has no pixels at all."""
     cells: CellTable
     """One cell of each patch that follows one source for sure, finest level only."""
-    filters: Filters | None = None
+    learned: Learned | None = None
     """What came over the mosaic here; None where it is not known."""
-    learned_of: frozenset[int] = frozenset()
-    """The sources that it was learned of."""
     looked: np.ndarray | bool = True
     """bool: squares whose own patch was looked at."""
 
@@ -83,24 +81,24 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int =
     if not told.sampled.any():
         return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels))
 
-    def cells_of(found: _Told) -> tuple[CellTable, Filters, frozenset[int]]:
+    def cells_of(found: _Told) -> tuple[CellTable, Learned]:
         return _cells(planes, fine, fines, found.sampled_source, (rows, columns), wavelet, levels)
 
     shown = fines
     # Ground of another image would be explained by a filter that nothing came through.
-    cells, filters, learned_of = cells_of(told.without(told.odd))
-    if filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
-        shown = {i: filters.applied(i, one) if i in learned_of else one for i, one in fines.items()}
+    cells, learned = cells_of(told.without(told.odd))
+    if learned.filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
+        shown = {i: learned.applied(i, one) for i, one in fines.items()}
         told = _told(fine, shown, planes, with_patch, empty)
-        cells, filters, learned_of = cells_of(told)
+        cells, learned = cells_of(told)
     alike = compressed_alike(fine, shown, enlarged(told.sampled_source, PATCH_PX), PATCH_PX)
     # What was warped is explained as badly as by another image.
     strangers = told.strangers(alike) & ~np.isin(told.source, list(planes.resampled))
     if strangers.any():
         told = told.without(strangers)
-        cells, filters, learned_of = cells_of(told)
-    filters = replace(filters, alike=alike)
-    return SquareLook(told.source, told.doubtful, empty, cells, filters, learned_of)
+        cells, learned = cells_of(told)
+    learned = replace(learned, filters=replace(learned.filters, alike=alike))
+    return SquareLook(told.source, told.doubtful, empty, cells, learned)
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,8 +189,8 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     shape = len(squares), 1
     valid = _share(planes.mosaic_valid, shape) >= _MIN_VALID
     fines = {i: high_pass(plane) for i, plane in planes.sources.items()}
-    if look.filters is not None and look.filters.taps:
-        fines = {i: look.filters.applied(i, one) if i in look.learned_of else one for i, one in fines.items()}
+    if look.learned is not None:
+        fines = {i: look.learned.applied(i, one) for i, one in fines.items()}
     winner, sure, *_ = _followed(high_pass(planes.mosaic), fines, planes, shape)
     found[tuple(squares.T)] = np.where(sure & valid, winner, UNKNOWN)[:, 0]
     return found
@@ -305,9 +303,8 @@ def _filled(winner: np.ndarray, silent: np.ndarray) -> tuple[np.ndarray, np.ndar
 def _cells(
     planes: Planes, fine: np.ndarray, fines: dict[int, np.ndarray], followed: np.ndarray,
     starts: tuple[np.ndarray, np.ndarray], wavelet: str, levels: int,
-) -> tuple[CellTable, Filters, frozenset[int]]:
-    """The middle cells of patches that follow one source for sure, what came over the mosaic there, and of which
-    sources that is known.
+) -> tuple[CellTable, Learned]:
+    """The middle cells of patches that follow one source for sure, and what came over the mosaic there.
 
     ``followed``: (rows, columns), ``UNKNOWN`` where none is sure. Of many patches every second along both sides is
     enough.
@@ -334,4 +331,4 @@ def _cells(
     )
     sums = [np.einsum("daibj,daibj->ab", a, b)[np.newaxis] for a, b in ((own, own), (other, other), (own, other))]
     rows, columns = ((one[step // 2 :: step] + _CELL.start) // CELL_PX for one in starts)
-    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), filters, frozenset(present)
+    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), Learned(filters, frozenset(present))

@@ -12,6 +12,7 @@ from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
 from .....imagery.rasters import Raster
 from ...following.boxes import enlarged, widened
+from ...following.source_filters import Learned
 from ...limits import FULL
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...seam_cells import UNKNOWN
@@ -53,6 +54,8 @@ class BlockRequest:
     """What floating point values are multiplied by."""
     sides: SeamSides | None = None
     """The seams that are given."""
+    learned: Learned | None = None
+    """What an earlier look told of what came over the mosaic."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,6 +84,8 @@ class BlockScan:
     """What is mixed of what along its seams."""
     outside: np.ndarray
     """(UNITS, UNITS) bool: where the mosaic has no pixels at all, as far as that was looked for."""
+    learned: Learned | None = None
+    """What its patches tell of what came over the mosaic."""
     notices: tuple[Message, ...] = ()
     """What could not be read; the block then lacks it."""
 
@@ -210,12 +215,12 @@ def _measured(
     with fewer around each, are to be measured instead."""
     placed = window.moved_by(request.window.column, request.window.row)
     settings, everyone, sides = request.settings, pixels.numbers, request.sides
-    around = _followed_around(look, window, request.look_every) if look is not None else set()
+    around = _followed_around(look, window, request.look_every) if look is not None else set(everyone)
     named = sides.named_near(placed) if sides is not None else set()
     likely = tuple(i for i in everyone if i in (named or around))
     # Along given seams too few patches are looked at to know what came over the mosaic.
-    is_known = look is not None and sides is None and look.learned_of.issuperset(likely)
-    filters = look.filters if look is not None and is_known else None
+    learned = request.learned if look is None else look.learned
+    filters = learned.filters if learned is not None and sides is None and learned.of.issuperset(likely) else None
     if len(likely) > 1:
         if _is_crowded(likely, window):
             return None
@@ -264,11 +269,13 @@ class _Block:
         self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
         self._grain = np.full((CELLS, CELLS), np.nan, np.float32)
         self._outside = np.zeros((UNITS, UNITS), bool)
+        self._learned: Learned | None = None
         self._tables: list[CellTable] = []
         self._mixtures: list[MixtureTable] = []
 
     def take_look(self, look: SquareLook, wanted: np.ndarray) -> None:
         """What the patches say where nothing more is measured."""
+        self._learned = look.learned
         rows, columns = look.source.shape
         self._squares[:rows, :columns] = look.source
         side = SQUARE_PX // LABEL_PX
@@ -338,5 +345,6 @@ class _Block:
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
             request.key, tuple(one.ref.path for one in request.sources), self._squares, self._dense, self._labels,
-            self._mixture, self._clear, self._grey, self._grain, table, beside, self._outside, notices,
+            self._mixture, self._clear, self._grey, self._grain, table, beside, self._outside,
+            self._learned, notices,
         )

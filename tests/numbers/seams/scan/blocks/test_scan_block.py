@@ -15,6 +15,7 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
     PRODUCTS,
     CellTable,
 )
+from seam_inspector.plugin.seams.measure.following.source_filters import Filters, Learned
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     BLOCK_PX,
@@ -163,6 +164,16 @@ def test_a_record_gives_back_the_same_block(hard: Scene, density: str) -> None:
     assert len(found.cells)
     assert_same(scan_of(record_of(found)), found)
     assert record_of(scan_of(record_of(found))) == record_of(found)
+
+
+def test_a_record_keeps_what_came_over_the_mosaic(hard: Scene) -> None:
+    taps = np.random.default_rng(5).normal(size=(2, 5, 5)).astype(np.float32)
+    for alike in ((), (frozenset(), frozenset({0, 2})), (frozenset({2}), frozenset({0}))):
+        learned = Learned(Filters(dict(zip((0, 2), taps)), True, alike), frozenset({0, 2}))
+        again = scan_of(record_of(replace(BlockScan.nothing(hard.request(), ()), learned=learned))).learned
+        assert again is not None
+        assert (again.of, again.filters.alike, again.filters.came_over_cuts) == ({0, 2}, alike, True)
+        assert all((again.filters.taps[number] == learned.filters.taps[number]).all() for number in (0, 2))
 
 
 def test_a_record_of_nothing_is_nothing(hard: Scene) -> None:
