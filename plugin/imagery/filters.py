@@ -96,7 +96,7 @@ Pair = tuple[int, int]
 MAX_MULTIPLICATIONS = 4 * 65536 - 1  # per matrix product; for more OpenBLAS starts threads, which get in ours' way
 _PIECE = 64  # samples summed in their own type
 _HALVED_AT_A_TIME = 3 * 512 * 512  # samples
-_SPLIT_AT_A_TIME = 128 * 512
+_SPLIT_AT_A_TIME = 512 * 512
 
 _memory = threading.local()
 
@@ -222,7 +222,7 @@ def _banded(x: np.ndarray, matrix: np.ndarray, out: np.ndarray) -> None:
 def reused(name: str, shape: tuple[int, ...], dtype: type) -> np.ndarray:
     """An array in this thread's own memory, to be used until the next one of that name.
 
-    Pages fresh from the system would cost half as much time as the arithmetic. It is some 5 MB in float32, however
+    Pages fresh from the system would cost half as much time as the arithmetic. It is some 7 MB in float32, however
     large the clip.
     """
     size = math.prod(shape) * np.dtype(dtype).itemsize

@@ -23,6 +23,7 @@ SQUARE_PX = 2**LEVELS
 _MIN_OWN = 0.9  # of a square's pixels that follow the source
 _FEWEST_SQUARES = 24
 _FEWEST_FOR_TREND = 150
+_MOST_SQUARES = 8000  # of those that tell a gain, evenly spread: more tell no other one
 _NEAR_SQUARES = 5  # a side: what is wider than that is background
 _SMOOTH_SQUARES = 2.0  # sigma of the bias
 _EVEN = 0.01  # of the standard deviation of what squares differ by from those around
@@ -144,7 +145,8 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
     telling = np.abs(x) > _EVEN * x.std()
     if np.count_nonzero(telling) < _FEWEST_SQUARES:
         return ones
-    places, x, y = places[telling], x[telling], y[telling]
+    every = -(-np.count_nonzero(telling) // _MOST_SQUARES)
+    places, x, y = (one[telling][::every] for one in (places, x, y))
     fields = _places(source, places) if len(places) >= _FEWEST_FOR_TREND else [ones]
     terms = np.stack([np.take(field, places) * x for field in fields])
     weights = np.ones(len(x))

@@ -209,7 +209,7 @@ def measure_plain(
         labels[~planes.mosaic_valid] = UNKNOWN
     made, gain = _composite(planes, labels, list(planes.sources), look.learned.filters)
     inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
-    known = _by_cell((labels[inside] != UNKNOWN).astype(np.float32), CELL_PX) == CELL_PX**2
+    known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
     measured = enlarged(dense, UNIT_PX // CELL_PX)
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
     (finest,) = placed_components(np.stack([planes.mosaic, made]), wavelet, 1)
