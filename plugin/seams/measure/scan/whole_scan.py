@@ -13,6 +13,7 @@ from typing import Callable
 from ....imagery.errors import Message, SettingsError
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ..inspection import Block, PathLike
+from ..while_measuring import measuring
 from . import messages
 from .block_runs import BlockRun, ScanStep, whole_block
 from .blocks.block_grid import BlockKey
@@ -57,7 +58,7 @@ class WholeScan:
         self, executor: Executor, ahead: int, cancelled: Callable[[], bool] = lambda: False
     ) -> Iterator[ScanStep]:
         """Scans all blocks, as many of them ``ahead`` as an executor should have under way."""
-        with rasters_kept():
+        with rasters_kept(), measuring():  # memory is kept from one block to the next
             yield from self._steps(executor, ahead, cancelled)
 
     def block(self, key: BlockKey) -> BlockScan | None:
@@ -78,7 +79,7 @@ class WholeScan:
         for path, state in self._read.items():
             if now.get(path, state) != state:  # of one that is gone blocks have told
                 raise SettingsError(messages.SCAN_INPUT_CHANGED(name=Path(path).name))
-        with rasters_kept(), own_threads(executor, ahead) as crew:
+        with rasters_kept(), measuring(), own_threads(executor, ahead) as crew:
             found = self._result(loss_path, goes_on, *crew)
         dates = self.request.dates
         return found and replace(

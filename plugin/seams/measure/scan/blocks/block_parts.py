@@ -212,9 +212,9 @@ def measure_plain(
     known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
     measured = enlarged(dense, UNIT_PX // CELL_PX)
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
-    (finest,) = placed_components(np.stack([planes.mosaic, made]), wavelet, 1)
-    own_part = np.s_[:, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
-    m, c = (finest[:, k][own_part] for k in (0, 1))
+    own_part = np.s_[:, 0, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
+    # One by one: arrays of more than 32 MB would be taken from the system every time.
+    m, c = (next(placed_components(one[np.newaxis], wavelet, 1))[own_part] for one in (planes.mosaic, made))
     sums = np.stack([
         _by_cell(np.einsum("dij,dij->ij", a, b), CELL_PX // 2)[np.newaxis] for a, b in ((m, m), (c, c), (m, c))
     ])
