@@ -336,9 +336,7 @@ class BlockRun:
             yield step
         if self._looks_twice and not cancelled():
             second = dict(self._second_look())
-            yield from blocks.steps(SECOND_LOOK, list(second), lambda key: replace(
-                self._request.block(key), wanted=second[key], look_every=0, learned=learned_in(self._journal.files, key)
-            ))
+            yield from blocks.steps(SECOND_LOOK, list(second), lambda key: self._looked_at_again(key, second[key]))
 
     def _second_look(self) -> Iterator[tuple[BlockKey, np.ndarray]]:
         """Blocks and the units that are wanted of them, row by row: those of the whole mosaic are more than memory
@@ -352,6 +350,14 @@ class BlockRun:
                 key, own = (row, column), wanted[place_of((0, column), UNITS)]
                 if own.any() and (own := own & ~_units(self._dense[key])).any():
                     yield key, own
+
+    def _looked_at_again(self, key: BlockKey, wanted: np.ndarray) -> BlockRequest:
+        request, (rows, columns) = self._request.block(key), place_of(key, SQUARES)
+        around = self._squares[max(rows.start - 1, 0) : rows.stop + 1, max(columns.start - 1, 0) : columns.stop + 1]
+        found = set(np.unique(around).tolist())
+        followed = frozenset(i for i, one in enumerate(request.sources) if self._request.numbers[one.ref.path] in found)
+        learned = learned_in(self._journal.files, key)
+        return replace(request, wanted=wanted, look_every=0, learned=learned, followed=followed)
 
 
 def _units(bits: bytes) -> np.ndarray:

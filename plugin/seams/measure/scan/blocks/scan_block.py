@@ -56,6 +56,8 @@ class BlockRequest:
     """The seams that are given."""
     learned: Learned | None = None
     """What an earlier look told of what came over the mosaic."""
+    followed: frozenset[int] | None = None
+    """The sources that it found followed in the block or just beside it; None: any may be."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -215,7 +217,10 @@ def _measured(
     with fewer around each, are to be measured instead."""
     placed = window.moved_by(request.window.column, request.window.row)
     settings, everyone, sides = request.settings, pixels.numbers, request.sides
-    around = _followed_around(look, window, request.look_every) if look is not None else set(everyone)
+    if look is not None:
+        around = _followed_around(look, window, request.look_every)
+    else:
+        around = set(everyone if request.followed is None else request.followed)
     named = sides.named_near(placed) if sides is not None else set()
     likely = tuple(i for i in everyone if i in (named or around))
     # Along given seams too few patches are looked at to know what came over the mosaic.

@@ -3,11 +3,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.following.source_filters import Filters, Learned
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CELL_PX,
     EDGES_PX,
@@ -15,8 +17,8 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
     PRODUCTS,
     CellTable,
 )
-from seam_inspector.plugin.seams.measure.following.source_filters import Filters, Learned
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
+from seam_inspector.plugin.seams.measure.scan.blocks import scan_block as scan_block_module
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     BLOCK_PX,
     LABEL_PX,
@@ -27,6 +29,7 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     UNITS,
     BlockGrid,
 )
+from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import DensePart, measure_part
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
     CELLS,
     BlockScan,
@@ -153,6 +156,28 @@ def test_mixture_and_clear_tell_where_two_sources_are_seen(tmp_path: Path) -> No
     assert np.nanmean(mixture[:, : seam - 6]) < 0.02
     assert np.isnan(found.clear).any()
     assert np.nanmean(found.clear) > 0.7
+
+
+def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learned(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = images(count=3)
+    request = scene(tmp_path, blended(*given[:2], beside(SEAM)), given).request()
+    first = scan_block(request)
+    assert first.learned is not None
+    looks = []
+
+    def noted(*asked: Any) -> DensePart:
+        looks.append((asked[2], asked[5]))
+        return measure_part(*asked)
+
+    monkeypatch.setattr(scan_block_module, "measure_part", noted)
+    again = replace(request, wanted=first.dense, look_every=0, learned=first.learned, followed=frozenset({0, 1}))
+    found = scan_block(again)
+    assert looks
+    assert all(numbers == (0, 1) and filters is first.learned.filters for numbers, filters in looks)
+    np.testing.assert_array_equal(found.labels[found.dense.repeat(8, 0).repeat(8, 1)],
+                                  first.labels[first.dense.repeat(8, 0).repeat(8, 1)])
 
 
 # --- records ----------------------------------------------------------------------------------------------------
