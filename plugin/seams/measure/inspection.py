@@ -20,6 +20,7 @@ from .inputs.mosaic_copies import leave_out_copies
 from .scan.lines.seam_features import read_cells
 from .seam_cells import Cell, cells_over, source_stem
 from .source_images import Source, gather_sources, sources_in
+from .while_measuring import measuring
 from .window.explained_window import explain_window
 from .window.measured_window import MeasuredWindow, MeasureWindow, measure_window
 from .window.window_request import InspectionSettings, WindowRequest
@@ -171,7 +172,7 @@ def inspect_windows(
     twice this machine's cores where 0. A window that fails in a way nobody foresaw is ``not_comparable`` for that
     reason.
     """
-    with own_threads(executor, ahead) as opened:
+    with measuring(), own_threads(executor, ahead) as opened:  # memory is kept from one window to the next
         yield from in_order(requests, inspect_window, not_comparable, *opened, cancelled)
 
 
