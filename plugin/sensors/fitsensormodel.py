@@ -83,7 +83,7 @@ class FitSensorModel(SensorAlgorithm):
         self.addTable(OUTPUT, tr("Residuals"), tr(
             "The points with residuals, model minus measured: in pixels, and in metres at the point's height."
         ), QgsProcessing.SourceType.TypeVectorPoint)
-        for name, label, kinds, purpose in (
+        for name, label, filters, purpose in (
             (MODEL_FILE, tr("Model file"), tr("Model files (*.json)"), tr("The whole model, for orthorectification.")),
             (RPC, tr("RPC"), tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
              tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.")),
@@ -92,7 +92,7 @@ class FitSensorModel(SensorAlgorithm):
             (POINTS, tr("Points for the georeferencer"), tr("GCP files (*.points)"),
              tr("The points with their residuals in pixels; check points and blunders are switched off.")),
         ):  # fmt: skip
-            file = QgsProcessingParameterFileDestination(name, label, kinds, optional=True, createByDefault=False)
+            file = QgsProcessingParameterFileDestination(name, label, filters, optional=True, createByDefault=False)
             self.addDescribed(file, purpose)
         report = tr("Accuracy, warnings and a plot of the residuals.")
         self.addDescribed(*common.report(report, tr("HTML files (*.html)")))

@@ -68,7 +68,10 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             QgsProcessingParameterNumber(name, label, real, default, default is None, **limits), purpose, advanced
         )
 
-    def addTable(self, name: str, label: str, purpose: str, kind: int = QgsProcessing.SourceType.TypeVector) -> None:
+    def addTable(
+        self, name: str, label: str, purpose: str,
+        kind: QgsProcessing.SourceType = QgsProcessing.SourceType.TypeVector,
+    ) -> None:
         """A layer that is made."""
         self.addDescribed(QgsProcessingParameterFeatureSink(name, label, kind), purpose)
 

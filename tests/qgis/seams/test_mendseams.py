@@ -183,7 +183,8 @@ def test_a_band_that_an_orthoimage_does_not_show_is_not_put_into_the_mosaic(tmp_
     write_raster(Path(files.east), east)
     ended = mend(files, scanned, tmp_path)
     for row in ended.rows("CUTS"):
-        assert_sentence(row["reason"], "shows [01]% of the fine detail that the mosaic has beside the seam .band ")
+        said = "shows [01]\u00a0% of the fine detail that the mosaic has beside the seam .band "
+        assert_sentence(row["reason"], said)
     assert ended.results["MENDED_METRES"] == 0
 
 
