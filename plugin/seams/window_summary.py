@@ -336,7 +336,7 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
     at_seam = [cause for cause in _causes_of(row) if _took_along_the_seam(cause, found)] * is_along
     in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and took_words(cause, 0.0)] * is_whole
     lost = 1 - (row.kept_1 or 0.0)
-    if is_along and (row.verdict == "significant" or not is_whole or lost >= whole):
+    if _is_told_by_the_seam(row, found):
         said, causes = _lost_along(row, lost, is_whole), at_seam
         in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))] * is_whole if row.loss is not None else []
         clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(one) for one in in_whole[:1])
@@ -344,6 +344,20 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
         said, causes, in_all = _lost_in_whole(row, whole, is_along), in_whole, []
         clause = "".join(brief_words(one) for one in in_whole[:1])
     return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes or in_whole), *in_all]
+
+
+def _is_told_by_the_seam(row: WindowRecord, found: Explanation | None) -> bool:
+    """Whether the seam took the more, or made the verdict."""
+    is_more = (row.kept_1 or 0.0) <= (1.0 if row.sharpness is None else row.sharpness) ** 2
+    is_alone = row.verdict == "significant" or not _is_whole_soft(row, found)
+    return is_lost_along_the_seam(row) and (is_alone or is_more)
+
+
+def told_causes(row: WindowRecord) -> list[str]:
+    """The cause that the sentence tells first, and the main one of the window where that is another."""
+    causes = [one for one in _causes_of(row) if _took_along_the_seam(one, None)]
+    at_seam = causes[:1] if row.reference == SEAM and _is_told_by_the_seam(row, None) else []
+    return list(dict.fromkeys([*at_seam, row.cause]))
 
 
 def _causes_of(row: WindowRecord) -> list[str]:

@@ -29,6 +29,7 @@ from seam_inspector.plugin.seams.window_summary import (
     cause_numbers,
     explanation_of,
     judged_kept,
+    told_causes,
     window_sentence,
     window_why,
 )
@@ -467,3 +468,23 @@ def test_the_tooltip_tells_the_numbers(qgis_app: QgsApplication) -> None:
     text = "\n".join(cause_numbers(found))
     for words in ("gain 0.62, bias 12.0, gamma 0.60", "contrast at level 1: 43 %", "clipped: 3.1 %", "1.40 px apart"):
         assert words in text
+
+
+@pytest.mark.parametrize(
+    ("values", "causes"),
+    [
+        ({"causes": "feathering; balanced", "cause": "feathering"}, ["feathering"]),
+        (  # the seam made the verdict, and resampling took more
+            {"cause": "resampled", "causes": "resampled; misregistration; feathering", "sharpness": 0.79},
+            ["misregistration", "resampled"],
+        ),
+        (
+            {"verdict": "reduced", "kept": (0.84,), "kept_low": 0.78, "kept_high": 0.91, "sharpness": 0.81,
+             "cause": "resampled", "causes": "resampled; unclear; feathering"},
+            ["resampled"],
+        ),
+        ({**SOUND, "cause": "resampled", "causes": "resampled; feathering"}, ["resampled"]),
+    ],
+)  # fmt: skip
+def test_the_table_names_the_cause_that_the_sentence_tells_first(values: dict[str, Any], causes: list[str]) -> None:
+    assert told_causes(seam_row(**values)) == causes

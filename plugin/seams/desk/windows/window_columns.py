@@ -16,7 +16,15 @@ from ....toolkit.painting import painting
 from ....toolkit.translation import filled, percent, shown_number, tr
 from ...measure.window.window_tables import MEASURED, PLACED, SAID, WindowField, in_filter
 from ...measure.window_records import SEAM
-from ...window_summary import cause_numbers, explanation_of, judged_kept, shown_area, window_sentence, window_why
+from ...window_summary import (
+    cause_numbers,
+    explanation_of,
+    judged_kept,
+    shown_area,
+    told_causes,
+    window_sentence,
+    window_why,
+)
 from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
@@ -183,10 +191,16 @@ PAPER = TableColumn(
     lambda row: verdict_word(row.paper_verdict) if row.paper_verdict else "",
     lambda row: _SEVERITY.get(row.paper_verdict),
 )  # fmt: skip
+
+
+def _cause_words(row: WindowRecord) -> str:
+    return ", ".join(map(cause_word, told_causes(row)))
+
+
 CAUSE = TableColumn(
     "cause", QT_TR_NOOP("cause"),
     QT_TR_NOOP("The step of production that explains what happened to the contrast."),
-    lambda row: cause_word(row.cause), lambda row: cause_word(row.cause).casefold() or None,
+    _cause_words, lambda row: _cause_words(row).casefold() or None,
 )  # fmt: skip
 _LAST = (
     TableColumn(
