@@ -103,7 +103,8 @@ class WindowCoverage(QObject):
                 sources += known is None or takes_part(known.share(cells))
             else:
                 unread += 1
-                self._advance(source)
+                if mosaic.ref in self._known:  # which comes before all sources
+                    self._advance(source)
         known = self._known.get(mosaic.ref)
         return Coverage(sources, unread, None if known is None else 1 - known.share(cells))
 
