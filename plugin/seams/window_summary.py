@@ -322,7 +322,12 @@ def is_lost_along_the_seam(row: WindowRecord) -> bool:
 
 def _is_blurred(row: WindowRecord) -> bool:
     """Whether the whole is blurred so badly that the ground around tells nothing of the seam."""
-    return (1.0 if row.sharpness is None else row.sharpness) ** 2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
+    return _left_in_whole(row) <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
+
+
+def _left_in_whole(row: WindowRecord) -> float:
+    """Share of the finest detail energy of the window's sources; all where that is not known."""
+    return 1.0 if row.sharpness is None else row.sharpness**2
 
 
 def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
@@ -331,7 +336,7 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
     away from the seam's causes."""
     if row.verdict not in LOSSES:
         return [_what_is_left(row, what_happened(row, found).along_the_seam)]
-    is_along, whole = is_lost_along_the_seam(row), 1 - (1.0 if row.sharpness is None else row.sharpness) ** 2
+    is_along, whole = is_lost_along_the_seam(row), 1 - _left_in_whole(row)
     is_whole = not is_along or _is_whole_soft(row, found)
     at_seam = [cause for cause in _causes_of(row) if _took_along_the_seam(cause, found)] * is_along
     in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and took_words(cause, 0.0)] * is_whole
@@ -348,7 +353,7 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
 
 def _is_told_by_the_seam(row: WindowRecord, found: Explanation | None) -> bool:
     """Whether the seam took the more, or made the verdict."""
-    is_more = (row.kept_1 or 0.0) <= (1.0 if row.sharpness is None else row.sharpness) ** 2
+    is_more = (row.kept_1 or 0.0) <= _left_in_whole(row)
     is_alone = row.verdict == "significant" or not _is_whole_soft(row, found)
     return is_lost_along_the_seam(row) and (is_alone or is_more)
 
@@ -365,8 +370,7 @@ def _causes_of(row: WindowRecord) -> list[str]:
 
 
 def _is_whole_soft(row: WindowRecord, found: Explanation | None) -> bool:
-    sharpness = 1.0 if row.sharpness is None else row.sharpness
-    return sharpness < 1 - SHARPNESS_TOLERANCE if found is None else found.ground_left < 1
+    return (_left_in_whole(row) < (1 - SHARPNESS_TOLERANCE) ** 2) if found is None else found.ground_left < 1
 
 
 def _lost_along(row: WindowRecord, lost: float, is_whole: bool) -> str:

@@ -119,8 +119,8 @@ class InspectionDock(ToolDock):
         self.windows.zoomRequested.connect(self.zoom_to)
         self.windows.told.connect(self._show_message)
         self.judging.model.stepped.connect(self.zoom_to)
-        self.judging.model.changed.connect(self._hide_tabs)
-        self._hide_tabs()
+        self.judging.model.changed.connect(self._hide_findings)
+        self._hide_findings()
         self._enable_actions()
 
     def close_desk(self) -> None:
@@ -241,8 +241,9 @@ class InspectionDock(ToolDock):
         elif is_on:
             self.judging.model.go_on()
 
-    def _hide_tabs(self) -> None:
-        """While the tool's verdict is hidden, so are the tabs that tell it, and lost detail."""
+    def _hide_findings(self) -> None:
+        """While the tool's verdict is hidden, so are the tabs that tell it, lost detail, QGIS's words on the selected
+        window, and what others did before, which is not undone."""
         is_blind = self.judging.model.is_blind
         for place, tab in enumerate(self._tabs):
             self._tab_widget.setTabVisible(place, not (tab.tells_verdict and is_blind))

@@ -153,7 +153,8 @@ def loss_picture(
     far = np.zeros([length // CELL_PX for length in labels.shape], bool)
     far[cells.row[is_far], cells.column[is_far]] = True
     explained = explained_samples(labels)
-    own, reference = (_in_cells(np.einsum("dij,dij->ij", one, one) * explained) for one in (finest[:, 0], finest[:, 1]))
+    energies = [np.einsum("dij,dij->ij", one, one) for one in finest.swapaxes(0, 1)]
+    own, reference = (_in_cells(one * explained) for one in energies[:2])
     area = _in_cells(explained) * SAMPLE_PX**2
     around = _over_neighbours(reference) / np.maximum(_over_neighbours(area), 1)  # of some CELL_PX, as the fit's is
     expected = reference * ground.amplitude(around)
@@ -168,26 +169,30 @@ def loss_picture(
     own_cells = tuple(slice(part.start // LOSS_CELL_PX, -(-part.stop // LOSS_CELL_PX)) for part in (rows, columns))
     samples = tuple(slice(part.start // SAMPLE_PX, part.stop // SAMPLE_PX) for part in (rows, columns))
     kept, labels = kept[own_cells], labels[rows, columns]
-    _lower_to_sources(kept, expected[own_cells], finest[(..., *samples)], labels)
+    _lower_to_sources(kept, expected[own_cells], energies[0][samples], energies[-1][samples], labels)
     return LossPicture(kept, seam=np.argwhere(seam_samples(labels)).astype(np.uint16))
 
 
-def _lower_to_sources(kept: np.ndarray, expected: np.ndarray, finest: np.ndarray, labels: np.ndarray) -> None:
+def _lower_to_sources(
+    kept: np.ndarray, expected: np.ndarray, own: np.ndarray, plain: np.ndarray, labels: np.ndarray
+) -> None:
     """In place, what is kept of the ground becomes what is kept of each source: where one is followed, all that is lost
-    is what is missing of it, be it blurred alone or moved."""
+    is what is missing of it, be it blurred alone or moved.
+
+    ``own``, ``plain``: energy of the mosaic's finest coefficients and of those of its hard cut, unfiltered.
+    """
     middle = labels[LOSS_CELL_PX // 2 :: LOSS_CELL_PX, LOSS_CELL_PX // 2 :: LOSS_CELL_PX]
     followed = np.full(kept.shape, UNKNOWN, np.uint8)
     followed[: middle.shape[0], : middle.shape[1]] = middle
     samples = labels[::SAMPLE_PX, ::SAMPLE_PX]
     for number in present(labels):
         where = (followed == number) & ~np.isnan(kept)
-        its = samples == number
-        own, plain = (float(np.einsum("dij,dij,ij->", one, one, its)) for one in (finest[:, 0], finest[:, -1]))
+        its_own, its_plain = (float(one[samples == number].sum(dtype=np.float64)) for one in (own, plain))
         most_1, weights = np.minimum(kept[where], 1), expected[where]
         around = float(most_1 @ weights)
-        if plain <= 0 or around <= 0:
+        if its_plain <= 0 or around <= 0:
             continue
-        lowered = own / plain * float(weights.sum()) / around
+        lowered = its_own / its_plain * float(weights.sum()) / around
         if lowered < (1 - SHARPNESS_TOLERANCE) ** 2:
             kept[where] = most_1 * np.float32(lowered)
 
