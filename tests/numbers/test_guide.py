@@ -42,3 +42,20 @@ def test_every_picture_is_shown(repository: Path) -> None:
     shown = {Path(target).name for page in pages for target, _ in LINK.findall(page.read_text("utf-8"))}
     pictures = {path.name for path in (repository / "docs" / "pictures").iterdir()}
     assert pictures - shown == set()
+
+
+@pytest.mark.parametrize(
+    ("section", "figure", "page"),
+    [
+        ("What it costs", r"\d+ s\b", "docs/reference/speed.md"),
+        ("How good it is", r"\d\.\d+|(?<=None of )\d+", "docs/appendix/detection.md"),
+    ],
+)
+def test_the_readmes_figures_are_those_of_the_page_that_it_names(
+    repository: Path, section: str, figure: str, page: str
+) -> None:
+    readme = (repository / "README.md").read_text("utf-8")
+    said = re.findall(figure, readme.partition(f"## {section}")[2].partition("\n## ")[0])
+    assert len(said) > 1
+    told = (repository / page).read_text("utf-8")
+    assert [one for one in said if not re.search(rf"(?<![\d.]){re.escape(one)}(?![\d.]\d)", told)] == []
