@@ -49,6 +49,7 @@ _MIXED_LEFT = 0.5  # of what one source leaves over: with less a mixture explain
 _AS_STRONG = 0.85  # of the energy that a source would have, for it to stand in for another
 _NOWHERE_FACTOR = 50.0  # times as much as other sources leave over on their ground; resampled ones had 34 to 76
 _NOWHERE_SPREAD = 1.45  # between the quartiles of that, by what its best ground leaves over; resampled ones had 1.34
+_FOREIGN_LEFT, _FOREIGN_FACTOR = 0.1, 20.0  # as the first: evenly or not, resampled ones left over 0.03 or 14 times
 _EVEN_PART, _EVEN_SHARE = 0.5, 0.4  # of what is left over around: most cells leave so much, of a step of tones few do
 
 
@@ -228,7 +229,10 @@ def _stand_ins(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, labels:
 def _is_nowhere_true(expected: np.ndarray, others: BestGround, own: np.ndarray, left: np.ndarray) -> bool:
     """Whether a source stands in for another wherever it is followed, by the mosaic's energy there, what is left and
     what share it leaves over on its own best ground."""
-    is_more = expected >= np.maximum(MIN_STAND_IN_STRANGE, _NOWHERE_FACTOR * others.response(own))
+    of_others = others.response(own)
+    if np.mean(expected >= np.maximum(_FOREIGN_LEFT, _FOREIGN_FACTOR * of_others)) >= 0.5:
+        return True
+    is_more = expected >= np.maximum(MIN_STAND_IN_STRANGE, _NOWHERE_FACTOR * of_others)
     low, high = np.quantile(left / (expected * own), (0.25, 0.75))
     return bool(is_more.mean() >= 0.5 and high >= _NOWHERE_SPREAD * low)
 
