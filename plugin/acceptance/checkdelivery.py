@@ -6,10 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessingOutputRasterLayer,
-    QgsProcessingParameterCrs,
-)
+from qgis.core import QgsProcessingOutputRasterLayer, QgsProcessingParameterCrs
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import CancelledError, RasterError, SettingsError

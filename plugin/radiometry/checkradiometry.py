@@ -8,11 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessingOutputString,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRange,
-)
+from qgis.core import QgsProcessingOutputString, QgsProcessingParameterNumber, QgsProcessingParameterRange
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages

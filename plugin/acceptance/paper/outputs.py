@@ -7,12 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessingException,
-    QgsProcessingUtils,
-    QgsProviderRegistry,
-    QgsWkbTypes,
-)
+from qgis.core import QgsProcessingException, QgsProcessingUtils, QgsProviderRegistry, QgsWkbTypes
 
 from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...imagery.open_raster import describe_mosaic, describe_placed
