@@ -18,8 +18,7 @@ from ..toolkit.translation import tr
 from . import stated_rules as stated
 from .measure import messages
 from .measure.acceptance_rules import ready_files
-from .paper.paper_head import check_head
-from .paper_parameters import LOSS, QUALITY, REPORT, add_paper
+from .paper.paper_head import LOSS, QUALITY, REPORT, add_paper, check_head
 from .sheet_index import add_sheets, with_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
