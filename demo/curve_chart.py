@@ -11,7 +11,7 @@ from seam_inspector.plugin.toolkit.charts.variance_axes import draw_frame
 
 def draw_curves(axes: Axes, curves: Sequence[ChartCurve], max_ratio: float) -> None:
     """Mosaic bold, sources thin, the limit of a significant loss at level 1."""
-    draw_frame(axes, len(curves[0].detail) if curves else 0, PAPER, logarithmic=True)
+    draw_frame(axes, len(curves[0].detail) if curves else 0, PAPER)
     axes.set_ylim(*share_range(Chart(tuple(curves), max_ratio)))
     limit = significance_limit(curves, max_ratio)
     if limit is not None:

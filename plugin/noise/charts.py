@@ -13,6 +13,7 @@ from ..imagery.errors import printable
 from ..imagery.limits import LUMINANCE, judged_band
 from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
+from ..toolkit.charts.round_ticks import round_below
 from ..toolkit.charts.variance_axes import draw_frame
 from ..toolkit.translation import band_title, filled, tr
 from .measure.band_noise import BandNoise, noisiest_band
@@ -94,14 +95,12 @@ def draw_group(
 
 def noise_frame(axes: Axes, levels: int, curves: Sequence[Sequence[float]], style: ChartStyle = PAPER) -> None:
     """Scales, ticks, grid and words of a chart of levels without background, for curves that will be drawn."""
-    draw_frame(axes, levels, style, logarithmic=True)
+    draw_frame(axes, levels, style)
     axes.set_xticks(range(1, levels + 1), [str(level) for level in range(1, levels + 1)])
     axes.set_xlim(0.6, max(levels, 1) + 0.4)
     shares = [share for curve in curves for share in curve if share > 0]
     if shares:
-        decade = 10 ** math.floor(math.log10(min(shares)))
-        least = max(digit for digit in (1, 2, 5) if digit * decade <= min(shares)) * decade * 0.8
-        axes.set_ylim(least, max(shares) * _HEADROOM)
+        axes.set_ylim(round_below(min(shares)) * 0.8, max(shares) * _HEADROOM)
 
 
 def noise_figure(results: Sequence[ClipNoise], field: str = "") -> Figure | None:
