@@ -13,7 +13,7 @@ from functools import lru_cache
 
 import numpy as np
 import pywt
-from scipy import stats
+from scipy import special
 
 CELL = 4  # coefficients along a side: 48 of the three components give a variance to 20 %
 MIN_CELLS = 9  # fewer are no choice of ground
@@ -94,7 +94,7 @@ def _quiet(means: np.ndarray) -> QuietGround | None:
 @lru_cache(maxsize=4096)
 def _by_chance(share: float) -> float:
     """The standard deviation that such a share of cells stays below in noise of standard deviation 1."""
-    return math.sqrt(stats.chi2.ppf(share, _FREE) / _FREE)
+    return math.sqrt(2 * special.gammaincinv(_FREE / 2, share) / _FREE)
 
 
 def clipped_pixels(bands: np.ndarray) -> np.ndarray:

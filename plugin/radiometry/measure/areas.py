@@ -16,7 +16,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 from osgeo import ogr
-from scipy import stats
+from scipy import special
 
 from ...imagery.grids import PixelWindow
 from ...imagery.lines import burnt
@@ -110,7 +110,7 @@ def signal_to_noise(areas: Areas, band: int, available: ValueRange) -> float | N
 
 def _by_chance(share: float) -> float:
     """Mean variance of the share of areas with the least, where all have white noise of variance 1."""
-    return float(stats.chi2.cdf(stats.chi2.ppf(share, _FREE), _FREE + 2)) / share
+    return float(special.chdtr(_FREE + 2, 2 * special.gammaincinv(_FREE / 2, share))) / share
 
 
 def _is_mid_tone(means: np.ndarray, available: ValueRange) -> np.ndarray:

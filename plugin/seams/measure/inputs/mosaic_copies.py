@@ -23,8 +23,11 @@ from ..source_images import Source, is_same_file, sources_in
 from . import messages
 
 SIDE_PX = 64  # of a patch that is compared
-PLACES = 16  # along each side of the mosaic: what follows another source on 1 % of it is missed once in thirteen times
+PLACES = 16
+"""Along each side of the mosaic, where so many have room: what follows another source on 1 % of it is missed once in
+thirteen times."""
 EXPLAINED_PLACES = 6  # along each side of the mosaic, where the other sources are tried
+FEWEST_PLACES = 4  # along each side
 FEWEST = 4  # patches with content, without which nothing is said
 SAME_PLACE = 0.9  # of the mosaic, that a copy of it or of what it was cut from covers
 THINNED = 4  # pixels of an overview that are averaged, as its grid may be off the mosaic's by part of a pixel
@@ -58,11 +61,11 @@ class Likeness(Enum):
 def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
     """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those.
 
-    Only sources that cover the mosaic, all of it or nearly, are opened, and compared in 256 places. One that differs
-    anywhere is none, nor is one that others beat where the mosaic turns to them: orthoimages of one flight or triplet
-    are alike. One that is like it everywhere would explain all of the mosaic and hide every loss, if it was made from
-    it; where the other sources do not explain the mosaic it is what that was cut from, and stays. So does
-    the first one if there is no other source, and a notice says what that means.
+    Only sources that cover the mosaic, all of it or nearly, are opened, and compared in 256 places, or in all of it
+    where that has fewer. One that differs anywhere is none, nor is one that others beat where the mosaic turns to them:
+    orthoimages of one flight or triplet are alike. One that is like it everywhere would explain all of the mosaic and
+    hide every loss, if it was made from it; where the other sources do not explain the mosaic it is what that was cut
+    from, and stays. So does the first one if there is no other source, and a notice says what that means.
     """
     kept: list[Source] = []
     copies: list[Source] = []
@@ -158,12 +161,9 @@ def _places(grid: Grid, mosaic: Grid) -> Iterator[tuple[PixelWindow, PixelWindow
     side = max(int(min(4 * SIDE_PX, MOST_READ_PX / scale_x)), 8 * THINNED) if coarser else SIDE_PX
     first = (mosaic.left - grid.left) / grid.pixel_width, (grid.top - mosaic.top) / grid.pixel_height
     columns, rows = int(mosaic.columns / scale_x), int(mosaic.rows / scale_y)
-    for row, column in scattered(places):
-        width, height = min(side, columns, grid.columns), min(side, rows, grid.rows)
-        window = PixelWindow(
-            round(first[0]) + int(column * (columns - width + 1)), round(first[1]) + int(row * (rows - height + 1)),
-            width, height,
-        )
+    width, height = min(side, columns, grid.columns), min(side, rows, grid.rows)
+    for row, column in _patches((rows, columns), (height, width), places):
+        window = PixelWindow(round(first[0]) + column, round(first[1]) + row, width, height)
         if not grid.contains(window):
             continue
         left = (grid.left - mosaic.left) / mosaic.pixel_width + window.column * scale_x
@@ -173,11 +173,24 @@ def _places(grid: Grid, mosaic: Grid) -> Iterator[tuple[PixelWindow, PixelWindow
             yield window, under
 
 
-def scattered(places: int) -> Iterator[np.ndarray]:
+def scattered(down: int, across: int | None = None) -> Iterator[np.ndarray]:
     """A place in each of so many by so many parts of a rectangle, in no order: how far down and across, 0 to 1."""
+    counts = down, down if across is None else across
     rng = np.random.default_rng(0)
-    for place in rng.permutation(places * places):
-        yield (np.array(divmod(place, places)) + rng.random(2)) / places
+    for place in rng.permutation(counts[0] * counts[1]):
+        yield (np.array(divmod(place, counts[1])) + rng.random(2)) / counts
+
+
+def _patches(size: tuple[int, int], patch: tuple[int, int], most: int) -> Iterator[list[int]]:
+    """Where patches of a rectangle begin, down and across: one in each of ``most`` parts along each side. Where fewer
+    cover a side, they lie evenly from its one end to the other."""
+    counts = [min(max(-(-whole // max(part, 1)), FEWEST_PLACES), most) for whole, part in zip(size, patch)]
+    rooms = [whole - part for whole, part in zip(size, patch)]
+    for shares in scattered(*counts):
+        yield [
+            int(share * (room + 1)) if count == most else int(share * count) * room // (count - 1)
+            for share, room, count in zip(shares, rooms, counts)
+        ]
 
 
 def first_band(
