@@ -23,7 +23,9 @@ from ..source_images import Source, is_same_file, sources_in
 from . import messages
 
 SIDE_PX = 64  # of a patch that is compared
-PLACES = 16  # along each side of the mosaic, where so many have room beside each other: what follows another source on 1 % of it is missed once in thirteen times
+# Along each side of the mosaic, where so many have room beside each other: what follows another source on 1 % of it is
+# missed once in thirteen times.
+PLACES = 16
 EXPLAINED_PLACES = 6  # along each side of the mosaic, where the other sources are tried
 FEWEST_PLACES = 4  # along each side
 FEWEST = 4  # patches with content, without which nothing is said
