@@ -24,6 +24,7 @@ MAX_NARROWED_GAIN = 0.9  # a tenth of the contrast
 MIN_BALANCED_GAIN = 1.05  # gains of two sources 5 % apart
 MIN_BALANCED_OFFSET = 0.03  # of the mosaic's range of values: what one source was raised by against another
 MIN_EVENED_POWER = 0.37  # of what a filter leaves of waves of 2.5 px, that it leaves of those of 5 px
+MIN_EVENED_FIT = 0.95  # of the mosaic's fine detail, that is its sources' at a lower contrast
 MIN_UNEVENNESS = 0.35  # of what a tone leaves over, explained by where on the ground it is
 MAX_BLURRED_TRANSFER = 0.93  # of fine detail that comes over; a hard cut has 0.99 to 1.01, a Gaussian of 0.5 px 0.6
 MIN_SHARPENED_TRANSFER = 1.07  # as far above 1 as the limit of a blur is below
@@ -123,7 +124,7 @@ class CauseEvidence:
     """Whether the mosaic's file says that it is compressed with loss."""
     filter_power: float | None = None
     """The power of what the filter that came over the sources leaves of waves of 2.5 px, that it leaves of those of
-    5 px, the least of any source; None where nothing came over one of them."""
+    5 px, the least of any source; None where no filter explains more than a lower contrast."""
     fit: float = 1.0
     """Share of the mosaic's fine detail that its sources explain as they are, the mean over the window."""
     unit_dn: float = 1.0
@@ -231,10 +232,12 @@ class CauseEvidence:
         """Whether contrast was taken of fine and less fine detail alike and from all sources, as by a dodger that
         evens out a coarse overview. Blur and resampling take far more of what is finest."""
         found = self.texture
-        if found is None or self.is_mostly_mixed or self.filter_power is None:
+        if found is None or self.is_mostly_mixed or found.most_transfer > MAX_BLURRED_TRANSFER * self.bends[0]:
             return False
-        if self.off_seam_lost <= self.lost or found.most_transfer > MAX_BLURRED_TRANSFER * self.bends[0]:
+        if self.has_seam_loss and self.off_seam_lost <= self.lost:
             return False
+        if self.filter_power is None:
+            return self.fit >= MIN_EVENED_FIT and not self.is_compressed
         return self.filter_power >= MIN_EVENED_POWER
 
     @property

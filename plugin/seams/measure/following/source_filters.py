@@ -272,26 +272,25 @@ def _chosen(where: np.ndarray, *images: np.ndarray) -> list[np.ndarray]:
 
 
 _WAVES_PX = 5.0, 2.5  # the longer is as long as 5 taps tell
-_LEAST_RESPONSE = 1e-2  # less is noise of the taps
+_LEAST_RESPONSE = 0.2  # with less of the shorter they were blurred away, by whatever is wider than the taps
 
 
 def filter_power(taps: Iterable[np.ndarray]) -> float | None:
     """The power p with which filters leave r^p of waves of 5 px where they leave r of those of 2.5 px, the least of
-    all; None where there are none, or one takes nothing. Gaussian blur has 0.25, interpolation less; contrast that is
-    taken evenly has 1."""
+    all, in any direction; 0 where one takes nothing, or nearly all; None without any. Gaussian blur has 0.25,
+    interpolation less; contrast that is taken evenly has 1."""
     found = []
     for one in taps:
-        longer, shorter = (np.clip(_response(one, wave), _LEAST_RESPONSE, 1) for wave in _WAVES_PX)
-        if shorter == 1:
-            return None
-        found.append(float(np.log(longer) / np.log(shorter)))
+        longer, shorter = (_response(one, wave) for wave in _WAVES_PX)
+        told = bool(((shorter >= _LEAST_RESPONSE) & (shorter < 1)).all())
+        found.append(float((np.log(np.minimum(longer, 1)) / np.log(shorter)).min()) if told else 0.0)
     return min(found, default=None)
 
 
-def _response(taps: np.ndarray, wave_px: float) -> float:
-    """Mean amplitude that taps (5, 5) leave of waves in eight directions."""
+def _response(taps: np.ndarray, wave_px: float) -> np.ndarray:
+    """Amplitude that taps (5, 5) leave of waves in eight directions, (8,)."""
     at = np.arange(-REACH_PX, REACH_PX + 1)
     angles = np.pi / 8 * np.arange(8)
     down, across = (2 * np.pi / wave_px * np.outer(turn(angles), at) for turn in (np.sin, np.cos))
     left = np.einsum("di,ij,dj->d", np.exp(1j * down), taps, np.exp(1j * across))
-    return float(np.abs(left).mean() / abs(taps.sum()))
+    return np.asarray(np.abs(left) / abs(taps.sum()))

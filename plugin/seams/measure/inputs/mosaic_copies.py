@@ -247,7 +247,7 @@ def _takes_turns(own: np.ndarray, others: Sequence[np.ndarray]) -> bool:
         return False
     lacking, others_lacking = float(np.median(own[wins])), float(np.median(best[is_beaten]))
     # A copy with loss beats the others along the seams only, where they are mixed and it lacks what the loss took.
-    drops = float(np.median(own[is_beaten])) >= LEAST_DROP * lacking + NEARLY_ALL
+    drops = float(np.median(own[is_beaten])) >= max(LEAST_DROP * lacking, lacking + NEARLY_ALL)
     return drops and lacking + HARDLY_LACKING <= PLAINLY * (others_lacking + HARDLY_LACKING)
 
 

@@ -231,6 +231,8 @@ EVENED = {"filter_power": rules.MIN_EVENED_POWER, "most_transfer": 0.7, "least_t
 
 def test_contrast_that_was_taken_evenly_was_taken_by_dodging_and_by_nothing_else() -> None:
     assert causes_taken(evidence(**EVENED)) == ((Cause.DODGING, pytest.approx(1 - 0.7**2)),)
+    by_contrast = {**EVENED, "filter_power": None, "fit": rules.MIN_EVENED_FIT}
+    assert causes_taken(evidence(**by_contrast)) == ((Cause.DODGING, pytest.approx(1 - 0.7**2)),)
     found = causes_taken(evidence(**EVENED, off_pixel=0.5, **COMPRESSED))
     assert found[0] == (Cause.DODGING, pytest.approx(1 - 0.7**2))
     assert dict(found[1:]) == {Cause.RESAMPLED: 0.0, Cause.COMPRESSED: 0.0}
@@ -238,7 +240,8 @@ def test_contrast_that_was_taken_evenly_was_taken_by_dodging_and_by_nothing_else
 
 @pytest.mark.parametrize(
     "change",
-    [{"filter_power": rules.MIN_EVENED_POWER - LITTLE}, {"filter_power": None},
+    [{"filter_power": rules.MIN_EVENED_POWER - LITTLE}, {"filter_power": None, "fit": rules.MIN_EVENED_FIT - LITTLE},
+     {"filter_power": None, **COMPRESSED},
      {"most_transfer": 1.0}, {"mixed": rules.MIN_MOSTLY_MIXED}, {"lost": 0.4, **FEATHERED}],
 )
 def test_contrast_that_was_not_taken_evenly_or_not_everywhere_was_not_dodged(change: dict[str, Any]) -> None:

@@ -152,6 +152,11 @@ def power_of(plane: np.ndarray, shown: np.ndarray) -> float:
     return found
 
 
+@pytest.mark.parametrize("sigma", [1.6, 2.5])
+def test_a_blur_wider_than_its_taps_takes_nothing_evenly(plane: np.ndarray, sigma: float) -> None:
+    assert power_of(plane, ndimage.gaussian_filter(plane, sigma)) == 0
+
+
 @pytest.mark.parametrize("beta", [0.0, 1.6, 3.0])
 @pytest.mark.parametrize("change", ["blur 0.5", "blur 0.8", "blur 1", "box", "half, linear", "half, cubic", "third"])
 def test_blur_and_interpolation_take_far_more_of_what_is_finest(beta: float, change: str) -> None:
@@ -179,7 +184,14 @@ def test_detail_that_is_partly_given_back_to_an_overview_is_taken_evenly(
     assert power_of(plane, coarse + kept * (plane - coarse)) > 0.45
 
 
-def test_where_a_filter_takes_nothing_it_has_no_power() -> None:
+def motion(length: int) -> np.ndarray:
+    """Taps (5, 5) of a blur along the diagonal, as far as they reach."""
+    return np.eye(2 * REACH_PX + 1) / min(length, 2 * REACH_PX + 1)
+
+
+def test_a_filter_that_takes_nothing_or_nearly_all_takes_nothing_evenly() -> None:
     assert filter_power([]) is None
-    assert filter_power([tap(), gaussian(0.8)]) is None
-    assert filter_power([2 * tap() - gaussian(0.8)]) is None  # sharpened
+    assert filter_power([tap(), gaussian(0.8)]) == 0
+    assert filter_power([2 * tap() - gaussian(0.8)]) == 0  # sharpened
+    assert filter_power([np.full((5, 5), 1 / 25)]) == 0
+    assert filter_power([motion(6)]) == 0
