@@ -17,6 +17,7 @@ from qgis.PyQt.QtWidgets import (
     QComboBox,
     QGridLayout,
     QHBoxLayout,
+    QMessageBox,
     QProgressBar,
     QSplitter,
     QToolBar,
@@ -49,7 +50,6 @@ from .session import Session
 from .swipe.flicker import Flicker
 from .swipe.swipe_action import SwipeAction
 from .windows.undo_actions import UndoActions
-from .windows.windows_mosaic import MosaicQuestion
 from .windows.windows_panel import WindowsPanel
 
 
@@ -417,6 +417,37 @@ class DockBody(QWidget):
         self._head.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
         self._is_wide = is_wide
         self._place_judge()
+
+
+class MosaicQuestion(QObject):
+    """Asks what is to become of windows when the mosaic is another; nothing goes on with them before."""
+
+    def __init__(self, session: Session, dock: QWidget) -> None:
+        super().__init__(dock)
+        self._session, self._dock = session, dock
+        self.box: QMessageBox | None = None
+        session.mosaicDoubted.connect(self._ask)
+
+    def _ask(self, message: Message) -> None:
+        icon, text = QMessageBox.Icon.Warning, sentence(message)
+        self.box = box = QMessageBox(icon, tr("Seam Inspector"), text, parent=self._dock)
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        role, session = QMessageBox.ButtonRole, self._session
+        for text, part, answer in (
+            (tr("New windows at the same places"), role.AcceptRole, session.copy_windows),
+            (tr("The windows are of this mosaic"), role.AcceptRole, session.take_windows),
+            (tr("Leave these windows as they are"), role.RejectRole, session.leave_windows),
+        ):  # fmt: skip
+            button = box.addButton(text, part)
+            button.clicked.connect(lambda *_, answer=answer: self._answer(answer))
+            if part == role.RejectRole:
+                box.setEscapeButton(button)
+        QgsProject.instance().cleared.connect(box.deleteLater)
+        box.open()
+
+    def _answer(self, answer: Callable[[], None]) -> None:
+        self.box = None
+        answer()
 
 
 class FoundMessage(BarQuestion):
