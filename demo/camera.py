@@ -116,17 +116,17 @@ def sample(scene: Scene, row: int, column: int, shifts: tuple[np.ndarray, np.nda
     index = phase_index(np.pad(east, ((span, span), (0, 0)), mode="edge"), span)
     across = np.zeros((3, rows + 2 * span, cols), dtype=np.float32)
     for tap in range(2 * span + 1):
-        across += table[tap][index] * light[:, :, tap:tap + cols]
+        across += table[tap].take(index) * light[:, :, tap:tap + cols]
     index = phase_index(south, span)
     result = np.zeros((3, rows, cols), dtype=np.float32)
     for tap in range(2 * span + 1):
-        result += table[tap][index] * across[:, tap:tap + rows]
+        result += table[tap].take(index) * across[:, tap:tap + rows]
     return result
 
 
 def phase_index(shift: np.ndarray, span: int) -> np.ndarray:
     """Entry of the kernel table for a shift."""
-    return np.rint((shift + span) * PHASES).astype(np.int32)
+    return np.rint((shift + span) * PHASES).astype(np.intp)
 
 
 def kernel_table(blur: float, span: int) -> np.ndarray:

@@ -1,11 +1,11 @@
 """What is wrong with the looks of a dock: nothing here knows how the dock was made."""
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
 
+import numpy as np
 from qgis.PyQt.QtCore import QPoint, QRect, Qt
-from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtGui import QImage
 from qgis.PyQt.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -78,16 +78,24 @@ def _headings(table: QTableView) -> Iterator[tuple[str, QWidget, QRect]]:
 
 def _contrast(widget: QWidget, box: QRect) -> float:
     """The strongest one in a part of a widget with the colour that most of it has."""
-    image = widget.grab(box).toImage()
-    pixels = Counter(image.pixel(x, y) for x in range(image.width()) for y in range(image.height()))
-    back = _luminance(QColor(pixels.most_common(1)[0][0]))
-    shades = [_luminance(QColor(pixel)) for pixel in pixels]
-    return max((max(back, shade) + 0.05) / (min(back, shade) + 0.05) for shade in shades)
+    shades, counts = np.unique(_colours(widget, box).reshape(-1, 3), axis=0, return_counts=True)
+    luminances = _luminance(shades)
+    back = luminances[counts.argmax()]
+    return float(np.max((np.maximum(back, luminances) + 0.05) / (np.minimum(back, luminances) + 0.05)))
 
 
-def _luminance(colour: QColor) -> float:
-    linear = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour.getRgbF()[:3])
-    return sum(weight * share for weight, share in zip((0.2126, 0.7152, 0.0722), linear))
+def _colours(widget: QWidget, box: QRect) -> np.ndarray:
+    """Blue, green and red of the pixels in a part of a widget, row by row."""
+    image = widget.grab(box).toImage().convertToFormat(QImage.Format.Format_RGB32)
+    bits = image.constBits()
+    bits.setsize(image.sizeInBytes())
+    return np.frombuffer(bits, np.uint8).reshape(image.height(), image.width(), 4)[..., :3].copy()
+
+
+def _luminance(colours: np.ndarray) -> np.ndarray:
+    shares = colours / 255
+    linear = np.where(shares <= 0.04045, shares / 12.92, ((shares + 0.055) / 1.055) ** 2.4)
+    return linear @ (0.0722, 0.7152, 0.2126)
 
 
 def cut_headings(table: QTableView) -> list[str]:
@@ -112,13 +120,10 @@ def cut_headings(table: QTableView) -> list[str]:
 def _inked_columns(header: QHeaderView, column: int) -> int:
     """Columns of pixels in which something is written; the background may change from row to row."""
     left, width = header.sectionViewportPosition(column), header.sectionSize(column)
-    image = header.viewport().grab(QRect(left + 2, 2, width - 5, header.height() - 5)).toImage()
-    inked = set()
-    for y in range(image.height()):
-        row = [image.pixel(x, y) for x in range(image.width())]
-        back = Counter(row).most_common(1)[0][0]
-        inked |= {x for x, pixel in enumerate(row) if abs(QColor(pixel).lightness() - QColor(back).lightness()) > 40}
-    return len(inked)
+    colours = _colours(header.viewport(), QRect(left + 2, 2, width - 5, header.height() - 5)).astype(int)
+    lightness = (colours.max(axis=2) + colours.min(axis=2)) // 2
+    backs = np.array([np.bincount(row).argmax() for row in lightness])
+    return int((abs(lightness - backs[:, None]) > 40).any(axis=0).sum())
 
 
 def without_tooltip(dock: QWidget) -> list[str]:

@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.toolkit.executors import measuring_modules
 
-from demo.block import make_block
+from tests.made_once import the_small_block
 from tests.releases import built, cloned, run_tool
 from tools import python_pages
 from tools.check_package import check_metadata, check_package
@@ -96,7 +96,9 @@ def test_the_wheel_holds_what_a_cluster_is_given_and_its_types(clone: Path, whee
     assert "plugin/seams/measure/inspection.py" in given
 
 
-def test_the_guides_notebook_runs_with_the_wheel_alone(wheel: Path, repository: Path, tmp_path: Path) -> None:
+def test_the_guides_notebook_runs_with_the_wheel_alone(
+    wheel: Path, repository: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
     """In an environment that sees the system's GDAL and numpy, and pandas where this one has it; QGIS can't be
     imported there. What the guide says that it prints is what it prints."""
     pytest.importorskip("pandas")
@@ -108,7 +110,7 @@ def test_the_guides_notebook_runs_with_the_wheel_alone(wheel: Path, repository: 
     pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--target", packages, wheel]
     subprocess.run(pip, env=own, check=True)
     (packages / "pandas.pth").write_text(sysconfig.get_path("purelib"), encoding="utf-8")
-    make_block(tmp_path / "block", extent_m=(120.0, 100.0))
+    (tmp_path / "block").symlink_to(the_small_block(tmp_path_factory).mosaic.parent)
     run = subprocess.run(
         [python, repository / "tests" / "notebook_cells.py", python_pages.NOTEBOOK], cwd=tmp_path,
         env={**own, "MPLBACKEND": "agg"}, capture_output=True, text=True, check=False,

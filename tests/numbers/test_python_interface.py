@@ -30,7 +30,7 @@ from seam_inspector import (
     window_rows,
 )
 
-from demo.block import make_block
+from tests.made_once import the_small_block
 from tools import python_pages
 
 LOADED = """
@@ -51,9 +51,7 @@ METRES = 'LOCAL_CS["here",UNIT["metre",1]]'
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A generated block of 120 x 100 m."""
-    made = tmp_path_factory.mktemp("block")
-    make_block(made, extent_m=(120.0, 100.0))
-    return made
+    return the_small_block(tmp_path_factory).mosaic.parent
 
 
 @pytest.fixture(scope="module")

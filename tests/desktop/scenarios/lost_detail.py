@@ -13,6 +13,7 @@ from qgis.PyQt.QtTest import QTest
 from demo.desk import Desk
 
 SIDE_M = 15
+GRID = 40  # places looked at along a side
 BESIDE_M = 3.0  # from the seam, where the feather has ended
 
 
@@ -24,15 +25,16 @@ def play(desk: Desk) -> None:
     session, dock = desk.session, desk.dock
     dock.place.trigger()
     desk.wait(lambda: session.windows() and not session.is_busy, 30, "windows placed")
-    dock.inspect.trigger()
-    desk.wait(lambda: all(row.verdict for row in session.windows()), 60, "all windows inspected")
-    desk.wait_for_work()
     fid = session.windows()[3].fid
+    session.inspect([fid])
+    desk.wait(lambda: session.row(fid).verdict, 60, "the window inspected")
+    desk.wait_for_work()
     dock.zoom_to(fid)
     desk.wait_for_map()
     desk.rest_mouse()
     press_l(desk)
     desk.report["shown_by_key"] = session.loss_view.is_shown
+    along = places(desk, fid)
     for name, crs, rotation in (
         ("north up", "EPSG:32615", 0), ("turned", "EPSG:32615", 30), ("in degrees", "EPSG:4326", 0),
     ):  # fmt: skip
@@ -41,7 +43,7 @@ def play(desk: Desk) -> None:
         dock.zoom_to(fid)
         desk.wait_for_map()
         desk.screenshot(shots / f"lost_detail_{mosaic}_{name.replace(' ', '_')}.png")
-        desk.report[name] = coloured(desk, fid)
+        desk.report[name] = coloured(desk, *along)
     tab = dock.panels["curves"]
     curve, profile = tab.curves._chart, tab.profile.chart
     desk.report["curve_px"], desk.report["profile_px"] = (
@@ -68,17 +70,12 @@ def press_l(desk: Desk) -> None:
     desk.pause(0.3)
 
 
-def coloured(desk: Desk, fid: int) -> tuple[float, float]:
+def coloured(desk: Desk, on_seam: list[QgsPointXY], beside: list[QgsPointXY]) -> tuple[float, float]:
     """Shares of the places along the window's seams and beside them that the switch colours on the screen."""
     session, canvas = desk.session, desk.canvas
     transform = QgsCoordinateTransform(
         session.mosaic_layer().crs(), canvas.mapSettings().destinationCrs(), desk.project
     )  # fmt: skip
-    layer = next(one for one in desk.project.mapLayers().values() if one.name() == "seamlines")
-    box = QgsRectangle(*session.row(fid).extent)
-    near = QgsGeometry.fromRect(box.buffered(BESIDE_M))  # thousands of pieces of a pixel each are all there is of them
-    parts = [one.geometry().intersection(near) for one in layer.getFeatures(box.buffered(BESIDE_M))]
-    on_seam, beside = places(box, QgsGeometry.unaryUnion(parts).simplify(0.02))
     shown = canvas.grab().toImage()
     session.loss_view.show(False)
     desk.pause(0.3)
@@ -99,12 +96,18 @@ def coloured(desk: Desk, fid: int) -> tuple[float, float]:
     return shares[0], shares[1]
 
 
-def places(box: QgsRectangle, seams: QgsGeometry) -> tuple[list[QgsPointXY], list[QgsPointXY]]:
-    """In the box, on its seams and far from all of them."""
+def places(desk: Desk, fid: int) -> tuple[list[QgsPointXY], list[QgsPointXY]]:
+    """In a window, on its seams and far from all of them."""
+    layer = next(one for one in desk.project.mapLayers().values() if one.name() == "seamlines")
+    box = QgsRectangle(*desk.session.row(fid).extent)
+    near = QgsGeometry.fromRect(box.buffered(BESIDE_M))  # thousands of pieces of a pixel each are all there is of them
+    parts = [one.geometry().intersection(near) for one in layer.getFeatures(box.buffered(BESIDE_M))]
+    seams = QgsGeometry.unaryUnion(parts).simplify(0.02)
     on_seam, beside = [], []
-    for row in range(1, 60):
-        for column in range(1, 60):
-            point = QgsPointXY(box.xMinimum() + column / 60 * box.width(), box.yMinimum() + row / 60 * box.height())
+    for row in range(1, GRID):
+        for column in range(1, GRID):
+            x, y = (low + share / GRID * SIDE_M for low, share in ((box.xMinimum(), column), (box.yMinimum(), row)))
+            point = QgsPointXY(x, y)
             away = seams.distance(QgsGeometry.fromPointXY(point))
             if away < 0.15:
                 on_seam.append(point)

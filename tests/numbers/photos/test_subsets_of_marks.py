@@ -65,7 +65,7 @@ def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
     """A photo of eight marks holds turned ones of a subset too: where nothing tells which it is, that is said."""
     models = list(PlaneModel)
     one_left_out = SUBSETS[-9:-1]
-    for number, names in enumerate([*SUBSETS[::23], *one_left_out]):
+    for number, names in enumerate([*SUBSETS[::47], *one_left_out]):
         made, complaint = None, ""
         try:
             made = oriented(bare.path, names, models[number % 3])

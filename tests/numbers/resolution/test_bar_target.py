@@ -34,7 +34,7 @@ PIXEL_CM = 10.0
 
 @pytest.mark.slow
 def test_grd_is_that_of_the_finest_group_that_theory_resolves(make_raster: MakeRaster) -> None:
-    """120 targets of four groups: blur, noise, rotation, phase and roughly drawn lines at random.
+    """Sixty targets of four groups: blur, noise, rotation, phase and roughly drawn lines at random.
 
     A group is the finest one when its distance is at most a step above the one at which theory crosses the criterion.
     """
@@ -42,7 +42,7 @@ def test_grd_is_that_of_the_finest_group_that_theory_resolves(make_raster: MakeR
     sigmas = np.linspace(0.44, 1.42, 12)
     theory = [theoretical_cycle(sigma) for sigma in sigmas]
     steps = []
-    for _ in range(120):
+    for _ in range(60):
         sigma, noise, angle = random.uniform(0.45, 1.4), random.uniform(0.5, 4), math.radians(random.uniform(-8, 8))
         expected = float(np.interp(sigma, sigmas, theory))
         coarsest = expected * STEP ** (1 + random.uniform(0, 1))

@@ -8,7 +8,8 @@ from xml.etree import ElementTree
 import pytest
 from qgis.core import QgsVectorLayer
 
-from demo.delivery import SPOILT, Delivery, make_delivery
+from demo.delivery import SPOILT, Delivery
+from tests.made_once import the_delivery
 from tests.pages import outline
 from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 
@@ -20,7 +21,7 @@ CLOSE = 0.05
 
 @pytest.fixture(scope="module")
 def delivery(tmp_path_factory: pytest.TempPathFactory) -> Delivery:
-    return make_delivery(tmp_path_factory.mktemp("delivery"))
+    return the_delivery(tmp_path_factory)
 
 
 @pytest.fixture(scope="module")

@@ -3,6 +3,7 @@ the data that `make demo-data` makes, with a smaller block."""
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -14,6 +15,8 @@ from osgeo import gdal, ogr
 from qgis.core import QgsApplication, QgsProcessingProvider
 
 from demo.data import make_data
+from demo.run import DONE
+from tests.made_once import the_delivery
 from tests.qgis.guide.page_examples import DOCS, NAMES, PAGES, Call, blocks, commands, same_call, shell_call
 from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 
@@ -65,6 +68,9 @@ READ_PAGES = [(folder, f"{page}.md") for folder, pages in READ.items() for page 
 def checkout(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """A folder with the data, in which the examples run."""
     folder, before = tmp_path_factory.mktemp("checkout"), Path.cwd()
+    delivery = folder / "output" / "demo" / "delivery"
+    shutil.copytree(the_delivery(tmp_path_factory).mosaic.parent, delivery)
+    (delivery / DONE).touch()
     make_data(folder / "output" / "demo", small=True, progress=lambda message: None)
     os.chdir(folder)
     yield folder

@@ -25,7 +25,7 @@ from seam_inspector.plugin.seams.measure.inputs.raster_facts import (
     suitable_by_header,
 )
 
-from demo.block import make_block
+from tests.made_once import the_small_block
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import ORIGIN, orthoimage
 
@@ -184,8 +184,10 @@ def test_relatives_of_brighton(data_folder: Path, tmp_path: Path, name: str) -> 
 
 
 @pytest.mark.slow
-def test_well_registered_sources_stay_and_crops_and_earlier_states_of_their_mosaic_do_not(tmp_path: Path) -> None:
-    block = make_block(tmp_path, extent_m=(120.0, 100.0))
+def test_well_registered_sources_stay_and_crops_and_earlier_states_of_their_mosaic_do_not(
+    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    block = the_small_block(tmp_path_factory)
     crop, earlier = str(tmp_path / "crop.tif"), str(tmp_path / "earlier.tif")
     gdal.Translate(crop, str(block.mosaic), srcWin=[240, 200, 720, 600])
     altered = gdal.GetDriverByName("GTiff").CreateCopy(earlier, gdal.Open(str(block.mosaic)))

@@ -189,7 +189,7 @@ def test_results_are_no_steps_of_undo(desk: Desk) -> None:
 
 
 def test_stop_keeps_what_is_done(desk: Desk) -> None:
-    boxes = [(column, row, 64, 64) for row in range(0, 192, 32) for column in range(0, 448, 64)]
+    boxes = [(column, row, 64, 64) for row in range(0, 192, 64) for column in range(0, 448, 64)]
     desk.use(windows(*boxes))
     desk.session.inspect_pending()
     wait_until(lambda: desk.session.result(1) is not None)
