@@ -32,7 +32,7 @@ from .source_filters import (
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
 MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
 MOST_LEFT_OF_THAT = 0.5  # where both mixed explain it
-HOPELESS_LEFT_OF_THAT = 0.75  # of which a first estimate leaves no more: true mixtures had up to 0.45, and less later
+HOPELESS_LEFT_OF_THAT = 0.75  # after some rounds, of which true mixtures had up to 0.45 by then
 MOST_LEFT_BY_MIXED = 10.0  # times what they leave over one by one; true mixtures have up to 4
 MOST_LEFT_MIXED = 0.05  # of the fine detail, for a filter to be believed that was learned where sources may be mixed
 MIN_THIRD_SHARE = 0.25  # of the pixels, that a third image surely has where two are mixed everywhere

@@ -20,6 +20,7 @@ BLOCK_PX = 64
 MIN_MIXED_WEIGHT = 0.1
 """Mean weight of the lesser image, for a window to be mixed nearly everywhere."""
 _ROUNDS = 30
+_HOPEFUL_ROUNDS = 3  # in which true mixtures may leave over six times as much as one by one
 _SETTLED = 0.002  # of the lesser image's weight
 _MIN_BLOCK = 0.5  # of a block's pixels that take part
 
@@ -42,13 +43,13 @@ def mixed_ground(
 ) -> MixedGround | None:
     """Of two high-passed planes in the mosaic's tones, (rows, columns) float32, and the pixels that take part, bool.
 
-    ``shown``: the same as the mosaic shows them, as far as that is known. ``is_hopeless``: asked what a round makes of
-    them, whether more rounds are in vain. None where they are, or there is too little.
+    ``shown``: the same as the mosaic shows them, as far as that is known. ``is_hopeless``: asked what a later round
+    makes of them, whether more are in vain. None where they are, or there is too little.
     """
     held = square_sums(where.astype(np.float32), where.astype(np.float32), BLOCK_PX) >= _MIN_BLOCK * BLOCK_PX**2
     own = np.where(where, mosaic, np.float32(0))
     gain, weights, lesser, taps = 1.0, [], 0.0, None
-    for _ in range(_ROUNDS):
+    for number in range(_ROUNDS):
         first = _first_weights(own, [np.where(where, one, np.float32(0)) for one in shown], held)
         if first is None:
             return None
@@ -75,7 +76,7 @@ def mixed_ground(
         shown = [np.float32(gain * by) * one for by, one in zip(even, made)]
         gain, taps = gain * scale, taps / scale
         mixed = weights[0] * shown[0] + weights[1] * shown[1]
-        if is_hopeless(mixed):
+        if number >= _HOPEFUL_ROUNDS and is_hopeless(mixed):
             return None
     assert taps is not None
     return MixedGround(gain, (taps[0], taps[1]), mixed)

@@ -71,11 +71,13 @@ def follow_sources(
         return first
     shifts = {i: _shift_where(image.spectra, other.spectra, plain.unexplained) for i, other in enumerate(images)}
     moved = {i: s for i, s in shifts.items() if s is not None and s.length >= MIN_MOVED_PX}
+    if not moved:
+        return first
     followed = [i for i in plain.followed if i not in idle]
     of_followed = [find_shift(image.spectra, images[i].spectra, plain.labels == i) for i in followed]
     if unexplained >= MIN_UNEXPLAINED_SHARE or may_lie_elsewhere:
         of_followed += [s for i, s in moved.items() if i in idle or s.length > FARTHEST_FILTERED_PX]
-    if not moved or _is_of_all(of_followed):
+    if _is_of_all(of_followed):
         return first
     placed = tuple(shifted(planes[i], s.x, s.y) for i, s in moved.items())
     fine_placed = tuple(map(high_pass, placed))
