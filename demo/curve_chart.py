@@ -4,14 +4,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from matplotlib.axes import Axes
+from seam_inspector.plugin.noise.charts import draw_frame
 from seam_inspector.plugin.seams.charts.chart_curves import Chart, ChartCurve, numbered, share_range, significance_limit
 from seam_inspector.plugin.toolkit.charts.chart_style import PAPER, source_look
-from seam_inspector.plugin.toolkit.charts.variance_axes import draw_frame
 
 
 def draw_curves(axes: Axes, curves: Sequence[ChartCurve], max_ratio: float) -> None:
     """Mosaic bold, sources thin, the limit of a significant loss at level 1."""
-    draw_frame(axes, len(curves[0].detail) if curves else 0, PAPER, logarithmic=True)
+    levels = len(curves[0].detail) if curves else 0
+    draw_frame(axes, PAPER)
+    axes.set_xticks(range(levels + 1), [*map(str, range(1, levels + 1)), "background"])
+    axes.set_xlim(-0.4, max(levels, 1) + 0.4)
     axes.set_ylim(*share_range(Chart(tuple(curves), max_ratio)))
     limit = significance_limit(curves, max_ratio)
     if limit is not None:

@@ -4,47 +4,47 @@
 <context>
     <name>@default</name>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="45"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="39"/>
         <source>Inspect windows</source>
         <translation>Skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="58"/>
+        <location filename="../plugin/noise/checknoise.py" line="61"/>
         <source>Windows</source>
         <translation>Okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="60"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="51"/>
         <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured is the rectangle around each, snapped to the mosaic&apos;s pixels.</source>
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="133"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="201"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="123"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="194"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
         <source>Detail by direction</source>
         <translation>Detale według kierunków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="105"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="82"/>
         <source>Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level&apos;s detail. Takes several times as long as the curves alone.</source>
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="125"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="195"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="91"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="73"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
@@ -54,27 +54,27 @@
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="121"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="92"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="55"/>
         <source>Pairs</source>
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="95"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="135"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="102"/>
         <source>Windows with a significant loss</source>
         <translation>Okna z istotną stratą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="103"/>
         <source>Windows that can&apos;t be compared</source>
         <translation>Okna niedające się porównać</translation>
     </message>
@@ -89,37 +89,37 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="106"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="76"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="162"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="34"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="109"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="86"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="168"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="95"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="174"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="98"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="175"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="107"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="182"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
@@ -129,7 +129,7 @@
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="116"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="188"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
@@ -139,47 +139,47 @@
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="31"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="26"/>
         <source>Place windows along seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="33"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="28"/>
         <source>Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window&apos;s side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had to be dropped.</source>
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="104"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="81"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="44"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="36"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="86"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="64"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="43"/>
         <source>Spacing (metres)</source>
         <translation>Odstęp okien (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="44"/>
         <source>Distance between the centres of neighbouring windows, measured along the seam.</source>
         <translation>Odległość między środkami sąsiednich okien, mierzona wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="60"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="48"/>
         <source>The windows, with the number of their seam and their station along it in metres.</source>
         <translation>Okna z numerem linii mozaikowania i pikietażem wzdłuż niej w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="88"/>
         <source>{windows} windows placed along {seams} seams.</source>
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
@@ -459,17 +459,17 @@
         <translation>istotna strata poniżej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="188"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="180"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="150"/>
+        <location filename="../plugin/noise/charts.py" line="206"/>
         <source>level</source>
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="157"/>
+        <location filename="../plugin/noise/charts.py" line="207"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
@@ -574,72 +574,72 @@
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="41"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="49"/>
         <source>{count} changed since</source>
         <translation>zmienione od kontroli: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="42"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="50"/>
         <source>{count} windows selected: {verdicts}.</source>
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="191"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="191"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="198"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="200"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="202"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="161"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="158"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="247"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="94"/>
+        <location filename="../plugin/radiometry/report.py" line="100"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="251"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="248"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -649,37 +649,37 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="257"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="263"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="292"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -944,7 +944,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="312"/>
+        <location filename="../plugin/seams/desk/dock.py" line="313"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -974,67 +974,67 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="128"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="136"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="159"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="164"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="196"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="210"/>
         <source>src.</source>
         <translation>źr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="193"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="207"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="199"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="213"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="204"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="218"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="88"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="96"/>
         <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="164"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="194"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="208"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="200"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="214"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="205"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="219"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
@@ -1079,12 +1079,12 @@
         <translation>{name} (przepróbkowany)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="82"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="81"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="195"/>
+        <location filename="../plugin/seams/desk/map/window_coverage.py" line="196"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
@@ -1259,22 +1259,22 @@
         <translation>Dodaj pola</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="155"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="154"/>
         <source>Add windows</source>
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="195"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="186"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="241"/>
+        <location filename="../plugin/seams/desk/session.py" line="237"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="245"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="236"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -1309,37 +1309,37 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="172"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="164"/>
         <source>mosaic (mean)</source>
         <translation>ortofotomapa (śr.)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="172"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="164"/>
         <source>sources (mean)</source>
         <translation>źródła (śr.)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="188"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="180"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="192"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="184"/>
         <source> (range {low} to {high})</source>
         <translation> (zakres od {low} do {high})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="199"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="191"/>
         <source> ({percent:.0f} % of the lowest source)</source>
         <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="201"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="193"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
         <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="204"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="196"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
@@ -1359,7 +1359,7 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="151"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="143"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
@@ -1374,12 +1374,12 @@
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -1409,17 +1409,17 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="187"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="201"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="188"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="202"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="176"/>
+        <location filename="../plugin/photos/interiororientation.py" line="128"/>
         <source>HTML files (*.html)</source>
         <translation>Pliki HTML (*.html)</translation>
     </message>
@@ -1544,27 +1544,27 @@
         <translation>Pokazuje, co z danego obrazu zarejestrowałaby kamera z jedną matrycą: z każdego piksela zostaje tylko barwa jego filtra, a dwie pozostałe są interpolowane z sąsiednich pikseli. Cienkie linie stają się szersze i barwne (Walczykowski i in. 2009, rozdział 5). Obraz jednokanałowy jest traktowany jako scena w odcieniach szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/simulatebayer.py" line="33"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="32"/>
         <source>A colour image, or one of a single band, north-up or without georeference.</source>
         <translation>Obraz barwny albo jednokanałowy, zorientowany na północ lub bez georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/simulatebayer.py" line="36"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="34"/>
         <source>Pattern</source>
         <translation>Wzór filtra</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/simulatebayer.py" line="37"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="35"/>
         <source>Colours of the filter over the first two pixels of the first row, then of the second.</source>
         <translation>Barwy filtra nad pierwszymi dwoma pikselami pierwszego wiersza, a potem drugiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/simulatebayer.py" line="40"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="37"/>
         <source>Interpolation</source>
         <translation>Interpolacja</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/simulatebayer.py" line="48"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="42"/>
         <source>Seen by a single chip</source>
         <translation>Obraz z jednej matrycy</translation>
     </message>
@@ -1574,12 +1574,12 @@
         <translation>Porównaj modele sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="120"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="104"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="119"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
@@ -1599,7 +1599,7 @@
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="70"/>
         <source>Report</source>
         <translation>Raport</translation>
     </message>
@@ -1624,227 +1624,227 @@
         <translation>Ocenione modele</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="42"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="35"/>
         <source>Predict loss by feathering</source>
         <translation>Przewidź stratę wskutek wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="44"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="37"/>
         <source>Predicts, before any mosaic is made, how much detail feathering would cost in each window. Where two images are blended half and half, the part of their detail that they do not share cancels: with rho the agreement of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower.</source>
         <translation>Jeszcze przed wykonaniem ortofotomapy mówi, ile detali kosztowałoby wtapianie w każdym oknie. Gdzie dwa obrazy są mieszane pół na pół, znosi się ta część ich detali, która nie jest wspólna: przy zgodności rho ich współczynników detali zostaje (1 + rho) / 2 ich wariancji. Obrazy przesunięte względem siebie o 1 px mogą w ten sposób stracić połowę najdrobniejszych detali. Najmniejszy stosunek wariancji spośród par ortoobrazów źródłowych mówi, gdzie wtapianie zaszkodzi; można wtedy poprowadzić linię mozaikowania gdzie indziej, lepiej dopasować obrazy albo zwęzić pas wtapiania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="57"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="46"/>
         <source>Rectangles where seams are to run, in any reference system. What is measured is the rectangle around each, snapped to the pixels of the finest source that covers it.</source>
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="66"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="53"/>
         <source>Width of the feather (metres)</source>
         <translation>Szerokość pasa wtapiania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="58"/>
         <source>Ramp of the feather</source>
         <translation>Przebieg wag w pasie wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="59"/>
         <source>How the weights of the two images change across the feather: in a straight line, as half a wave of the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of 0.02 to 0.98.</source>
         <translation>Jak w poprzek pasa wtapiania zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="91"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
         <source>Predicted windows</source>
         <translation>Okna z prognozą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
         <source>The rectangles as measured, in the sources&apos; reference system, with the smallest ratio over the pairs.</source>
         <translation>Prostokąty w zmierzonych granicach, w układzie współrzędnych ortoobrazów źródłowych, z najmniejszym stosunkiem wariancji spośród par.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="95"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="71"/>
         <source>Source pairs</source>
         <translation>Pary ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="96"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="72"/>
         <source>Every two sources of a window: agreement of their detail, ratio to be expected, shift between them.</source>
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="38"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="32"/>
         <source>Report of an inspection</source>
         <translation>Raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="46"/>
         <source>The table of curves of the same windows; without it there are no relative variances and no charts.</source>
         <translation>Tabela krzywych tych samych okien; bez niej nie ma wariancji względnych ani wykresów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="67"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="55"/>
         <source>The inspected mosaic; with it the report shows the clips and an overview below the map sketch.</source>
         <translation>Skontrolowana ortofotomapa; z nią raport pokazuje wycinki i podgląd pod szkicem mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="58"/>
         <source>The orthoimages that the mosaic was made from; their clips stand beside its own.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="61"/>
         <source>Heading of the page. Empty: the mosaics&apos; names.</source>
         <translation>Nagłówek strony. Puste pole: nazwy ortofotomap.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="68"/>
         <source>The limit drawn into the charts: the one the windows were inspected with.</source>
         <translation>Granica rysowana na wykresach: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="70"/>
         <source>The page, one file.</source>
         <translation>Strona, jeden plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="60"/>
         <source>Verdict against</source>
         <translation>Ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="65"/>
         <source>Seam cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="66"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="47"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="39"/>
         <source>Measure ground resolved distance</source>
         <translation>Zmierz terenową zdolność rozdzielczą (GRD)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="60"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="51"/>
         <source>The image of the target, north-up. One without georeference is taken as QGIS shows it.</source>
         <translation>Obraz testu, zorientowany na północ. Obraz bez georeferencji jest brany tak, jak pokazuje go QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="64"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="53"/>
         <source>Lines across the bars</source>
         <translation>Linie w poprzek pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="59"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="78"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="62"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="79"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="62"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="83"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="63"/>
         <source>Bars in a group</source>
         <translation>Liczba pasków w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="89"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="66"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="70"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="106"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="78"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="107"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="79"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="111"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="81"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="112"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="82"/>
         <source>Share of the full amplitude that the bars of a resolved group keep.</source>
         <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="124"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="88"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="125"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="89"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="129"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="91"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="130"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="92"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="140"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="207"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="132"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="134"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="96"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="137"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="99"/>
         <source>Distance along the flight (cm)</source>
         <translation>GRD wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="138"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="100"/>
         <source>Distance across the flight (cm)</source>
         <translation>GRD w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="139"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="101"/>
         <source>Geometric mean of both distances (cm)</source>
         <translation>Średnia geometryczna obu wartości GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="40"/>
+        <location filename="../plugin/noise/checknoise.py" line="34"/>
         <source>Check random noise</source>
         <translation>Sprawdź szum losowy</translation>
     </message>
@@ -1854,27 +1854,27 @@
         <translation>Jakość obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="55"/>
+        <location filename="../plugin/noise/checknoise.py" line="49"/>
         <source>Rasters</source>
         <translation>Rastry</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="55"/>
+        <location filename="../plugin/noise/checknoise.py" line="50"/>
         <source>The images to be measured, 8 or 16 bit or float.</source>
         <translation>Mierzone obrazy, 8- lub 16-bitowe albo zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="58"/>
+        <location filename="../plugin/noise/checknoise.py" line="52"/>
         <source>Second group</source>
         <translation>Druga grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="59"/>
+        <location filename="../plugin/noise/checknoise.py" line="53"/>
         <source>Images of another camera, film or process, to be compared with the first. Pixel sizes may differ.</source>
         <translation>Obrazy z innej kamery, filmu lub procesu, do porównania z pierwszą grupą. Wielkości pikseli mogą się różnić.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="72"/>
+        <location filename="../plugin/noise/checknoise.py" line="62"/>
         <source>Rectangles in any reference system; each is measured on all rasters under it. Without windows up to 25 of 1024 px are chosen on each raster, spread over its valid part, the least saturated first.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest mierzony na wszystkich rastrach, które obejmuje. Bez okien na każdym rastrze wybieranych jest do 25 okien o boku 1024 px, rozłożonych na części z danymi, najpierw najmniej przesycone.</translation>
     </message>
@@ -1884,222 +1884,222 @@
         <translation>Szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="96"/>
+        <location filename="../plugin/noise/checknoise.py" line="77"/>
         <source>The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.</source>
         <translation>Zakres każdej grupy z linią średniej oraz kanały jednego okna. PNG, SVG lub PDF.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="99"/>
+        <location filename="../plugin/noise/checknoise.py" line="79"/>
         <source>All figures with the chart on one HTML page.</source>
         <translation>Wszystkie wartości z wykresem na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="101"/>
+        <location filename="../plugin/noise/checknoise.py" line="81"/>
         <source>Windows with low noise</source>
         <translation>Okna z małym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="103"/>
+        <location filename="../plugin/noise/checknoise.py" line="83"/>
         <source>Windows with moderate noise</source>
         <translation>Okna z umiarkowanym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="104"/>
+        <location filename="../plugin/noise/checknoise.py" line="84"/>
         <source>Windows with strong noise</source>
         <translation>Okna z silnym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="28"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="24"/>
         <source>Enhance photo</source>
         <translation>Popraw czytelność zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="31"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="27"/>
         <source>Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy.</source>
         <translation>Ułatwia oglądanie zdjęcia: tworzy negatyw, 8-bitowy obraz szary z barwnego lub z większej liczby bitów, filtr uśredniający lub Gaussa przeciw ziarnu, Laplace’a lub Sobela dla krawędzi. Zdjęcia dowolnej wielkości są przetwarzane pasami; położenie na mapie i piksele bez danych są zachowane. Znaczki mierzy się na samym zdjęciu, a nie na tej kopii.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="38"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="34"/>
         <source>Photo</source>
         <translation>Zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="38"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="34"/>
         <source>Any raster that GDAL reads.</source>
         <translation>Dowolny raster, który odczytuje GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="40"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="35"/>
         <source>Operation</source>
         <translation>Operacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="42"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="36"/>
         <source>negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel (length of the gradient) are floating point.</source>
         <translation>negative, mean i gaussian zachowują typ danych; grey jest 8-bitowy; laplace (druga pochodna) i sobel (długość gradientu) są zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="48"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="39"/>
         <source>Size (px)</source>
         <translation>Wielkość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="50"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="40"/>
         <source>Side of the mean&apos;s square (odd), or standard deviation of the Gaussian; the others ignore it.</source>
         <translation>Bok kwadratu średniej (nieparzysty) albo odchylenie standardowe filtra Gaussa; bez znaczenia dla pozostałych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="52"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="42"/>
         <source>Enhanced photo</source>
         <translation>Poprawione zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="52"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="42"/>
         <source>A GeoTIFF.</source>
         <translation>Plik GeoTIFF.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="39"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="38"/>
         <source>Calibrate the threshold</source>
         <translation>Kalibruj próg</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="41"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="40"/>
         <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one would be flagged by mistake: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the 95 % interval of the true one; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
         <translation>Znajduje granicę istotnej straty, którą potwierdzają opinie obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) opinii wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0,5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 opiniach „widoczna” lub 5 „niewidoczna” nie ma liczby.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="63"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="56"/>
         <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
         <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny „contrast_1”: względem kompozycji, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="60"/>
         <source>The measure whose figures are given as outputs: the one the windows are judged by. Not set: &apos;kept_1&apos; where the judged windows have it, else &apos;ratio_1&apos;. The table and the chart hold all measures.</source>
         <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: „kept_1”, jeśli ocenione okna ją mają, w przeciwnym razie „ratio_1”. Tabela i wykres zawierają wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="59"/>
         <source>Measure</source>
         <translation>Miara</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="78"/>
+        <location filename="../plugin/photos/interiororientation.py" line="63"/>
         <source>Calibration</source>
         <translation>Kalibracja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="78"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="64"/>
         <source>For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
         <translation>Dla każdej miary podsumowanie z progiem do ustawienia, jego zakresem, polem i liczbą potrzebnych opinii, działanie progu standardowego oraz każdego innego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>ROC curves with their areas, and the judged windows of each measure.</source>
         <translation>Krzywe ROC z ich polami i ocenione okna każdej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="86"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="71"/>
         <source>Threshold of the measure</source>
         <translation>Próg miary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="72"/>
         <source>Area under the ROC curve</source>
         <translation>Pole pod krzywą ROC</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="73"/>
         <source>Area, lower end of its interval</source>
         <translation>Pole, dolny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="74"/>
         <source>Area, upper end of its interval</source>
         <translation>Pole, górny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="90"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="75"/>
         <source>Visible verdicts</source>
         <translation>Opinie „widoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="91"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="76"/>
         <source>Invisible verdicts</source>
         <translation>Opinie „niewidoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="77"/>
         <source>Verdicts wanted</source>
         <translation>Potrzebne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="118"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="110"/>
         <source>Minimum flying height</source>
         <translation>Minimalna wysokość lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="121"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="113"/>
         <source>Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each pass its height times the required distance over the one that was read, then the mean of each group of passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2).</source>
         <translation>Oblicza z przelotów nad testem paskowym, jak nisko może lecieć sensor, aby nie rozróżniał więcej, niż uzgodniono: dla każdego przelotu jego wysokość razy wymagana terenowa zdolność rozdzielcza przez odczytaną, a następnie średnią każdej grupy przelotów, jej rozrzut i odległość od wartości odniesienia (Walczykowski i in. 2009, wzory 1 i 2).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="129"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="119"/>
         <source>Observations</source>
         <translation>Obserwacje</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="137"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="124"/>
         <source>Required distance (cm)</source>
         <translation>Wymagana GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="138"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="125"/>
         <source>The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies.</source>
         <translation>Terenowa zdolność rozdzielcza, poniżej której nie wolno zejść: 30 cm dla kamer optycznych w Open Skies.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="141"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="127"/>
         <source>Reference height (metres)</source>
         <translation>Wysokość odniesienia (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="148"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="131"/>
         <source>Keep flying heights apart</source>
         <translation>Rozdziel wysokości lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="149"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="132"/>
         <source>Rows of different &apos;height&apos; make groups of their own, as in tables 4A and 4B of the paper.</source>
         <translation>Wiersze o różnym polu „height” tworzą osobne grupy, jak w tabelach 4A i 4B artykułu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="153"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="134"/>
         <source>Minimum heights</source>
         <translation>Minimalne wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="158"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="138"/>
         <source>Heights by pass</source>
         <translation>Wysokości z przelotów</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="160"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="139"/>
         <source>The observations that were used, each with its minimum height &apos;h_min&apos;.</source>
         <translation>Użyte obserwacje, każda ze swoją minimalną wysokością „h_min”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="162"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="141"/>
         <source>Groups</source>
         <translation>Grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="199"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="178"/>
         <source>all passes</source>
         <translation>wszystkie przeloty</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="57"/>
+        <location filename="../plugin/photos/interiororientation.py" line="47"/>
         <source>Interior orientation</source>
         <translation>Orientacja wewnętrzna</translation>
     </message>
@@ -2109,162 +2109,162 @@
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="60"/>
+        <location filename="../plugin/photos/interiororientation.py" line="50"/>
         <source>Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to millimetres. A mark is found by normalised cross correlation and measured to a fraction of a pixel by the extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can&apos;t be trusted fails with the reason; point at it on the map and give that point as its position, with the measurement off.</source>
         <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany korelacją krzyżową i mierzony z podpikselową dokładnością jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="180"/>
+        <location filename="../plugin/photos/interiororientation.py" line="131"/>
         <source>Marks measured or given</source>
         <translation>Znaczki zmierzone lub podane</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="181"/>
+        <location filename="../plugin/photos/interiororientation.py" line="132"/>
         <source>Marks that failed</source>
         <translation>Znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="80"/>
+        <location filename="../plugin/photos/interiororientation.py" line="64"/>
         <source>The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac&apos;s MeasuresCamera.xml. x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) are optional.</source>
         <translation>Znaczki kamery: plik CSV z kolumnami mark, x_mm i y_mm albo MeasuresCamera.xml z programu MicMac. Oś x w prawo, y w górę. Wiersze o nazwach principal_point, focal_length (w x_mm) i data_strip (miejsce w pasku danych) są opcjonalne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="86"/>
+        <location filename="../plugin/photos/interiororientation.py" line="68"/>
         <source>Template</source>
         <translation>Wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="94"/>
+        <location filename="../plugin/photos/interiororientation.py" line="73"/>
         <source>Positions</source>
         <translation>Położenia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="96"/>
+        <location filename="../plugin/photos/interiororientation.py" line="74"/>
         <source>Points with the field &apos;mark&apos;, digitised on the photo as QGIS shows it (without a world file x is the column and y the negative row). Without positions all of the photo is searched. A field &apos;measure&apos; with 0 says that a point is the mark itself.</source>
         <translation>Punkty z polem „mark”, zdigitalizowane na zdjęciu tak, jak pokazuje je QGIS (bez pliku world x to kolumna, a y to wiersz ze znakiem minus). Bez położeń przeszukiwane jest całe zdjęcie. Pole „measure” z wartością 0 oznacza, że punkt jest samym znaczkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="102"/>
+        <location filename="../plugin/photos/interiororientation.py" line="78"/>
         <source>Measure around the positions</source>
         <translation>Mierz wokół położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="109"/>
+        <location filename="../plugin/photos/interiororientation.py" line="82"/>
         <source>Kind of mark</source>
         <translation>Rodzaj znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="110"/>
+        <location filename="../plugin/photos/interiororientation.py" line="83"/>
         <source>The shape to look for, in the size it has on the photo; automatic tries all.</source>
         <translation>Jaki wzorzec jest rysowany do wyszukiwania, w wielkości takiej jak na zdjęciu; automatic próbuje wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="114"/>
+        <location filename="../plugin/photos/interiororientation.py" line="85"/>
         <source>Direction of the arms</source>
         <translation>Kierunek ramion</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="115"/>
+        <location filename="../plugin/photos/interiororientation.py" line="86"/>
         <source>Whether the arms of a cross, or the wedges, stand upright or diagonally.</source>
         <translation>Czy ramiona krzyża lub kliny są ustawione prosto, czy ukośnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="117"/>
+        <location filename="../plugin/photos/interiororientation.py" line="88"/>
         <source>Centre of the cross</source>
         <translation>Środek krzyża</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="117"/>
+        <location filename="../plugin/photos/interiororientation.py" line="89"/>
         <source>Whether a cross is open in the middle.</source>
         <translation>Czy krzyż jest otwarty w środku.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="119"/>
+        <location filename="../plugin/photos/interiororientation.py" line="91"/>
         <source>Tone of the mark</source>
         <translation>Ton znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="120"/>
+        <location filename="../plugin/photos/interiororientation.py" line="92"/>
         <source>Whether the mark is lighter than its ground, as on most positives, or darker.</source>
         <translation>Czy znaczek jest jaśniejszy od tła, jak na większości pozytywów, czy ciemniejszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="125"/>
+        <location filename="../plugin/photos/interiororientation.py" line="94"/>
         <source>Search (mm)</source>
         <translation>Zakres szukania (mm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="126"/>
+        <location filename="../plugin/photos/interiororientation.py" line="95"/>
         <source>How far around a position the mark is looked for.</source>
         <translation>Jak daleko wokół położenia szukany jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="130"/>
+        <location filename="../plugin/photos/interiororientation.py" line="98"/>
         <source>Smallest correlation</source>
         <translation>Najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="133"/>
+        <location filename="../plugin/photos/interiororientation.py" line="100"/>
         <source>A mark whose best correlation is smaller fails.</source>
         <translation>Znaczek, którego największa korelacja jest mniejsza, jest odrzucany.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="136"/>
+        <location filename="../plugin/photos/interiororientation.py" line="101"/>
         <source>Surface</source>
         <translation>Powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="138"/>
+        <location filename="../plugin/photos/interiororientation.py" line="102"/>
         <source>What the second-degree surface is laid through: the correlations around the best pixel, or the brightness of the photo as in the paper.</source>
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="144"/>
+        <location filename="../plugin/photos/interiororientation.py" line="105"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="145"/>
+        <location filename="../plugin/photos/interiororientation.py" line="106"/>
         <source>Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check.</source>
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="148"/>
+        <location filename="../plugin/photos/interiororientation.py" line="108"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="156"/>
+        <location filename="../plugin/photos/interiororientation.py" line="113"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="156"/>
+        <location filename="../plugin/photos/interiororientation.py" line="113"/>
         <source>JSON files (*.json)</source>
         <translation>Pliki JSON (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="157"/>
+        <location filename="../plugin/photos/interiororientation.py" line="114"/>
         <source>Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.</source>
         <translation>Oba kierunki transformacji, wielkość piksela, obrót, nieortogonalność osi, punkt główny i dokładność.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="160"/>
+        <location filename="../plugin/photos/interiororientation.py" line="118"/>
         <source>World file</source>
         <translation>Plik world</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="160"/>
+        <location filename="../plugin/photos/interiororientation.py" line="116"/>
         <source>World files (*.wld *.jgw *.tfw *.pgw *.bpw)</source>
         <translation>Pliki world (*.wld *.jgw *.tfw *.pgw *.bpw)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="161"/>
+        <location filename="../plugin/photos/interiororientation.py" line="119"/>
         <source>Saved beside the photo under its name, it lets QGIS open the photo in millimetres.</source>
         <translation>Zapisany obok zdjęcia pod jego nazwą pozwala otworzyć zdjęcie w QGIS w milimetrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="176"/>
+        <location filename="../plugin/photos/interiororientation.py" line="127"/>
         <source>A page with a picture of each mark and the place that was found.</source>
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
@@ -2274,27 +2274,27 @@
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="182"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="167"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="79"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="65"/>
         <source>Ground control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="127"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="112"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="129"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="114"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="91"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="75"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
@@ -2304,32 +2304,32 @@
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="117"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="101"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="96"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="80"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="121"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="105"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="122"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="106"/>
         <source>Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="125"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="109"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="126"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="110"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
@@ -2339,192 +2339,192 @@
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="132"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="117"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="58"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="51"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="60"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="53"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="68"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="202"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="192"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="70"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="63"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="72"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="64"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="74"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="66"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="76"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="67"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="69"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="79"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="70"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="74"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="75"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="88"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="79"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="97"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="107"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="97"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="207"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="197"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="207"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="197"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="209"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="199"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="51"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="43"/>
         <source>Check radiometry</source>
         <translation>Sprawdź radiometrię</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="54"/>
         <source>The images to be checked, each for itself.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="84"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="69"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="106"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="55"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="119"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="112"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="86"/>
         <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="127"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="99"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="128"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="100"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="129"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="101"/>
         <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
@@ -2559,7 +2559,7 @@
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="75"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="57"/>
         <source>Reference system</source>
         <translation>Układ współrzędnych</translation>
     </message>
@@ -2639,47 +2639,47 @@
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="48"/>
+        <location filename="../plugin/photos/comparemarks.py" line="42"/>
         <source>Compare marks</source>
         <translation>Porównaj znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="61"/>
+        <location filename="../plugin/photos/comparemarks.py" line="54"/>
         <source>Marks with the field &apos;mark&apos;, and &apos;photo&apos; (or &apos;layer&apos;, as merged layers have) where there are several photos. Places are the fields column and row, or the points themselves.</source>
         <translation>Znaczki z polem „mark” oraz „photo” (lub „layer”, jak w warstwach złączonych), gdy zdjęć jest kilka. Miejsca podają pola column i row albo same punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="69"/>
+        <location filename="../plugin/photos/comparemarks.py" line="62"/>
         <source>First measurement</source>
         <translation>Pierwszy pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="70"/>
+        <location filename="../plugin/photos/comparemarks.py" line="63"/>
         <source>Second measurement</source>
         <translation>Drugi pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="91"/>
+        <location filename="../plugin/photos/comparemarks.py" line="72"/>
         <source>Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="94"/>
+        <location filename="../plugin/photos/comparemarks.py" line="74"/>
         <source>Statistics</source>
         <translation>Statystyki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="106"/>
+        <location filename="../plugin/photos/comparemarks.py" line="82"/>
         <source>Differences</source>
         <translation>Różnice</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="108"/>
+        <location filename="../plugin/photos/comparemarks.py" line="83"/>
         <source>The difference of each mark, the second measurement less the first, in pixels.</source>
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="169"/>
+        <location filename="../plugin/photos/comparemarks.py" line="144"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
         <translation>{count} {count:znaczek|znaczki|znaczków}: średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
@@ -3798,7 +3798,7 @@
         <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layers.py" line="187"/>
+        <location filename="../plugin/resolution/line_layers.py" line="175"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę pasków</translation>
     </message>
@@ -3838,7 +3838,7 @@
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="253"/>
+        <location filename="../plugin/seams/words.py" line="256"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
@@ -3863,12 +3863,12 @@
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="249"/>
+        <location filename="../plugin/seams/words.py" line="252"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="254"/>
+        <location filename="../plugin/seams/words.py" line="257"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -3987,17 +3987,17 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="54"/>
+        <location filename="../plugin/noise/charts.py" line="55"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="151"/>
+        <location filename="../plugin/noise/charts.py" line="150"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="168"/>
+        <location filename="../plugin/noise/charts.py" line="167"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
@@ -4121,7 +4121,7 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/rated_images.py" line="38"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="223"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
@@ -4201,32 +4201,32 @@
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="43"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="36"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="37"/>
         <source>polynomials of space, without physics</source>
         <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="45"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="38"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="47"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="40"/>
         <source>the direct linear transformation, without physics</source>
         <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="41"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="49"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="42"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
@@ -4251,7 +4251,7 @@
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="69"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
@@ -4599,7 +4599,7 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="322"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="317"/>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -4629,27 +4629,27 @@
         <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="197"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="189"/>
         <source> ({percent:.0f} % of the composite)</source>
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="52"/>
+        <location filename="../plugin/radiometry/report.py" line="182"/>
         <source>value (DN)</source>
         <translation>wartość (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="53"/>
+        <location filename="../plugin/radiometry/report.py" line="183"/>
         <source>pixels (%)</source>
         <translation>piksele (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="86"/>
+        <location filename="../plugin/radiometry/report.py" line="216"/>
         <source>largest step at a seam (% of the largest value)</source>
         <translation>największy skok na linii mozaikowania (% największej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="87"/>
+        <location filename="../plugin/radiometry/report.py" line="217"/>
         <source>contrast beside the seams (% of the range)</source>
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
@@ -4809,12 +4809,12 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="169"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
         <source>What was found, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="173"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
         <source>kept</source>
         <translation>zachow.</translation>
     </message>
@@ -4989,37 +4989,32 @@
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="237"/>
-        <source>Brightness was evened out by a tone that changes from place to place.</source>
-        <translation>Jasność wyrównano tonacją, która zmienia się z miejsca na miejsce.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/words.py" line="238"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="241"/>
+        <location filename="../plugin/seams/words.py" line="244"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="242"/>
+        <location filename="../plugin/seams/words.py" line="245"/>
         <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="243"/>
+        <location filename="../plugin/seams/words.py" line="246"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="244"/>
+        <location filename="../plugin/seams/words.py" line="247"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="250"/>
+        <location filename="../plugin/seams/words.py" line="253"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -5054,32 +5049,32 @@
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="73"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="61"/>
         <source>seam: what is kept along the seam, against the hard-cut composite of the sources and the ground around. composite: the whole window against that composite. sources: the whole clip of each source, as in the paper; that verdict is always in the field &apos;paper_verdict&apos;, too.</source>
         <translation>seam: to, co zachowano wzdłuż linii mozaikowania, względem kompozycji ortoobrazów źródłowych z ostrym cięciem i terenu wokół. composite: całe okno względem tej kompozycji. sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule; ta ocena jest zawsze także w polu „paper_verdict”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="71"/>
         <source>Least share kept along the seam</source>
         <translation>Najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="91"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="73"/>
         <source>A window is significant when this share of the finest detail, or less, is kept along its seam. 0.5 is what a 50:50 blend of two images leaves that have nothing in common.</source>
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="79"/>
         <source>By the paper&apos;s rule a window is significant when its ratio at level 1 is this or less.</source>
         <translation>Według reguły z artykułu okno otrzymuje ocenę „istotna strata” (significant), gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="129"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
         <source>Seam profiles</source>
         <translation>Profile linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="131"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="98"/>
         <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
@@ -5190,22 +5185,22 @@
         <translation>Obraz strat (częściowy)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="44"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="114"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="90"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="62"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="53"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
@@ -5550,92 +5545,92 @@
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="51"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="42"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="55"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="58"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="78"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="59"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="84"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="62"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="85"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="63"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="65"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="90"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="66"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="95"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="70"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="96"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="71"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="73"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="74"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="105"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="76"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="107"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="77"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="118"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="84"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="133"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="91"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="112"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="88"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="142"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
@@ -5695,47 +5690,47 @@
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="307"/>
+        <location filename="../plugin/seams/words.py" line="310"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="308"/>
+        <location filename="../plugin/seams/words.py" line="311"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="309"/>
+        <location filename="../plugin/seams/words.py" line="312"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="310"/>
+        <location filename="../plugin/seams/words.py" line="313"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="311"/>
+        <location filename="../plugin/seams/words.py" line="314"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="445"/>
+        <location filename="../plugin/seams/window_summary.py" line="463"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="448"/>
+        <location filename="../plugin/seams/window_summary.py" line="466"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="456"/>
+        <location filename="../plugin/seams/window_summary.py" line="474"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="460"/>
+        <location filename="../plugin/seams/window_summary.py" line="478"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -5765,37 +5760,37 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="291"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="286"/>
         <source>Swipe</source>
         <translation>Kurtyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="293"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="288"/>
         <source>Compare the mosaic with a source on the map: drag the handle, X swaps the sides, Esc ends</source>
         <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="382"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="377"/>
         <source>Compare the mosaic with {name}</source>
         <translation>Porównaj ortofotomapę z {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="386"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="381"/>
         <source>No source here</source>
         <translation>Nie ma tu ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="388"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="383"/>
         <source>Swap the sides (X)</source>
         <translation>Zamień strony (X)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="390"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="385"/>
         <source>Horizontal handle</source>
         <translation>Uchwyt poziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="391"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="386"/>
         <source>Compare above and below instead of left and right</source>
         <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
     </message>
@@ -5805,12 +5800,12 @@
         <translation>Otwórz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="256"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="251"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="260"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="255"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -5820,22 +5815,22 @@
         <translation>Przeciągnij, aby porównać ortofotomapę z drugim obrazem. X zamienia je stronami, Esc kończy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="56"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="49"/>
         <source>How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.</source>
         <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="64"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="57"/>
         <source>A remark on the window (R); Enter keeps it and Esc leaves it as it was.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="71"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="64"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="97"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="90"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
@@ -5995,17 +5990,17 @@
         <translation>Pokaż, gdzie się różnią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="336"/>
+        <location filename="../plugin/seams/desk/judging.py" line="333"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="344"/>
+        <location filename="../plugin/seams/desk/judging.py" line="341"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="346"/>
+        <location filename="../plugin/seams/desk/judging.py" line="343"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -6055,7 +6050,7 @@
         <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="77"/>
+        <location filename="../plugin/seams/desk/judging.py" line="78"/>
         <source>{judged} of {count} judged, {left} to go</source>
         <translation>{judged} z {count}, zostało {left}</translation>
     </message>
@@ -6105,7 +6100,7 @@
         <translation>kompozycja z ostrym cięciem: każdy piksel z ortoobrazu, z którego pochodzi ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_strip.py" line="94"/>
+        <location filename="../plugin/seams/desk/images/picture_strip.py" line="93"/>
         <source>Compare the large picture with {name}</source>
         <translation>Porównaj duży obraz z {name}</translation>
     </message>
@@ -6275,17 +6270,17 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="465"/>
+        <location filename="../plugin/seams/desk/dock.py" line="435"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="466"/>
+        <location filename="../plugin/seams/desk/dock.py" line="436"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/unsaved_windows.py" line="255"/>
+        <location filename="../plugin/seams/desk/unsaved_windows.py" line="251"/>
         <source>Restore windows</source>
         <translation>Przywróć okna</translation>
     </message>
@@ -6295,27 +6290,27 @@
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="289"/>
+        <location filename="../plugin/seams/desk/dock.py" line="290"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="298"/>
+        <location filename="../plugin/seams/desk/dock.py" line="299"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="295"/>
+        <location filename="../plugin/seams/desk/dock.py" line="296"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="41"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="42"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="44"/>
         <source>Show where detail was lost, over the map and the images (L). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L). Jedna skala dla wszystkich okien</translation>
     </message>
@@ -6400,12 +6395,12 @@
         <translation>najbliższe miejsce, które można ocenić: {metres:.1f} m na {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="208"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="206"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="209"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="207"/>
         <source>Detail kept (L hides it)</source>
         <translation>Zachowane detale (L ukrywa)</translation>
     </message>
@@ -6425,7 +6420,7 @@
         <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="219"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="230"/>
         <source>{metres} m</source>
         <translation>{metres} m</translation>
     </message>
@@ -6610,12 +6605,12 @@
         <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="189"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="190"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict was taken by.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
@@ -6635,27 +6630,27 @@
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="163"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
         <source>looking for sources ...</source>
         <translation>szukanie ortoobrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="163"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="266"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="263"/>
         <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="131"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="124"/>
         <source>Look at the sources</source>
         <translation>Sprawdź ortoobrazy</translation>
     </message>
@@ -6670,12 +6665,12 @@
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="361"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="354"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="361"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="354"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -6892,12 +6887,12 @@
         <translation>Nie ma takiej zmiany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="175"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
         <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="453"/>
+        <location filename="../plugin/seams/window_summary.py" line="471"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
@@ -6917,7 +6912,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="249"/>
+        <location filename="../plugin/seams/desk/dock.py" line="250"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -6977,37 +6972,37 @@
         <translation>ziarno (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="63"/>
+        <location filename="../plugin/noise/checknoise.py" line="55"/>
         <source>Name of the rasters</source>
         <translation>Nazwa rastrów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="64"/>
+        <location filename="../plugin/noise/checknoise.py" line="56"/>
         <source>What the first group is called in chart and report. Empty: its file&apos;s name, or group 1.</source>
         <translation>Nazwa pierwszej grupy na wykresie i w raporcie. Puste: nazwa jej pliku albo grupa 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="67"/>
+        <location filename="../plugin/noise/checknoise.py" line="58"/>
         <source>Name of the second group</source>
         <translation>Nazwa drugiej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="68"/>
+        <location filename="../plugin/noise/checknoise.py" line="59"/>
         <source>What the second group is called. Empty: its file&apos;s name, or group 2.</source>
         <translation>Nazwa drugiej grupy. Puste: nazwa jej pliku albo grupa 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="78"/>
+        <location filename="../plugin/noise/checknoise.py" line="65"/>
         <source>Group windows by</source>
         <translation>Grupuj okna według</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="102"/>
+        <location filename="../plugin/noise/checknoise.py" line="82"/>
         <source>Windows whose texture could hide grain</source>
         <translation>Okna, których tekstura może skrywać ziarno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="194"/>
+        <location filename="../plugin/noise/checknoise.py" line="174"/>
         <source>group {group}</source>
         <translation>grupa {group}</translation>
     </message>
@@ -7087,22 +7082,22 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="127"/>
+        <location filename="../plugin/noise/charts.py" line="126"/>
         <source>{field}: {value}</source>
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="128"/>
+        <location filename="../plugin/noise/charts.py" line="127"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="150"/>
+        <location filename="../plugin/noise/charts.py" line="149"/>
         <source>1 window</source>
         <translation>1 okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="151"/>
+        <location filename="../plugin/noise/charts.py" line="150"/>
         <source>{name}: mean and range of {count} windows</source>
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
@@ -7437,7 +7432,7 @@
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="71"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="54"/>
         <source>Pixel size (metres)</source>
         <translation>Wielkość piksela (metry)</translation>
     </message>
@@ -7457,7 +7452,7 @@
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="217"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="209"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
@@ -7477,92 +7472,92 @@
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="139"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="124"/>
         <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
         <translation>Kąt wychylenia od pionu w środku obrazu (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="140"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="125"/>
         <source>Azimuth that the image was taken from (degrees)</source>
         <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="141"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="126"/>
         <source>Displacement of the image&apos;s middle by the error of terrain heights (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="80"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="66"/>
         <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, a GeoJSON of orthority, or a TIFF that holds such points. Empty: those inside the image.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS, GeoJSON programu orthority lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="99"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="83"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="109"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="93"/>
         <source>Error of terrain heights (metres)</source>
         <translation>Błąd wysokości terenu (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="110"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="94"/>
         <source>The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="87"/>
         <source>Grid of the geoid</source>
         <translation>Siatka geoidy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="104"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="88"/>
         <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="88"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="79"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="80"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="108"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
@@ -7822,82 +7817,82 @@
         <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz malvar lub bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/simulatebayer.py" line="42"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="38"/>
         <source>bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that is seen there says where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by OpenCV, which has to be installed.</source>
         <translation>bilinear: średnia najbliższych pikseli danej barwy. malvar: ostrzej, bo barwa zarejestrowana w danym miejscu mówi, gdzie zmieniają się też pozostałe (Malvar, He i Cutler 2004). edge_aware: wzdłuż krawędzi, przez OpenCV, które musi być zainstalowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="50"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="42"/>
         <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
         <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu paskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek pasków każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej paski, a amplituda pasków względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy pasków względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Paski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="67"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="54"/>
         <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, &apos;visible&apos; or &apos;invisible&apos;, in the fields &apos;observer&apos;, &apos;observer_2&apos; and so on.</source>
         <translation>Jedna linia w poprzek pasków każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do pasków. Obok może być zapisane, co widzieli obserwatorzy, „visible” lub „invisible”, w polach „observer”, „observer_2” i tak dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="75"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="60"/>
         <source>How far on either side of the line the profile is averaged; less where the bars are shorter.</source>
         <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="95"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="71"/>
         <source>Of the reference group, in centimetres on the ground; the next parameter says of what it is the width.</source>
         <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="99"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
         <source>Distances are widths of</source>
         <translation>GRD to szerokość</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="101"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="75"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
         <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="118"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="85"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
         <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="140"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="102"/>
         <source>Standard deviation along the flight (cm)</source>
         <translation>Odchylenie standardowe wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="141"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="103"/>
         <source>Standard deviation across the flight (cm)</source>
         <translation>Odchylenie standardowe w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="142"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="104"/>
         <source>Standard deviation of the mean (cm)</source>
         <translation>Odchylenie standardowe średniej (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="147"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="109"/>
         <source>Distance along the flight that all observers see (cm)</source>
         <translation>GRD wzdłuż kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="148"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="110"/>
         <source>Distance across the flight that all observers see (cm)</source>
         <translation>GRD w poprzek kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="149"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="111"/>
         <source>Contrast of the target, bars to gaps</source>
         <translation>Kontrast testu, paski do przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="131"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="120"/>
         <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres), several observers&apos; in &apos;grd&apos;, &apos;grd_2&apos;, &apos;grd_3&apos; and so on: their heights are averaged within the pass. Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
         <translation>Jeden wiersz na przelot z polami „height” (metry nad testem) i „grd” (centymetry), a dla kilku obserwatorów „grd”, „grd_2”, „grd_3” i tak dalej: ich wysokości są uśredniane w ramach przelotu. Wiersze zgodne w polach „sensor”, „image_type” i „direction”, o ile takie pola istnieją, tworzą grupę.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="154"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="135"/>
         <source>One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it.</source>
         <translation>Jeden wiersz na grupę: liczba, średnia i rozrzuty (metry), tolerancja (%) oraz uwagi.</translation>
     </message>
@@ -7997,67 +7992,67 @@
         <translation>{names} i jeszcze {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="54"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="46"/>
         <source>Checks images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="66"/>
         <source>Ready rules</source>
         <translation>Gotowe reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="77"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="65"/>
         <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
         <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum i kontrast histogramu jasności. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="84"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="69"/>
         <source>A JSON file of your own with the limits and where they come from, instead of the ready rules; the documentation has one to start from.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast gotowych reguł; dokumentacja zawiera plik wyjściowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="73"/>
         <source>Range of values</source>
         <translation>Zakres wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="92"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
         <source>The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged.</source>
         <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="77"/>
         <source>Grey areas</source>
         <translation>Szare obszary</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="99"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
         <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since no pixel tells a cast from the colour of the ground.</source>
         <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="116"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="89"/>
         <source>What may be grey</source>
         <translation>Obszary, które mogą być szare</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="91"/>
         <source>Uniform areas with little colour, where no grey areas are given: look at them, delete what is not grey, and give the others as grey areas.</source>
         <translation>Jednorodne obszary o słabej barwie, gdy nie podano obszarów szarych: obejrzyj je, usuń to, co nie jest szare, a pozostałe podaj jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="123"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="95"/>
         <source>The decision and all figures with the histograms on one HTML page.</source>
         <translation>Decyzja i wszystkie wartości z histogramami na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="124"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="96"/>
         <source>Decision: accepted, rejected or undecided</source>
         <translation>Decyzja: przyjęte, odrzucone lub nierozstrzygnięte</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="125"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
         <source>Reasons of the decision</source>
         <translation>Uzasadnienie decyzji</translation>
     </message>
@@ -8167,37 +8162,37 @@
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="41"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="35"/>
         <source>Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged window (a significant loss, or one that the observer saw) what it keeps by distance from the seam, where it lost detail, its curves, its clips at 2x, cause and observer.</source>
         <translation>Zapisuje jedną stronę HTML, która otwiera się wszędzie bez sieci i dobrze drukuje się na A4: podsumowanie według ortofotomap, szkic mapy z oknami według ocen, ich wariancje względne jak w tabeli 1 pracy Pyka 2010, a dla każdego oznaczonego okna (strata istotna lub zauważona przez obserwatora) to, co zachowuje ono w zależności od odległości od linii mozaikowania, miejsce straty detali, krzywe, wycinki 2×, przyczynę i obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="63"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="52"/>
         <source>The table of seam profiles of the same windows: how much detail is kept by distance from the seam.</source>
         <translation>Tabela profili linii mozaikowania tych samych okien: ile detali zachowano w zależności od odległości od linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="79"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="64"/>
         <source>The limit drawn into the seam profiles: the one the windows were inspected with.</source>
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="46"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="47"/>
         <source>least: {least:g}</source>
         <translation>najmniej: {least:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="49"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="50"/>
         <source>failed: {share:.2f} %</source>
         <translation>niezgodne: {share:.2f} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="51"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="52"/>
         <source>share of detail kept (kept_1)</source>
         <translation>zachowana część detali (kept_1)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="52"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="53"/>
         <source>metres that kept less (%)</source>
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
@@ -8247,32 +8242,32 @@
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="30"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="107"/>
         <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
         <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="72"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="127"/>
         <source>Failures</source>
         <translation>Usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="75"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="128"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="87"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="136"/>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="92"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="140"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="95"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="141"/>
         <source>The figures and the decision for a metadata catalogue: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
@@ -8657,22 +8652,22 @@
         <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="262"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="257"/>
         <source>failed pieces in the delivery (%)</source>
         <translation>niezgodne odcinki w dostawie (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="263"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="258"/>
         <source>probability of acceptance (%)</source>
         <translation>prawdopodobieństwo przyjęcia (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="60"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="47"/>
         <source>Sheets</source>
         <translation>Arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/sheet_index.py" line="80"/>
+        <location filename="../plugin/acceptance/sheet_index.py" line="75"/>
         <source>Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says.</source>
         <translation>Obrysy arkuszy, gdy wszystkie zbadano jako jedną ortofotomapę: skorowidz w postaci, którą zapisuje gdaltindex, albo poligony z polem sheet lub name. Puste pole: arkuszem jest każda warstwa linii mozaikowania albo to, co podaje jej pole sheet.</translation>
     </message>
@@ -9027,227 +9022,227 @@
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="49"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="42"/>
         <source>Accept or reject a delivery</source>
         <translation>Przyjmij lub odrzuć dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="64"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="54"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm „Zaplanuj kontrolę”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="59"/>
         <source>Plan</source>
         <translation>Plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="81"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="67"/>
         <source>Rules that come with the plugin, instead of the limits above; leave those as they are.</source>
         <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="86"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="70"/>
         <source>A JSON file of your own with limits and where they come from, instead of the limits above; leave those as they are. The documentation shows one.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="93"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="74"/>
         <source>Inspected windows, judged or not: their causes and remarks go to the failures in them, and the log says how well operators and tool agree.</source>
         <translation>Okna skontrolowane, ewentualnie z opiniami: ich przyczyny i uwagi trafiają do usterek, które w nich leżą, a zgodność operatorów i narzędzia jest podawana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="98"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="77"/>
         <source>Who judges</source>
         <translation>Kto ocenia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="100"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="78"/>
         <source>tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what nobody judged counts as not measured.</source>
         <translation>tool: o niezgodności odcinka decyduje to, co zachował. observer: decyduje to, co operator widział w oknie na odcinku; czego nikt nie ocenił, liczy się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="107"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="83"/>
         <source>The plan&apos;s operating characteristic; without a plan, how many metres kept how much.</source>
         <translation>Krzywa operacyjno-charakterystyczna planu; bez planu: ile metrów zachowało ile detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="113"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="89"/>
         <source>Length that was measured (metres)</source>
         <translation>Długość zmierzona (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="114"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="90"/>
         <source>Length that failed (metres)</source>
         <translation>Długość niezgodna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="115"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="91"/>
         <source>Share of the measured length that failed (%)</source>
         <translation>Udział niezgodnych w zmierzonej długości (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="116"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="92"/>
         <source>Longest failure without a break (metres)</source>
         <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="197"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="173"/>
         <source>Least share of detail kept</source>
         <translation>Najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="198"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="174"/>
         <source>A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.</source>
         <translation>Odcinek linii mozaikowania jest niezgodny, gdy jego kept_1 jest mniejsze; odcinek, który zachowuje dokładnie tyle, jest zgodny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="199"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="175"/>
         <source>Largest share that may fail (%)</source>
         <translation>Największy udział niezgodnych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="199"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="175"/>
         <source>Of the metres of seam that were measured.</source>
         <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="201"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="177"/>
         <source>Failed pieces that follow each other, across seams and sheets where they touch.</source>
         <translation>Niezgodne odcinki, które następują po sobie, także na kolejnych liniach mozaikowania i arkuszach, jeśli się stykają.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="202"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="178"/>
         <source>Least share that has to be measured (%)</source>
         <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="44"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="37"/>
         <source>Plan an inspection</source>
         <translation>Zaplanuj kontrolę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="47"/>
         <source>Layers &apos;Seams&apos; of scans, a sheet each, or plain seamlines: these are cut into pieces first.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="71"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
         <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="75"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="57"/>
         <source>Unit</source>
         <translation>Jednostka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="76"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="58"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
         <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="81"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="61"/>
         <source>What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same seed, windows and pieces are one sample.</source>
         <translation>Na czym rozmieszczane są okna; odcinki, które na niej nie leżą, nie należą do partii. Z nią i przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="90"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="67"/>
         <source>Length of a piece (metres)</source>
         <translation>Długość odcinka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="91"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="68"/>
         <source>Plain seamlines are cut into pieces of about this length; those of a scan stay as they are.</source>
         <translation>Zwykłe linie mozaikowania są dzielone na odcinki mniej więcej tej długości; odcinki z badania pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="94"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="70"/>
         <source>Field of the sheets</source>
         <translation>Pole arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="95"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="71"/>
         <source>The sample is drawn from each of its values in proportion. Empty: layer by layer.</source>
         <translation>Pole, którego wartości są w próbie reprezentowane proporcjonalnie. Puste: warstwa po warstwie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="99"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="73"/>
         <source>Sample</source>
         <translation>Próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="100"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="74"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; says of how many.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="103"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="77"/>
         <source>Pieces in the sample</source>
         <translation>Odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="104"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="78"/>
         <source>How many of them may fail</source>
         <translation>Ile z nich może być niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="105"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="79"/>
         <source>Pieces in the lot</source>
         <translation>Odcinki w partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="107"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="81"/>
         <source>Code letter of the plan</source>
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="153"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="127"/>
         <source>Of the plan &apos;risk&apos;, in percent of the pieces.</source>
         <translation>Dla planu „risk”, w procentach odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="154"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="128"/>
         <source>Good: failing pieces (%)</source>
         <translation>Dobra: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="156"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="129"/>
         <source>Producer&apos;s risk (%)</source>
         <translation>Ryzyko dostawcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="157"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="130"/>
         <source>How often a lot that is good may be rejected.</source>
         <translation>Jak często może być odrzucona partia, która jest dobra.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="160"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="132"/>
         <source>Bad: failing pieces (%)</source>
         <translation>Zła: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="162"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="133"/>
         <source>Consumer&apos;s risk (%)</source>
         <translation>Ryzyko odbiorcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="163"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="134"/>
         <source>How often a lot that is bad may be accepted.</source>
         <translation>Jak często może być przyjęta partia, która jest zła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="167"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="136"/>
         <source>Correlation along a seam</source>
         <translation>Podobieństwo wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="169"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="137"/>
         <source>Intraclass correlation of the pieces of one seam, 0 to 1; the sample grows with it. Empty: as a scan&apos;s kept_1 says, or 0.3 without one.</source>
         <translation>Jak bardzo odcinki jednej linii mozaikowania są do siebie podobne, od 0 do 1 (korelacja wewnątrzklasowa); próba rośnie wraz z nią. Puste pole: według kept_1 z badania albo 0,3, gdy badania nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="176"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="142"/>
         <source>What counts as failed where the correlation along seams is taken from a scan.</source>
         <translation>Co liczy się jako niezgodne, gdy podobieństwo odcinków wzdłuż linii mozaikowania jest brane z badania.</translation>
     </message>
@@ -9262,42 +9257,42 @@
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="192"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="191"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="193"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="192"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="196"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="195"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="207"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="203"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="208"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="204"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="211"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="206"/>
         <source>Inspection</source>
         <translation>Kontrola</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="212"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="207"/>
         <source>Normal; tightened after two of five lots were rejected; reduced after ten that were accepted.</source>
         <translation>Normalna; obostrzona po odrzuceniu dwóch z pięciu partii; ulgowa po przyjęciu dziesięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="219"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="210"/>
         <source>Of the drawing: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -9482,97 +9477,97 @@
         <translation>klin</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="73"/>
+        <location filename="../plugin/photos/interiororientation.py" line="60"/>
         <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey value though the file calls it nodata.</source>
         <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości. Czerń jest wartością szarości, choćby plik oznaczał ją jako brak danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="88"/>
+        <location filename="../plugin/photos/interiororientation.py" line="69"/>
         <source>A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by 180 degrees is measured by its own centre, else by its middle.</source>
         <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół. Służy najpierw do pomiaru swojego znaczka; znaczki o innym wyglądzie są mierzone wzorcami rysowanymi. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="104"/>
+        <location filename="../plugin/photos/interiororientation.py" line="79"/>
         <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured. One that lies off by more than a thousandth of the frame fails as a measured mark does.</source>
         <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone. Znaczek odległy o więcej niż jedną tysięczną ramki jest odrzucany tak samo jak zmierzony.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="164"/>
+        <location filename="../plugin/photos/interiororientation.py" line="121"/>
         <source>MicMac measurement</source>
         <translation>Pomiar MicMac</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="164"/>
+        <location filename="../plugin/photos/interiororientation.py" line="121"/>
         <source>XML files (*.xml)</source>
         <translation>Pliki XML (*.xml)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="166"/>
+        <location filename="../plugin/photos/interiororientation.py" line="123"/>
         <source>The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, with the photo&apos;s whole file name, as in MeasuresIm-114.jpg.xml.</source>
         <translation>Zmierzone i podane znaczki w postaci, którą odczytuje MicMac: zapisz jako Ori-InterneScan/MeasuresIm-PHOTO.xml, z pełną nazwą pliku zdjęcia, jak w MeasuresIm-114.jpg.xml.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="51"/>
+        <location filename="../plugin/photos/comparemarks.py" line="45"/>
         <source>Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do, and whether the mean is within a limit. Two operators differed there by 0.25 px, so a program has to stay within that. Many photos are compared in one run: give folders, or merged layers with a field &apos;photo&apos;.</source>
         <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r., oraz czy średnia mieści się w granicy. Dwaj operatorzy różnili się tam o 0,25 px, więc program musi się w tym zmieścić. Wiele zdjęć porównuje się za jednym razem: podaj katalogi albo połączone warstwy z polem „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="65"/>
+        <location filename="../plugin/photos/comparemarks.py" line="58"/>
         <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo in their field &apos;photo&apos;, else of the one that the file is called like) and MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Zamiast warstwy: wszystkie pliki tego katalogu, warstwy z polem „mark” (dla zdjęcia z ich pola „photo”, a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="69"/>
+        <location filename="../plugin/photos/comparemarks.py" line="62"/>
         <source>First measurement, a folder</source>
         <translation>Pierwszy pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="70"/>
+        <location filename="../plugin/photos/comparemarks.py" line="63"/>
         <source>Second measurement, a folder</source>
         <translation>Drugi pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="81"/>
+        <location filename="../plugin/photos/comparemarks.py" line="68"/>
         <source>Largest mean distance (px)</source>
         <translation>Największa średnia odległość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="84"/>
+        <location filename="../plugin/photos/comparemarks.py" line="69"/>
         <source>The verdict is &apos;within&apos; where the mean distance is at most that; in the paper 0.25 px.</source>
         <translation>Ocena brzmi „within”, gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="96"/>
+        <location filename="../plugin/photos/comparemarks.py" line="75"/>
         <source>Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a row for each unit.</source>
         <translation>Liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, granica i ocena, po jednym wierszu na jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="101"/>
+        <location filename="../plugin/photos/comparemarks.py" line="78"/>
         <source>Photos</source>
         <translation>Zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="102"/>
+        <location filename="../plugin/photos/comparemarks.py" line="79"/>
         <source>Count, mean, maximum (px) and verdict of each photo.</source>
         <translation>Liczba, średnia, maksimum (px) i ocena każdego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="113"/>
+        <location filename="../plugin/photos/comparemarks.py" line="88"/>
         <source>Marks in both measurements</source>
         <translation>Znaczki w obu pomiarach</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="114"/>
+        <location filename="../plugin/photos/comparemarks.py" line="89"/>
         <source>1 where the mean distance is within the limit, else 0</source>
         <translation>1, gdy średnia odległość mieści się w granicy, w przeciwnym razie 0</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="173"/>
+        <location filename="../plugin/photos/comparemarks.py" line="148"/>
         <source>The mean distance is within the limit of {limit:g} px.</source>
         <translation>Średnia odległość mieści się w granicy {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="174"/>
+        <location filename="../plugin/photos/comparemarks.py" line="149"/>
         <source>The mean distance is beyond the limit of {limit:g} px.</source>
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
@@ -9907,7 +9902,7 @@
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="254"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="249"/>
         <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
         <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
     </message>
@@ -10044,7 +10039,7 @@
         <translation>Skontroluj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="240"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="303"/>
         <source>Seam Inspector&apos;s own</source>
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
@@ -10134,12 +10129,12 @@
         <translation>Najpierw straty istotne; w obrębie oceny największa strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="76"/>
+        <location filename="../plugin/seams/desk/judging.py" line="77"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="96"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="89"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -10159,22 +10154,22 @@
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="88"/>
+        <location filename="../plugin/photos/comparemarks.py" line="71"/>
         <source>Pixel size (µm)</source>
         <translation>Wielkość piksela (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="179"/>
+        <location filename="../plugin/photos/interiororientation.py" line="130"/>
         <source>Root mean square of the residuals (µm)</source>
         <translation>Średnia kwadratowa odchyłek (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="254"/>
+        <location filename="../plugin/photos/interiororientation.py" line="205"/>
         <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm.</source>
         <translation>{marks} {marks:znaczek|znaczki|znaczków}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="150"/>
+        <location filename="../plugin/photos/interiororientation.py" line="109"/>
         <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in µm, correlation, status, reason and the photo&apos;s name.</source>
         <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
     </message>
@@ -10187,12 +10182,12 @@
         <translation>Odchyłka y, µm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/simulatebayer.py" line="49"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="43"/>
         <source>A GeoTIFF: red, green and blue on the image&apos;s own pixels, in its data type.</source>
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
@@ -10462,7 +10457,7 @@
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="222"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -10572,17 +10567,17 @@
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="51"/>
         <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; does not count), and the measures &apos;kept_1&apos;, &apos;visibility&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
         <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „visibility”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="115"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="88"/>
         <source>The rectangles as measured, with their verdict, what is kept along the seam, how far an eye sees the loss at 2x (&apos;visibility&apos;, 1 is just seen), and ratios: the largest over the sources.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną, z tym, co zachowano wzdłuż linii mozaikowania, z tym, na ile oko widzi stratę w powiększeniu 2× („visibility”, 1 to strata ledwie widoczna), i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="127"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees the loss at 2x, and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
@@ -10657,7 +10652,7 @@
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="255"/>
+        <location filename="../plugin/seams/words.py" line="258"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
@@ -10707,7 +10702,7 @@
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="230"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="237"/>
         <source>{length} px</source>
         <translation>{length} px</translation>
     </message>
@@ -10742,7 +10737,7 @@
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="476"/>
+        <location filename="../plugin/seams/window_summary.py" line="494"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -10841,117 +10836,117 @@
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="203"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="179"/>
         <source>Of the seams on ground with detail. With less measured a delivery is not accepted.</source>
         <translation>Linii mozaikowania w terenie z detalami. Gdy zmierzono mniej, dostawa nie jest przyjmowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="109"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="85"/>
         <source>accepted, rejected or undecided</source>
         <translation>przyjęto, odrzucono lub nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="111"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="87"/>
         <source>Accepted (1), rejected (0), or nothing where it is undecided</source>
         <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="45"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="35"/>
         <source>Check a delivery</source>
         <translation>Sprawdź dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="47"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="37"/>
         <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, or have no data inside their outline; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with what was found at each, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all of them, ready for the scan.</source>
         <translation>Sprawdza pliki dostawy przed jej liniami mozaikowania: arkusze, których brakuje, których nikt nie zamówił albo które nie mają danych wewnątrz swojego obrysu; rozmiar piksela, układ odniesienia, kanały, typ pikseli i nazwy. Zapisuje arkusze z uwagami do każdego, gotowe dla odbioru dostawy, oraz jedną ortofotomapę wszystkich arkuszy, gotową do skanowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="57"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="45"/>
         <source>Of the delivered sheets. Empty: the files that the sheets&apos; field location names.</source>
         <translation>Dostarczonych arkuszy. Puste: pliki, które wymienia pole location arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="62"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="48"/>
         <source>Outlines of the sheets that were ordered, as polygons with a field sheet, name or location. Empty: all files in the folder count as ordered, and only their form is checked.</source>
         <translation>Obrysy zamówionych arkuszy jako poligony z polem sheet, name lub location. Puste: zamówiono to, co zawiera katalog, i sprawdzana jest tylko postać plików.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="68"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="52"/>
         <source>The pattern of file names, with * and ?, such as ortho_????_??.tif. Empty: any name.</source>
         <translation>Jak mają się nazywać pliki, ze znakami * i ?, np. ortho_????_??.tif. Puste: dowolnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="79"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="61"/>
         <source>How many, without alpha. Empty: as most sheets have.</source>
         <translation>Ile, bez kanału alfa. Puste: tyle, ile w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="87"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
         <source>Of a sheet&apos;s outline.</source>
         <translation>Obrysu arkusza.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="92"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="70"/>
         <source>Each sheet with its file, what was found at it, and whether that is nothing.</source>
         <translation>Każdy arkusz z jego plikiem, uwagami i informacją, czy uwag nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="96"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="73"/>
         <source>A virtual mosaic over the sheets that fit together; nothing is copied.</source>
         <translation>Wirtualna ortofotomapa arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="56"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="44"/>
         <source>Folder</source>
         <translation>Katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="51"/>
         <source>Pattern of names</source>
         <translation>Wzorzec nazw</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="78"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="60"/>
         <source>Bands</source>
         <translation>Kanały</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="82"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="63"/>
         <source>Type of the pixels</source>
         <translation>Typ pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="86"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="66"/>
         <source>Largest share without data (%)</source>
         <translation>Największy udział bez danych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="91"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="69"/>
         <source>Checked sheets</source>
         <translation>Sprawdzone arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="95"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="72"/>
         <source>Mosaic of all sheets</source>
         <translation>Ortofotomapa wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="100"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="77"/>
         <source>Number of sheets</source>
         <translation>Liczba arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="101"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="78"/>
         <source>Sheets without a file</source>
         <translation>Arkusze bez pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="102"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="79"/>
         <source>Sheets with findings</source>
         <translation>Arkusze z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="103"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="80"/>
         <source>Complete (1) or not (0)</source>
         <translation>Kompletna (1) lub nie (0)</translation>
     </message>
@@ -11221,67 +11216,67 @@
         <translation>arkusz: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="91"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="104"/>
         <source>Digests of the files</source>
         <translation>Skróty kryptograficzne plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="97"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="110"/>
         <source>rows of {layer}</source>
         <translation>wiersze warstwy {layer}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="100"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="113"/>
         <source>list of orthoimages</source>
         <translation>lista ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Of the report; empty: Acceptance of an orthophoto mosaic.</source>
         <translation>Raportu; puste: Odbiór ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
         <source>Contract</source>
         <translation>Umowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
         <source>Number of the order or contract that the delivery belongs to.</source>
         <translation>Numer zamówienia lub umowy, do której należy dostawa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>Producer</source>
         <translation>Wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>Who made the delivery.</source>
         <translation>Kto wykonał dostawę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
         <source>Client</source>
         <translation>Zamawiający</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
         <source>Who ordered the delivery and decides on it.</source>
         <translation>Kto zamówił dostawę i o niej decyduje.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="30"/>
         <source>Delivery</source>
         <translation>Dostawa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="30"/>
         <source>What the delivery is called.</source>
         <translation>Nazwa dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="31"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="32"/>
         <source>Date of the delivery</source>
         <translation>Data dostawy</translation>
     </message>
@@ -11306,27 +11301,27 @@
         <translation>Nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="47"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="115"/>
         <source>As the scan wrote it, one for each sheet where these were scanned apart, in the order of SEAMS: the XML refers to it. It also says from which orthoimages the seams were measured, and how, where their layer does not.</source>
         <translation>Taki, jak zapisało go skanowanie; po jednym na arkusz, jeżeli skanowano je osobno, w kolejności SEAMS: odwołuje się do niego XML, a on mówi, z jakich ortoobrazów zmierzono linie mozaikowania, oraz jak, jeżeli nie mówi tego ich warstwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="65"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="124"/>
         <source>SHA-256 of the mosaic&apos;s files, the seams, the rules and the list of orthoimages, for the report and the XML. It takes as long as reading the files once.</source>
         <translation>SHA-256 plików ortofotomapy, linii mozaikowania, reguł i listy ortoobrazów, do raportu i XML. Trwa tyle, ile jednokrotne odczytanie plików.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="84"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="133"/>
         <source>One polygon for each sheet, with its verdict by the same limits and its metres.</source>
         <translation>Jeden poligon na każdy arkusz, z oceną według tych samych granic i z metrami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="81"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="132"/>
         <source>Decided sheets</source>
         <translation>Ocenione arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
         <source>Length of the pieces that keep less than 70 % (metres)</source>
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
@@ -11341,17 +11336,17 @@
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="233"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="230"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="236"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="233"/>
         <source>{asked} m is too small for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za mało dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="237"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
         <source>{asked} m is too large for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
@@ -11366,7 +11361,7 @@
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="79"/>
+        <location filename="../plugin/seams/desk/judging.py" line="80"/>
         <source>{judged} of {count} judged, {unsure} not sure, {left} to go</source>
         <translation>oceniono {judged} z {count}, niepewne: {unsure}, pozostało {left}</translation>
     </message>
@@ -11416,7 +11411,7 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="403"/>
+        <location filename="../plugin/seams/window_summary.py" line="421"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
@@ -11426,32 +11421,32 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="405"/>
+        <location filename="../plugin/seams/window_summary.py" line="423"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="415"/>
+        <location filename="../plugin/seams/window_summary.py" line="433"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="418"/>
+        <location filename="../plugin/seams/window_summary.py" line="436"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="402"/>
+        <location filename="../plugin/seams/window_summary.py" line="420"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="427"/>
+        <location filename="../plugin/seams/window_summary.py" line="445"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="475"/>
+        <location filename="../plugin/seams/window_summary.py" line="493"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -11593,12 +11588,12 @@
         <translation>wersja źródeł wtyczki (commit)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="51"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="44"/>
         <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and by rules or a plan of ISO 2859 whether that is accepted, rejected or can&apos;t be decided, and then what would decide it. A piece of seam fails when it kept less than is asked for; metres are sums of whole pieces. What could not be measured never counts as passed.</source>
         <translation>Rozstrzyga o dostawie na podstawie linii mozaikowania z jednego skanowania lub z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy, i według reguł lub planu ISO 2859, czy dostawę się przyjmuje, odrzuca, czy nie da się rozstrzygnąć, i co by wtedy rozstrzygnęło. Odcinek jest niezgodny, gdy zachował mniej, niż się wymaga; metry są sumami całych odcinków. Co nie dało się zmierzyć, nigdy nie liczy się jako zgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="73"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="60"/>
         <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lots of a series. iso2859_2: the same for a single delivery, an isolated lot, by its limiting quality (ISO 2859-2).</source>
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii w serii. iso2859_2: tak samo dla pojedynczej dostawy, czyli partii izolowanej, według jakości granicznej (ISO 2859-2).</translation>
     </message>
@@ -11668,7 +11663,7 @@
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="251"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="246"/>
         <source>good quality {quality} %: rejected in {risk} % (producer&apos;s risk)</source>
         <translation>dobra jakość {quality} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
     </message>
@@ -11693,32 +11688,32 @@
         <translation>{standard}, plan jednostopniowy dla partii izolowanej (procedura A), jakość graniczna {lq:g} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="58"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="120"/>
         <source>The table that &apos;Check radiometry&apos; made of the sheets: its result stands on the cover beside the decision, which it does not change.</source>
         <translation>Tabela, którą algorytm „Sprawdź radiometrię” utworzył dla arkuszy: jej wynik stoi na pierwszej stronie obok decyzji i jej nie zmienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="46"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="39"/>
         <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the desk to be judged. The same seed draws the same sample.</source>
         <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859-1, jak wymagają podane ryzyka albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="61"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="51"/>
         <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; risk, as few as keep the risks below; count, as many as you say.</source>
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="202"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="199"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 has it: three times what you want at least.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="200"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="198"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="43"/>
+        <location filename="../plugin/noise/checknoise.py" line="37"/>
         <source>Measures how much random noise an image has, from film, scanner or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. The rule compares noise with the scene; the amount beside it is the ratio of the signal to the noise. Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as land use or scale.</source>
         <translation>Mówi, ile szumu losowego ma obraz, czy to film, skan, czy matryca. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (umiarkowany), a gdy jest silny, poziom 2 ponad poziom 3 (Pyka 2009). Ziarna grubszego niż piksel szuka się w widmie najspokojniejszego terenu; gdzie tekstura mogłaby je ukryć, ocena jest niepewna. Reguła porównuje szum ze sceną; ilość podana obok to stosunek sygnału do szumu. Zdjęcia i skany nie muszą leżeć na mapie. Porównuje się dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno mierzy się na obu, z pominięciem tych samych pikseli. Okna grupuje się według ich pola, na przykład użytkowania terenu lub skali.</translation>
     </message>
@@ -11758,112 +11753,112 @@
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="47"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="41"/>
         <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where 70 % or less is kept along the seam, reduced where the 95 % interval lies below all of it. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
         <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii mozaikowania zachowano 70 % lub mniej, a kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="44"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="39"/>
         <source>Mend seams</source>
         <translation>Napraw linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="46"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="41"/>
         <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are eased. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as a scan does it, and only what keeps more detail than before stays. Where the orthoimages fit nowhere, the seam stays as it is and the table gives the reason.</source>
         <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="63"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="54"/>
         <source>The seams as Scan a whole mosaic writes them, all of them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
         <translation>Wszystkie linie mozaikowania, jak zapisuje je skanowanie całej ortofotomapy. Albo okna: wtedy ortofotomapa jest najpierw skanowana, a naprawiane są linie w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="58"/>
         <source>failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every piece.</source>
         <translation>failed: odcinki, które zachowują mniej niż 70 %. reduced: także te, które mierzalnie straciły detale. all: wszystkie odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="62"/>
         <source>How far a new cut may move to either side of the seam; at most 800 pixels.</source>
         <translation>Jak daleko nowe cięcie może odejść w każdą stronę od linii mozaikowania; najwyżej 800 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="65"/>
         <source>Width over which the two orthoimages are mixed at the cut. 0: a hard cut.</source>
         <translation>Szerokość, na której oba ortoobrazy są mieszane przy cięciu. 0: twarde cięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="69"/>
         <source>A folder for the patches, cloud-optimised GeoTIFFs with an alpha band; or the name of one .tif for all of them.</source>
         <translation>Katalog na łaty, czyli pliki COG z kanałem alfa; albo nazwa jednego pliku .tif na wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="95"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
         <source>A virtual raster: the mosaic with the patches above it. It needs both where they are.</source>
         <translation>Raster wirtualny: ortofotomapa, a nad nią łaty. Jedne i drugie muszą pozostać na swoich miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="76"/>
         <source>Each seam as it runs now, with what it kept before and after, and its step of tone before and after.</source>
         <translation>Każda linia mozaikowania w nowym przebiegu, z tym, co zachowywała przed i po, oraz ze skokiem tonu przed i po.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="57"/>
         <source>What to mend</source>
         <translation>Co naprawić</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="61"/>
         <source>Width of the corridor (metres)</source>
         <translation>Szerokość korytarza (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="64"/>
         <source>Blend (pixels)</source>
         <translation>Wtapianie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
         <source>Patches</source>
         <translation>Łaty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="72"/>
         <source>Mended mosaic</source>
         <translation>Naprawiona ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
         <source>Cuts</source>
         <translation>Cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="81"/>
         <source>Length of the seams that are mended (metres)</source>
         <translation>Długość naprawionych linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="105"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="82"/>
         <source>Length of the seams that stay as they were (metres)</source>
         <translation>Długość linii mozaikowania, które pozostały bez zmian (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="54"/>
         <source>Full width, from where the one image is all to where the other is. What such a feather would leave, in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle of the feather is predicted, where both images weigh the same.</source>
         <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="84"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="64"/>
         <source>Lines along which the images are to be joined, or polygons with such borders, where they are known. Elsewhere the seam is assumed to run straight through the middle of its window, and the prediction is the mean over the directions it may have.</source>
         <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="53"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="44"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the desk. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="137"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="94"/>
         <source>Windows where least was kept, the worst first, ready for the desk and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
@@ -11873,7 +11868,7 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="85"/>
+        <location filename="../plugin/seams/desk/judging.py" line="86"/>
         <source>{left} to go</source>
         <translation>jeszcze {left}</translation>
     </message>
@@ -12004,17 +11999,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="436"/>
+        <location filename="../plugin/seams/desk/windows/windows_mosaic.py" line="121"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="437"/>
+        <location filename="../plugin/seams/desk/windows/windows_mosaic.py" line="122"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="438"/>
+        <location filename="../plugin/seams/desk/windows/windows_mosaic.py" line="123"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -12107,27 +12102,27 @@
         <translation>Podano wysokość odniesienia dla {name}, ale żadna grupa przelotów tak się nie nazywa; podaj jedną z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="143"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="105"/>
         <source>Finest distance that may be resolved along the flight (cm)</source>
         <translation>Najmniejsza terenowa zdolność rozdzielcza możliwa wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="144"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="106"/>
         <source>Coarsest distance that may be the finest one along the flight (cm)</source>
         <translation>Największa terenowa zdolność rozdzielcza możliwa wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="145"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="107"/>
         <source>Finest distance that may be resolved across the flight (cm)</source>
         <translation>Najmniejsza terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="146"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="108"/>
         <source>Coarsest distance that may be the finest one across the flight (cm)</source>
         <translation>Największa terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="143"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="128"/>
         <source>The minimum height that the results are compared with, or one for each sensor, type of image or direction: &apos;DMC 2714; RC20 2015&apos;.</source>
         <translation>Wysokość minimalna, z którą porównuje się wyniki, albo po jednej dla każdego sensora, typu obrazu lub kierunku: &apos;DMC 2714; RC20 2015&apos;.</translation>
     </message>
@@ -12282,7 +12277,7 @@
         <translation>Wszystkie obrazy przyjęto.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="66"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="57"/>
         <source>Alone or beside the rasters: the sheets that &apos;Check a delivery&apos; wrote, or a tile index as gdaltindex writes it. The files that their field &apos;location&apos; names are checked.</source>
         <translation>Same lub obok rastrów: arkusze zapisane przez „Sprawdź dostawę” albo indeks arkuszy zapisany przez gdaltindex. Sprawdzane są pliki, które wskazuje ich pole „location”.</translation>
     </message>
@@ -12319,17 +12314,17 @@
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="72"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="55"/>
         <source>To 1 %. Empty: that of most sheets.</source>
         <translation>Z dokładnością do 1 %. Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="75"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="58"/>
         <source>Empty: that of most sheets.</source>
         <translation>Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="83"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="64"/>
         <source>8 bit is uint8, 16 bit uint16. Empty: that of most sheets.</source>
         <translation>8 bitów to uint8, 16 bitów to uint16. Puste: tak jak w większości arkuszy.</translation>
     </message>
@@ -12414,17 +12409,17 @@
         <translation>za mało</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="37"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="110"/>
         <source>The orthoimages: the report shows each failure beside the two that meet there and their cut. Empty: those that the scan wrote into its picture of losses.</source>
         <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowanie zapisało w obrazie strat.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="87"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="65"/>
         <source>The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="197"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="196"/>
         <source>The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
@@ -12449,7 +12444,7 @@
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="80"/>
+        <location filename="../plugin/noise/checknoise.py" line="66"/>
         <source>A field of the windows, such as land use, scale or film: chart and report compare its values.</source>
         <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
     </message>
@@ -12459,7 +12454,7 @@
         <translation>Pole, według którego grupowane są okna, np. użytkowanie terenu lub skala: za krzywymi zaznaczonego okna widać zakres wszystkich okien z tą samą wartością. Puste pole: bez grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="71"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="61"/>
         <source>Rectangles in any reference system; each is checked separately on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
@@ -12469,17 +12464,17 @@
         <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="101"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="78"/>
         <source>Each seam before and after, in figures and in pictures at 2x.</source>
         <translation>Każda linia mozaikowania przed i po, w liczbach i na obrazach w powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="51"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="43"/>
         <source>The windows that &apos;Inspect windows&apos; wrote, judged by an observer or not.</source>
         <translation>Okna takie, jakie zostawia „Skontroluj okna”, ocenione przez obserwatora lub nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="59"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="49"/>
         <source>The table of pairs of the same windows: it gives absolute contrast, and which sources are shown.</source>
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
@@ -12514,42 +12509,42 @@
         <translation>Jeden z nich wyraził wszędzie tę samą opinię, więc zgodności nie da się odróżnić od przypadku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="43"/>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="44"/>
         <source>Judge</source>
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="45"/>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="46"/>
         <source>Judge window after window: the map takes the room, and what lies over the mosaic goes (J); again: all is as before</source>
         <translation>Ocena okno po oknie: mapa zajmuje cały ekran, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="25"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="24"/>
         <source>All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.</source>
         <translation>Wszystkie okna ocenione: widoczna {visible}, niewidoczna {invisible}, niepewna {unsure}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="36"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="35"/>
         <source>The tool agrees on {same} of {count}.</source>
         <translation>Narzędzie zgadza się w {same} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="52"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="51"/>
         <source>Your verdicts support a limit of {limit} % kept along the seam ({low} to {high} %); {set} % is set.</source>
         <translation>Twoje oceny wskazują granicę {limit} % zachowanych wzdłuż linii mozaikowania (od {low} do {high} %); ustawione jest {set} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="38"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="37"/>
         <source>The tool agrees on {same} of {count}. Called significant and not seen: {vain}; seen and not called so: {missed}.</source>
         <translation>Narzędzie zgadza się w {same} z {count}. Uznane za istotne, a niewidoczne: {vain}; widoczne, a nieuznane: {missed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="48"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="47"/>
         <source>Too few for a limit of your own ({visible} visible, {invisible} invisible with a number along the seam).</source>
         <translation>Za mało na własną granicę (z wartością wzdłuż linii mozaikowania: {visible} widocznych, {invisible} niewidocznych).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="83"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="82"/>
         <source>Find the limit that the verdicts support</source>
         <translation>Wyznaczanie granicy, którą wskazują oceny</translation>
     </message>
@@ -12664,7 +12659,7 @@
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="451"/>
+        <location filename="../plugin/seams/window_summary.py" line="469"/>
         <source>it measures detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
@@ -12684,7 +12679,7 @@
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="46"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="39"/>
         <source>quotients of order 2 at most, without the terms that the points do not support</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
@@ -12749,37 +12744,37 @@
         <translation>Wszystkie pliki (*)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="26"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="27"/>
         <source>Orthorectify a block of photos</source>
         <translation>Ortorektyfikacja bloku zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="41"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="42"/>
         <source>Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an OpenDroneMap project.</source>
         <translation>Wysokości terenu pod wszystkimi zdjęciami, w dowolnym układzie współrzędnych. Puste: model terenu albo pokrycia z projektu OpenDroneMap.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="44"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="45"/>
         <source>Of the orthoimages. Empty: the UTM zone of the first photo.</source>
         <translation>Ortoobrazów. Puste: strefa UTM pierwszego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="47"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="48"/>
         <source>A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends.</source>
         <translation>Katalog: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="46"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="47"/>
         <source>Orthoimages</source>
         <translation>Ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="49"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="50"/>
         <source>Orthoimages made</source>
         <translation>Wykonane ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="49"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="50"/>
         <source>Photos without an orthoimage</source>
         <translation>Zdjęcia bez ortoobrazu</translation>
     </message>
@@ -12941,7 +12936,7 @@
         <translation>niejasne: {length}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="32"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="33"/>
         <source>2026-11-23 or 23.11.2026; the report writes the first.</source>
         <translation>2026-11-23 albo 23.11.2026; w raporcie stoi pierwszy zapis.</translation>
     </message>
@@ -12986,7 +12981,7 @@
         <translation>zachowane co najmniej {kept:g} %, zmierzone co najmniej {measured:g} %, próba z partii izolowanej, LQ {lq:g} %</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="88"/>
+        <location filename="../plugin/noise/checknoise.py" line="71"/>
         <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, the most that grain can be, the verdict low, uncertain, moderate or strong, and beside it the amount of noise by the signal to noise ratio: little, some or much; at most some where texture can hide it, uncertain where texture can hide much.</source>
         <translation>Jeden wiersz na okno, raster i kanał: wariancja względna, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN, największe możliwe ziarno, ocena low, uncertain, moderate lub strong, a obok niej poziom szumu według stosunku sygnału do szumu: little, some lub much; at most some, gdy umiarkowany szum może kryć się w teksturze, uncertain, gdy może się w niej kryć duży.</translation>
     </message>
@@ -13016,17 +13011,17 @@
         <translation>Ortoobraz zastąpiłby plik {path}, z którego odczytywane są dane; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="28"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="29"/>
         <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. Of an OpenDroneMap project the folder, or reconstruction.json, is enough. A photo that can&apos;t be used is named, and the others are made.</source>
         <translation>Umieszcza na mapie wszystkie zdjęcia lotnicze bloku, z użyciem NMT i na jednej siatce pikseli: te, które wymienia plik ich orientacji. W przypadku projektu OpenDroneMap wystarczy katalog albo reconstruction.json. Zdjęcie, którego nie można użyć, jest wymieniane, a pozostałe powstają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="36"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="37"/>
         <source>Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation&apos;s project, else in the folder of its file.</source>
         <translation>W przypadku projektu nie trzeba podawać nic więcej. Puste: zdjęcia są w katalogu images projektu, z którego pochodzi orientacja zewnętrzna, w przeciwnym razie w katalogu jej pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="34"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="35"/>
         <source>Folder of an OpenDroneMap project, or of photos</source>
         <translation>Katalog projektu OpenDroneMap lub katalog zdjęć</translation>
     </message>
@@ -13064,7 +13059,7 @@
         <translation>{name}: zmierzono podane linie mozaikowania i obejrzano tylko to, co leży wzdłuż nich. Aby znaleźć linie, których one nie pokazują, wykonaj jeszcze jeden skan bez SEAMLINES.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="175"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="147"/>
         <source>Radiometry: {word}.</source>
         <translation>Radiometria: {word}.</translation>
     </message>
@@ -13164,7 +13159,7 @@
         <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="360"/>
+        <location filename="../plugin/seams/window_summary.py" line="378"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
@@ -13174,17 +13169,17 @@
         <translation>niedopasowanie {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="362"/>
+        <location filename="../plugin/seams/window_summary.py" line="380"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="384"/>
+        <location filename="../plugin/seams/window_summary.py" line="402"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="388"/>
+        <location filename="../plugin/seams/window_summary.py" line="406"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
@@ -13264,12 +13259,12 @@
         <translation>QGIS nie zna układu współrzędnych ortofotomapy, więc okna nie leżałyby nigdzie; uruchom QGIS ponownie albo nadaj ortofotomapie inny układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="91"/>
+        <location filename="../plugin/seams/desk/judging.py" line="92"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="57"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="56"/>
         <source>These are {count} verdicts; judge some {more} more before you rely on it.</source>
         <translation>To {count} opinii; zanim zaufasz tej granicy, dodaj jeszcze około {more}.</translation>
     </message>
@@ -13279,22 +13274,22 @@
         <translation>Inny stan tej ortofotomapy: tam, gdzie są podobne, przechodzi razem z nią z ortoobrazu na ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="376"/>
+        <location filename="../plugin/seams/window_summary.py" line="394"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="341"/>
+        <location filename="../plugin/seams/window_summary.py" line="346"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="369"/>
+        <location filename="../plugin/seams/window_summary.py" line="387"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="373"/>
+        <location filename="../plugin/seams/window_summary.py" line="391"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -13332,6 +13327,26 @@
         <location filename="../plugin/sensors/measure/messages.py" line="280"/>
         <source>The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="239"/>
+        <source>dodging took {value} %</source>
+        <translation>wyrównanie jasności zabrało {value} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="240"/>
+        <source>dodged</source>
+        <translation>wyrównana jasność</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="241"/>
+        <source>Dodge it less.</source>
+        <translation>Wyrównaj jasność słabiej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="237"/>
+        <source>Brightness was evened out from place to place; done from a coarse overview, that takes detail.</source>
+        <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
 </context>
 </TS>

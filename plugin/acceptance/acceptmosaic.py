@@ -6,13 +6,7 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingOutputString,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterMultipleLayers,
-)
+from qgis.core import QgsProcessingOutputString
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SettingsError
@@ -24,8 +18,7 @@ from ..toolkit.translation import tr
 from . import stated_rules as stated
 from .measure import messages
 from .measure.acceptance_rules import ready_files
-from .paper.paper_head import check_head
-from .paper_parameters import LOSS, QUALITY, REPORT, add_paper
+from .paper.paper_head import LOSS, QUALITY, REPORT, add_paper, check_head
 from .sheet_index import add_sheets, with_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
@@ -57,51 +50,34 @@ class AcceptMosaic(SeamInspectorAlgorithm):
     PAGES = (REPORT, QUALITY)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
-        self.addDescribed(
-            QgsProcessingParameterMultipleLayers(SEAMS, tr("Seams"), line),
-            tr(
-                "The layers 'Seams' of the scans of one delivery, a sheet each, or a sample that 'Plan an inspection' "
-                "drew of them."
-            ),
-        )
+        self.addDescribed(common.layers(SEAMS, tr("Seams"), common.LINE), tr(
+            "The layers 'Seams' of the scans of one delivery, a sheet each, or a sample that 'Plan an inspection' drew "
+            "of them."
+        ))
         add_sheets(self)
         self._add_limits()
-        self.addDescribed(
-            common.choice(stated.PLAN, tr("Plan"), (stated.ALL, stated.ISO2859, stated.ISOLATED)),
-            tr(
-                "all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a "
-                "random sample, as ISO 2859-1 plans it for the lots of a series. iso2859_2: the same for a single "
-                "delivery, an isolated lot, by its limiting quality (ISO 2859-2)."
-            ),
-        )
+        self.addDescribed(common.choice(stated.PLAN, tr("Plan"), (stated.ALL, stated.ISO2859, stated.ISOLATED)), tr(
+            "all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a "
+            "random sample, as ISO 2859-1 plans it for the lots of a series. iso2859_2: the same for a single "
+            "delivery, an isolated lot, by its limiting quality (ISO 2859-2)."
+        ))
         add_plan_parameters(self)
         self.addDescribed(
             common.choice(stated.READY_RULES, tr("Ready rules"), list(ready_files()), None, optional=True),
             tr("Rules that come with the plugin, instead of the limits above; leave those as they are."),
         )
-        self.addDescribed(
-            QgsProcessingParameterFile(stated.RULES, tr("Rules"), extension="json", optional=True),
-            tr(
-                "A JSON file of your own with limits and where they come from, instead of the limits above; leave "
-                "those as they are. The documentation shows one."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(WINDOWS, tr("Inspected windows"), [polygon], optional=True),
-            tr(
-                "Inspected windows, judged or not: their causes and remarks go to the failures in them, and the log "
-                "says how well operators and tool agree."
-            ),
-        )
-        self.addDescribed(
-            common.choice(JUDGE, tr("Who judges"), (TOOL, OBSERVER)),
-            tr(
-                "tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what "
-                "nobody judged counts as not measured."
-            ),
-            advanced=True,
-        )
+        self.addDescribed(common.file(stated.RULES, tr("Rules"), "json", optional=True), tr(
+            "A JSON file of your own with limits and where they come from, instead of the limits above; leave those as "
+            "they are. The documentation shows one."
+        ))
+        self.addDescribed(common.features(WINDOWS, tr("Inspected windows"), common.POLYGON, optional=True), tr(
+            "Inspected windows, judged or not: their causes and remarks go to the failures in them, and the log says "
+            "how well operators and tool agree."
+        ))
+        self.addDescribed(common.choice(JUDGE, tr("Who judges"), (TOOL, OBSERVER)), tr(
+            "tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what "
+            "nobody judged counts as not measured."
+        ), advanced=True)
         add_paper(self)
         self.addDescribed(*common.chart(tr(
             "The plan's operating characteristic; without a plan, how many metres kept how much."

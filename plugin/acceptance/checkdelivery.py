@@ -6,17 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingOutputRasterLayer,
-    QgsProcessingParameterCrs,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterString,
-)
+from qgis.core import QgsProcessingOutputRasterLayer, QgsProcessingParameterCrs
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import CancelledError, RasterError, SettingsError
@@ -51,50 +41,37 @@ class CheckDelivery(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        whole, polygon = QgsProcessingParameterNumber.Type.Integer, QgsProcessing.SourceType.TypeVectorPolygon
-        self.addDescribed(
-            QgsProcessingParameterFile(FOLDER, tr("Folder"), QgsProcessingParameterFile.Behavior.Folder, optional=True),
-            tr("Of the delivered sheets. Empty: the files that the sheets' field location names."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(SHEETS, tr("Sheets"), [polygon], optional=True),
-            tr(
-                "Outlines of the sheets that were ordered, as polygons with a field sheet, name or location. Empty: "
-                "all files in the folder count as ordered, and only their form is checked."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterString(PATTERN, tr("Pattern of names"), optional=True),
-            tr("The pattern of file names, with * and ?, such as ortho_????_??.tif. Empty: any name."),
-        )
-        self.addDescribed(
-            common.real(PIXEL, tr("Pixel size (metres)"), None, 0.0, optional=True, decimals=4),
-            tr("To 1 %. Empty: that of most sheets."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), tr("Empty: that of most sheets.")
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(BANDS, tr("Bands"), whole, None, True, 1),
-            tr("How many, without alpha. Empty: as most sheets have."),
-        )
-        self.addDescribed(
-            common.choice(DATA_TYPE, tr("Type of the pixels"), DATA_TYPES, None, optional=True),
-            tr("8 bit is uint8, 16 bit uint16. Empty: that of most sheets."),
-        )
-        self.addDescribed(
-            common.real(MAX_NODATA, tr("Largest share without data (%)"), 0.0, 0.0),
-            tr("Of a sheet's outline."),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Checked sheets"), polygon),
-            tr("Each sheet with its file, what was found at it, and whether that is nothing."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFileDestination(VRT, tr("Mosaic of all sheets"), "VRT (*.vrt)"),
-            tr("A virtual mosaic over the sheets that fit together; nothing is copied."),
-        )
+        self.addDescribed(common.folder(FOLDER, tr("Folder"), optional=True), tr(
+            "Of the delivered sheets. Empty: the files that the sheets' field location names."
+        ))
+        self.addDescribed(common.features(SHEETS, tr("Sheets"), common.POLYGON, optional=True), tr(
+            "Outlines of the sheets that were ordered, as polygons with a field sheet, name or location. Empty: all "
+            "files in the folder count as ordered, and only their form is checked."
+        ))
+        self.addDescribed(common.words(PATTERN, tr("Pattern of names")), tr(
+            "The pattern of file names, with * and ?, such as ortho_????_??.tif. Empty: any name."
+        ))
+        self.addDescribed(common.real(PIXEL, tr("Pixel size (metres)"), None, 0.0, optional=True, decimals=4), tr(
+            "To 1 %. Empty: that of most sheets."
+        ))
+        self.addDescribed(QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), tr(
+            "Empty: that of most sheets."
+        ))
+        self.addDescribed(common.whole(BANDS, tr("Bands"), None, 1, optional=True), tr(
+            "How many, without alpha. Empty: as most sheets have."
+        ))
+        self.addDescribed(common.choice(DATA_TYPE, tr("Type of the pixels"), DATA_TYPES, None, optional=True), tr(
+            "8 bit is uint8, 16 bit uint16. Empty: that of most sheets."
+        ))
+        self.addDescribed(common.real(MAX_NODATA, tr("Largest share without data (%)"), 0.0, 0.0), tr(
+            "Of a sheet's outline."
+        ), advanced=True)
+        self.addDescribed(common.result(OUTPUT, tr("Checked sheets"), common.POLYGON), tr(
+            "Each sheet with its file, what was found at it, and whether that is nothing."
+        ))
+        self.addDescribed(common.made_file(VRT, tr("Mosaic of all sheets"), "VRT (*.vrt)"), tr(
+            "A virtual mosaic over the sheets that fit together; nothing is copied."
+        ))
         self.addOutput(QgsProcessingOutputRasterLayer(common.MOSAIC, tr("Mosaic of all sheets")))
         self.addNumbers({
             SHEET_COUNT: tr("Number of sheets"),

@@ -3,14 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingOutputString,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterMultipleLayers,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterString,
-)
+from qgis.core import QgsProcessingOutputString
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import limits as imagery_limits
@@ -50,55 +43,36 @@ class PlanInspection(SeamInspectorAlgorithm):
     RASTER_LISTS = (SEAMS,)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(
-            QgsProcessingParameterMultipleLayers(SEAMS, tr("Seams"), QgsProcessing.SourceType.TypeVectorLine),
-            tr("Layers 'Seams' of scans, a sheet each, or plain seamlines: these are cut into pieces first."),
-        )
+        self.addDescribed(common.layers(SEAMS, tr("Seams"), common.LINE), tr(
+            "Layers 'Seams' of scans, a sheet each, or plain seamlines: these are cut into pieces first."
+        ))
         add_sheets(self)
-        self.addDescribed(
-            common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, stated.ISOLATED, RISK, BY_COUNT)),
-            tr(
-                "How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an "
-                "isolated lot; risk, as few as keep the risks below; "
-                "count, as many as you say."
-            ),
-        )
+        self.addDescribed(common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, stated.ISOLATED, RISK, BY_COUNT)), tr(
+            "How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an "
+            "isolated lot; risk, as few as keep the risks below; count, as many as you say."
+        ))
         add_plan_parameters(self)
-        self.addDescribed(
-            QgsProcessingParameterNumber(
-                COUNT, tr("Count"), QgsProcessingParameterNumber.Type.Integer, 50, minValue=1
-            ),
-            tr("How many are drawn with the plan 'count'."),
-        )
+        self.addDescribed(common.whole(COUNT, tr("Count"), 50, 1), tr("How many are drawn with the plan 'count'."))
         self._add_risks()
-        self.addDescribed(
-            common.choice(UNIT, tr("Unit"), (PIECES, WINDOWS)),
-            tr("pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic's pixels."),
-        )
-        self.addDescribed(
-            common.mosaic(optional=True)[0],
-            tr(
-                "What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same "
-                "seed, windows and pieces are one sample."
-            ),
-        )
-        self.addDescribed(
-            common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01),
-            tr("The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."),
-        )
-        self.addDescribed(
-            common.real(PIECE, tr("Length of a piece (metres)"), limits.STANDARD_PIECE_M, 0.01),
-            tr("Plain seamlines are cut into pieces of about this length; those of a scan stay as they are."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterString(SHEET_FIELD, tr("Field of the sheets"), optional=True),
-            tr("The sample is drawn from each of its values in proportion. Empty: layer by layer."),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Sample")),
-            tr("The sample: its field 'sample' numbers the pieces as they were drawn, 'lot_size' says of how many."),
-        )
+        self.addDescribed(common.choice(UNIT, tr("Unit"), (PIECES, WINDOWS)), tr(
+            "pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic's pixels."
+        ))
+        self.addDescribed(common.mosaic(optional=True)[0], tr(
+            "What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same "
+            "seed, windows and pieces are one sample."
+        ))
+        self.addDescribed(common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01), tr(
+            "The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."
+        ))
+        self.addDescribed(common.real(PIECE, tr("Length of a piece (metres)"), limits.STANDARD_PIECE_M, 0.01), tr(
+            "Plain seamlines are cut into pieces of about this length; those of a scan stay as they are."
+        ))
+        self.addDescribed(common.words(SHEET_FIELD, tr("Field of the sheets")), tr(
+            "The sample is drawn from each of its values in proportion. Empty: layer by layer."
+        ), advanced=True)
+        self.addDescribed(common.result(OUTPUT, tr("Sample")), tr(
+            "The sample: its field 'sample' numbers the pieces as they were drawn, 'lot_size' says of how many."
+        ))
         self.addNumbers({
             SAMPLE_SIZE: tr("Pieces in the sample"),
             ACCEPTANCE_NUMBER: tr("How many of them may fail"),
@@ -152,25 +126,17 @@ class PlanInspection(SeamInspectorAlgorithm):
     def _add_risks(self) -> None:
         share = tr("Of the plan 'risk', in percent of the pieces.")
         self.addDescribed(common.real(GOOD_SHARE, tr("Good: failing pieces (%)"), 1.0, 0.0), share, advanced=True)
-        self.addDescribed(
-            common.real(PRODUCERS_RISK, tr("Producer's risk (%)"), 5.0, 0.0),
-            tr("How often a lot that is good may be rejected."),
-            advanced=True,
-        )
+        self.addDescribed(common.real(PRODUCERS_RISK, tr("Producer's risk (%)"), 5.0, 0.0), tr(
+            "How often a lot that is good may be rejected."
+        ), advanced=True)
         self.addDescribed(common.real(BAD_SHARE, tr("Bad: failing pieces (%)"), 8.0, 0.0), share, advanced=True)
-        self.addDescribed(
-            common.real(CONSUMERS_RISK, tr("Consumer's risk (%)"), 10.0, 0.0),
-            tr("How often a lot that is bad may be accepted."),
-            advanced=True,
-        )
-        self.addDescribed(
-            common.real(CORRELATION, tr("Correlation along a seam"), None, 0.0, optional=True),
-            tr(
-                "Intraclass correlation of the pieces of one seam, 0 to 1; the sample grows with it. Empty: as a "
-                "scan's kept_1 says, or 0.3 without one."
-            ),
-            advanced=True,
-        )
+        self.addDescribed(common.real(CONSUMERS_RISK, tr("Consumer's risk (%)"), 10.0, 0.0), tr(
+            "How often a lot that is bad may be accepted."
+        ), advanced=True)
+        self.addDescribed(common.real(CORRELATION, tr("Correlation along a seam"), None, 0.0, optional=True), tr(
+            "Intraclass correlation of the pieces of one seam, 0 to 1; the sample grows with it. Empty: as a scan's "
+            "kept_1 says, or 0.3 without one."
+        ), advanced=True)
         self.addDescribed(
             common.real(stated.MIN_KEPT, tr("Least share of detail kept"), stated.LIMITS[stated.MIN_KEPT], 0.0),
             tr("What counts as failed where the correlation along seams is taken from a scan."),

@@ -12,13 +12,12 @@ from qgis.core import (
     QgsGeometryEngine,
     QgsLineString,
     QgsPoint,
-    QgsProcessing,
-    QgsProcessingParameterFeatureSource,
     QgsRectangle,
     QgsSpatialIndex,
 )
 
 from ..imagery.errors import SettingsError
+from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
@@ -72,15 +71,10 @@ class _Sheets:
 
 def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
     """The parameter SHEETS."""
-    algorithm.addDescribed(
-        QgsProcessingParameterFeatureSource(
-            SHEETS, tr("Sheets"), [QgsProcessing.SourceType.TypeVectorPolygon], optional=True
-        ),
-        tr(
-            "Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or "
-            "polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says."
-        ),
-    )
+    algorithm.addDescribed(common.features(SHEETS, tr("Sheets"), common.POLYGON, optional=True), tr(
+        "Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons "
+        "with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says."
+    ))
 
 
 def with_sheets(delivery: Delivery, run: Run) -> Delivery:

@@ -188,34 +188,24 @@ _LARGEST_SEED = 2**31 - 1
 
 def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
     """LOT_SIZE, AQL, LQ, INSPECTION_LEVEL, SEVERITY and SEED."""
-    algorithm.addDescribed(
-        QgsProcessingParameterNumber(LOT_SIZE, tr("Lot size"), _WHOLE, 0, minValue=0),
-        tr("How many pieces of seam the whole lot has; 0: as many as the layers hold."),
-    )
+    algorithm.addDescribed(common.whole(LOT_SIZE, tr("Lot size"), 0, 0), tr(
+        "How many pieces of seam the whole lot has; 0: as many as the layers hold."
+    ))
     algorithm.addDescribed(
         common.choice(AQL, tr("Acceptance quality limit (AQL)"), SHARE_AQLS, limits.STANDARD_AQL),
         tr("The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1."),
     )
-    algorithm.addDescribed(
-        common.choice(LQ, tr("Limiting quality (LQ)"), LIMITING_QUALITIES, DEFAULT_LQ),
-        tr(
-            "The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 "
-            "has it: three times what you want at least."
-        ),
-    )
+    algorithm.addDescribed(common.choice(LQ, tr("Limiting quality (LQ)"), LIMITING_QUALITIES, DEFAULT_LQ), tr(
+        "The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 has "
+        "it: three times what you want at least."
+    ))
     algorithm.addDescribed(
         common.choice(INSPECTION_LEVEL, tr("Inspection level"), INSPECTION_LEVELS, DEFAULT_LEVEL),
         tr("How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest."),
     )
-    algorithm.addDescribed(
-        common.choice(SEVERITY, tr("Inspection"), SEVERITIES, NORMAL),
-        tr("Normal; tightened after two of five lots were rejected; reduced after ten that were accepted."),
-        advanced=True,
-    )
-    algorithm.addDescribed(
-        QgsProcessingParameterNumber(
-            SEED, tr("Seed"), _WHOLE, limits.STANDARD_SEED, minValue=0, maxValue=_LARGEST_SEED
-        ),
-        tr("Of the drawing: the same seed draws the same sample again."),
-        advanced=True,
-    )
+    algorithm.addDescribed(common.choice(SEVERITY, tr("Inspection"), SEVERITIES, NORMAL), tr(
+        "Normal; tightened after two of five lots were rejected; reduced after ten that were accepted."
+    ), advanced=True)
+    algorithm.addDescribed(common.whole(SEED, tr("Seed"), limits.STANDARD_SEED, 0, _LARGEST_SEED), tr(
+        "Of the drawing: the same seed draws the same sample again."
+    ), advanced=True)

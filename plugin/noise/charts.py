@@ -8,13 +8,14 @@ from itertools import cycle
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import Locator, NullLocator
 
 from ..imagery.errors import printable
 from ..imagery.limits import LUMINANCE, judged_band
 from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
-from ..toolkit.charts.variance_axes import draw_frame
-from ..toolkit.translation import band_title, filled, tr
+from ..toolkit.charts.round_ticks import decade_ticks, round_below
+from ..toolkit.translation import band_title, filled, formatted, tr
 from .measure.band_noise import BandNoise, noisiest_band
 from .measure.group_noise import ClipNoise
 from .noise_summary import NoiseGroup, class_title, compared_curve, noise_groups
@@ -94,14 +95,12 @@ def draw_group(
 
 def noise_frame(axes: Axes, levels: int, curves: Sequence[Sequence[float]], style: ChartStyle = PAPER) -> None:
     """Scales, ticks, grid and words of a chart of levels without background, for curves that will be drawn."""
-    draw_frame(axes, levels, style, logarithmic=True)
+    draw_frame(axes, style)
     axes.set_xticks(range(1, levels + 1), [str(level) for level in range(1, levels + 1)])
     axes.set_xlim(0.6, max(levels, 1) + 0.4)
     shares = [share for curve in curves for share in curve if share > 0]
     if shares:
-        decade = 10 ** math.floor(math.log10(min(shares)))
-        least = max(digit for digit in (1, 2, 5) if digit * decade <= min(shares)) * decade * 0.8
-        axes.set_ylim(least, max(shares) * _HEADROOM)
+        axes.set_ylim(round_below(min(shares)) * 0.8, max(shares) * _HEADROOM)
 
 
 def noise_figure(results: Sequence[ClipNoise], field: str = "") -> Figure | None:
@@ -196,3 +195,34 @@ def example(results: Sequence[ClipNoise]) -> list[ClipNoise]:
     shown = candidates[len(candidates) // 2]
     same = [result for result in measured if result.window_id == shown.window_id and shown.paired]
     return [shown, *[result for result in same if result.part.member.group != first][:1]]
+
+
+def draw_frame(axes: Axes, style: ChartStyle) -> None:
+    """Scales, ticks, grid and words of a chart of relative variances without curves: levels across, shares up."""
+    axes.set_yscale("log")
+    axes.yaxis.set_major_locator(_ShareLocator())
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.yaxis.set_major_formatter(_plain)
+    axes.set_xlabel(tr("level"), color=style.text, loc="right")  # a long word in a narrow chart is not cut off there
+    axes.set_ylabel(tr("relative variance"), color=style.text)
+    axes.tick_params(colors=style.text)
+    axes.set_facecolor(style.background)
+    axes.set_axisbelow(True)
+    axes.grid(True, which="major", color=style.grid, linewidth=0.8)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.spines[["bottom", "left"]].set_color(style.text)
+
+
+class _ShareLocator(Locator):
+    """1, 2, 5, 10, or fewer, as many as there is room for. (matplotlib's own looks at the decades only.)"""
+
+    def __call__(self) -> list[float]:
+        return self.tick_values(*self.axis.get_view_interval())
+
+    def tick_values(self, vmin: float, vmax: float) -> list[float]:
+        room = max(int(1.3 * self.axis.get_tick_space()), 2)  # labels may stand closer than matplotlib has them
+        return decade_ticks(vmin, vmax, room)
+
+
+def _plain(value: float, _position: int) -> str:
+    return formatted(value, "g")

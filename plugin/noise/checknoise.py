@@ -5,12 +5,6 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterField,
-    QgsProcessingParameterString,
-)
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
@@ -52,50 +46,36 @@ class CheckNoise(RasterListAlgorithm):
     RASTER_LISTS = (RASTERS, SECOND_GROUP)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addRasters(RASTERS, tr("Rasters"), tr("The images to be measured, 8 or 16 bit or float."))
-        self.addRasters(
-            SECOND_GROUP,
-            tr("Second group"),
-            tr("Images of another camera, film or process, to be compared with the first. Pixel sizes may differ."),
-            optional=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterString(GROUP_NAME, tr("Name of the rasters"), optional=True),
-            tr("What the first group is called in chart and report. Empty: its file's name, or group 1."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterString(SECOND_GROUP_NAME, tr("Name of the second group"), optional=True),
-            tr("What the second group is called. Empty: its file's name, or group 2."),
-        )
-        self.addWindows(
-            tr(
-                "Rectangles in any reference system; each is measured on all rasters under it. Without windows up to "
-                "25 of 1024 px are chosen on each raster, spread over its valid part, the least saturated first."
-            )
-        )
-        self.addDescribed(
-            QgsProcessingParameterField(
-                GROUP_FIELD, tr("Group windows by"), parentLayerParameterName=WINDOWS, optional=True
-            ),
-            tr("A field of the windows, such as land use, scale or film: chart and report compare its values."),
-        )
+        self.addDescribed(common.layers(RASTERS, tr("Rasters")), tr(
+            "The images to be measured, 8 or 16 bit or float."
+        ))
+        self.addDescribed(common.layers(SECOND_GROUP, tr("Second group"), optional=True), tr(
+            "Images of another camera, film or process, to be compared with the first. Pixel sizes may differ."
+        ))
+        self.addDescribed(common.words(GROUP_NAME, tr("Name of the rasters")), tr(
+            "What the first group is called in chart and report. Empty: its file's name, or group 1."
+        ))
+        self.addDescribed(common.words(SECOND_GROUP_NAME, tr("Name of the second group")), tr(
+            "What the second group is called. Empty: its file's name, or group 2."
+        ))
+        self.addDescribed(common.features(WINDOWS, tr("Windows"), common.POLYGON, optional=True), tr(
+            "Rectangles in any reference system; each is measured on all rasters under it. Without windows up to 25 of "
+            "1024 px are chosen on each raster, spread over its valid part, the least saturated first."
+        ))
+        self.addDescribed(common.field(GROUP_FIELD, tr("Group windows by"), WINDOWS), tr(
+            "A field of the windows, such as land use, scale or film: chart and report compare its values."
+        ))
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
-        table = QgsProcessing.SourceType.TypeVector
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Noise"), table),
-            tr(
-                "One row per window, raster and band: relative variances, kurtosis of each level's details (3 for "
-                "Gaussian noise), sigma in DN, the most that grain can be, the verdict low, uncertain, moderate or "
-                "strong, and beside it the amount of noise by the signal to noise ratio: little, some or much; "
-                "at most some where texture can hide it, uncertain where texture can hide much."
-            ),
-        )
-        self.addDescribed(
-            *common.chart(
-                tr("The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.")
-            )
-        )
+        self.addDescribed(common.result(OUTPUT, tr("Noise"), common.TABLE), tr(
+            "One row per window, raster and band: relative variances, kurtosis of each level's details (3 for Gaussian "
+            "noise), sigma in DN, the most that grain can be, the verdict low, uncertain, moderate or strong, and "
+            "beside it the amount of noise by the signal to noise ratio: little, some or much; at most some where "
+            "texture can hide it, uncertain where texture can hide much."
+        ))
+        self.addDescribed(*common.chart(tr(
+            "The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF."
+        )))
         self.addDescribed(*common.report(tr("All figures with the chart on one HTML page.")))
         self.addNumbers({
             LOW_COUNT: tr("Windows with low noise"),

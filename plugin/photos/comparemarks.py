@@ -5,16 +5,10 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterNumber,
-)
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import PhotoError
+from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
@@ -56,7 +50,6 @@ class CompareMarks(SeamInspectorAlgorithm):
     RASTER_LISTS = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        kinds, table = [QgsProcessing.SourceType.TypeVector], QgsProcessing.SourceType.TypeVector
         described = tr(
             "Marks with the field 'mark', and 'photo' (or 'layer', as merged layers have) where there are several "
             "photos. Places are the fields column and row, or the points themselves."
@@ -69,42 +62,24 @@ class CompareMarks(SeamInspectorAlgorithm):
             (FIRST, tr("First measurement"), tr("First measurement, a folder")),
             (SECOND, tr("Second measurement"), tr("Second measurement, a folder")),
         ):
-            self.addDescribed(QgsProcessingParameterFeatureSource(name, title, kinds, optional=True), described)
-            self.addDescribed(
-                QgsProcessingParameterFile(
-                    FOLDERS[name], of_files, QgsProcessingParameterFile.Behavior.Folder, optional=True
-                ),
-                of_folder,
-            )
+            self.addDescribed(common.features(name, title, common.TABLE, optional=True), described)
+            self.addDescribed(common.folder(FOLDERS[name], of_files, optional=True), of_folder)
         self.addDescribed(
-            QgsProcessingParameterNumber(
-                LIMIT, tr("Largest mean distance (px)"), QgsProcessingParameterNumber.Type.Double,
-                limits.DEFAULT_MEAN_DISTANCE_PX, minValue=0,
-            ),
+            common.real(LIMIT, tr("Largest mean distance (px)"), limits.DEFAULT_MEAN_DISTANCE_PX, 0, decimals=None),
             tr("The verdict is 'within' where the mean distance is at most that; in the paper 0.25 px."),
         )
+        self.addDescribed(common.real(PIXEL_SIZE, tr("Pixel size (µm)"), None, 0.001, optional=True, decimals=None), tr(
+            "Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them."
+        ))
+        self.addDescribed(common.result(OUTPUT, tr("Statistics"), common.TABLE), tr(
+            "Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a row "
+            "for each unit."
+        ))
+        self.addDescribed(common.result(PHOTOS, tr("Photos"), common.TABLE, optional=True, by_default=False), tr(
+            "Count, mean, maximum (px) and verdict of each photo."
+        ))
         self.addDescribed(
-            QgsProcessingParameterNumber(
-                PIXEL_SIZE, tr("Pixel size (µm)"), QgsProcessingParameterNumber.Type.Double, optional=True,
-                minValue=0.001,
-            ),
-            tr("Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Statistics"), table),
-            tr(
-                "Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a "
-                "row for each unit."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(PHOTOS, tr("Photos"), table, optional=True, createByDefault=False),
-            tr("Count, mean, maximum (px) and verdict of each photo."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(
-                DIFFERENCES, tr("Differences"), table, optional=True, createByDefault=False
-            ),
+            common.result(DIFFERENCES, tr("Differences"), common.TABLE, optional=True, by_default=False),
             tr("The difference of each mark, the second measurement less the first, in pixels."),
         )
         for unit in ("PX", "UM"):

@@ -3,11 +3,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from qgis.core import (
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterDestination,
-    QgsProcessingParameterRasterLayer,
-)
+from qgis.core import QgsProcessingParameterRasterDestination
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.algorithms import parameters as common
@@ -35,20 +31,14 @@ class EnhancePhoto(SeamInspectorAlgorithm):
     RASTER_LISTS = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")), tr("Any raster that GDAL reads."))
-        self.addDescribed(
-            common.choice(OPERATION, tr("Operation"), OPERATIONS),
-            tr(
-                "negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel "
-                "(length of the gradient) are floating point."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(
-                SIZE, tr("Size (px)"), QgsProcessingParameterNumber.Type.Double, DEFAULT_FILTER_PX
-            ),
-            tr("Side of the mean's square (odd), or standard deviation of the Gaussian; the others ignore it."),
-        )
+        self.addDescribed(common.raster(PHOTO, tr("Photo")), tr("Any raster that GDAL reads."))
+        self.addDescribed(common.choice(OPERATION, tr("Operation"), OPERATIONS), tr(
+            "negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel "
+            "(length of the gradient) are floating point."
+        ))
+        self.addDescribed(common.real(SIZE, tr("Size (px)"), DEFAULT_FILTER_PX, decimals=None), tr(
+            "Side of the mean's square (odd), or standard deviation of the Gaussian; the others ignore it."
+        ))
         self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
 
     def check(self, run: Run) -> None:

@@ -5,17 +5,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
-    QgsWkbTypes,
-)
+from qgis.core import QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
@@ -66,115 +56,76 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     DRAWN = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        point, number = QgsProcessing.SourceType.TypeVectorPoint, QgsProcessingParameterNumber
-        self.addDescribed(
-            QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")),
-            tr(
-                "The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey "
-                "value though the file calls it nodata."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFile(CALIBRATION, tr("Calibration")),
-            tr(
-                "The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac's MeasuresCamera.xml. "
-                "x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place "
-                "in it) are optional."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterRasterLayer(TEMPLATE, tr("Template"), optional=True),
-            tr(
-                "A mark cut out of this photo or one like it, with some ground around. It is used for its own mark "
-                "first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by "
-                "180 degrees is measured by its own centre, else by its middle."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(POSITIONS, tr("Positions"), [point], optional=True),
-            tr(
-                "Points with the field 'mark', digitised on the photo as QGIS shows it (without a world file x is the "
-                "column and y the negative row). Without positions all of the photo is searched. A field 'measure' "
-                "with 0 says that a point is the mark itself."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterBoolean(MEASURE, tr("Measure around the positions"), True),
-            tr(
-                "Off: the positions were measured by hand and are taken as they are; the other marks are measured. One "
-                "that lies off by more than a thousandth of the frame fails as a measured mark does."
-            ),
-        )
-        self.addDescribed(
-            common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
-            tr("The shape to look for, in the size it has on the photo; automatic tries all."),
-        )
-        for name, label, words, purpose in (
-            (
-                TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS,
-                tr("Whether the arms of a cross, or the wedges, stand upright or diagonally."),
-            ),
-            (TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES, tr("Whether a cross is open in the middle.")),
-            (
-                TEMPLATE_TONE, tr("Tone of the mark"), TONES,
-                tr("Whether the mark is lighter than its ground, as on most positives, or darker."),
-            ),
-        ):  # fmt: skip
-            self.addDescribed(common.choice(name, label, words), purpose, advanced=True)
-        self.addDescribed(
-            number(SEARCH, tr("Search (mm)"), number.Type.Double, limits.DEFAULT_SEARCH_MM, minValue=0.01),
-            tr("How far around a position the mark is looked for."),
-        )
-        self.addDescribed(
-            number(
-                MIN_CORRELATION, tr("Smallest correlation"), number.Type.Double, limits.DEFAULT_MIN_CORRELATION,
-                minValue=0, maxValue=1,
-            ),
-            tr("A mark whose best correlation is smaller fails."),
-        )
-        self.addDescribed(
-            common.choice(SURFACE, tr("Surface"), SURFACES),
-            tr(
-                "What the second-degree surface is laid through: the correlations around the best pixel, or the "
-                "brightness of the photo as in the paper."
-            ),
-            advanced=True,
-        )
-        self.addDescribed(
-            common.choice(MODEL, tr("Transformation"), MODELS),
-            tr("Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Marks"), point),
-            tr(
-                "A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, "
-                "residuals in µm, correlation, status, reason and the photo's name."
-            ),
-        )
-        for name, label, files, by_default, purpose in (
-            (
-                PARAMETERS, tr("Parameters"), tr("JSON files (*.json)"), True,
-                tr("Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy."),
-            ),
-            (
-                WORLD_FILE, tr("World file"), tr("World files (*.wld *.jgw *.tfw *.pgw *.bpw)"), False,
-                tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres."),
-            ),
-            (
-                MEASURES, tr("MicMac measurement"), tr("XML files (*.xml)"), False,
-                tr(
-                    "The measured and given marks as MicMac reads them: save it as "
-                    "Ori-InterneScan/MeasuresIm-PHOTO.xml, with the photo's whole file name, as in "
-                    "MeasuresIm-114.jpg.xml."
-                ),
-            ),
-        ):  # fmt: skip
-            self.addDescribed(
-                QgsProcessingParameterFileDestination(name, label, files, None, True, by_default), purpose
-            )
-        self.addDescribed(*common.report(
-            tr("A page with a picture of each mark and the place that was found."), tr("HTML files (*.html)"), True
+        self.addDescribed(common.raster(PHOTO, tr("Photo")), tr(
+            "The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey "
+            "value though the file calls it nodata."
         ))
+        self.addDescribed(common.file(CALIBRATION, tr("Calibration")), tr(
+            "The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac's MeasuresCamera.xml. x to "
+            "the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) "
+            "are optional."
+        ))
+        self.addDescribed(common.raster(TEMPLATE, tr("Template"), optional=True), tr(
+            "A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; "
+            "marks that look otherwise are measured by drawn ones. A template that looks alike turned by 180 degrees "
+            "is measured by its own centre, else by its middle."
+        ))
+        self.addDescribed(common.features(POSITIONS, tr("Positions"), common.POINT, optional=True), tr(
+            "Points with the field 'mark', digitised on the photo as QGIS shows it (without a world file x is the "
+            "column and y the negative row). Without positions all of the photo is searched. A field 'measure' with 0 "
+            "says that a point is the mark itself."
+        ))
+        self.addDescribed(common.flag(MEASURE, tr("Measure around the positions"), True), tr(
+            "Off: the positions were measured by hand and are taken as they are; the other marks are measured. One "
+            "that lies off by more than a thousandth of the frame fails as a measured mark does."
+        ))
+        self.addDescribed(common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS), tr(
+            "The shape to look for, in the size it has on the photo; automatic tries all."
+        ))
+        self.addDescribed(common.choice(TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS), tr(
+            "Whether the arms of a cross, or the wedges, stand upright or diagonally."
+        ), advanced=True)
+        self.addDescribed(common.choice(TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES), tr(
+            "Whether a cross is open in the middle."
+        ), advanced=True)
+        self.addDescribed(common.choice(TEMPLATE_TONE, tr("Tone of the mark"), TONES), tr(
+            "Whether the mark is lighter than its ground, as on most positives, or darker."
+        ), advanced=True)
+        self.addDescribed(common.real(SEARCH, tr("Search (mm)"), limits.DEFAULT_SEARCH_MM, 0.01, decimals=None), tr(
+            "How far around a position the mark is looked for."
+        ))
+        least = common.real(
+            MIN_CORRELATION, tr("Smallest correlation"), limits.DEFAULT_MIN_CORRELATION, 0, 1, decimals=None
+        )
+        self.addDescribed(least, tr("A mark whose best correlation is smaller fails."))
+        self.addDescribed(common.choice(SURFACE, tr("Surface"), SURFACES), tr(
+            "What the second-degree surface is laid through: the correlations around the best pixel, or the brightness "
+            "of the photo as in the paper."
+        ), advanced=True)
+        self.addDescribed(common.choice(MODEL, tr("Transformation"), MODELS), tr(
+            "Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check."
+        ))
+        self.addDescribed(common.result(OUTPUT, tr("Marks"), common.POINT), tr(
+            "A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in "
+            "µm, correlation, status, reason and the photo's name."
+        ))
+        self.addDescribed(
+            common.made_file(PARAMETERS, tr("Parameters"), tr("JSON files (*.json)"), optional=True),
+            tr("Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy."),
+        )
+        world_files = tr("World files (*.wld *.jgw *.tfw *.pgw *.bpw)")
+        self.addDescribed(
+            common.made_file(WORLD_FILE, tr("World file"), world_files, optional=True, by_default=False),
+            tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres."),
+        )
+        measures = tr("MicMac measurement"), tr("XML files (*.xml)")
+        self.addDescribed(common.made_file(MEASURES, *measures, optional=True, by_default=False), tr(
+            "The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, with "
+            "the photo's whole file name, as in MeasuresIm-114.jpg.xml."
+        ))
+        self.addDescribed(*common.report(tr(
+            "A page with a picture of each mark and the place that was found."
+        ), tr("HTML files (*.html)"), True))
         self.addNumbers({
             RMS_UM: tr("Root mean square of the residuals (µm)"),
             MARKS: tr("Marks measured or given"),

@@ -8,15 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingOutputString,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRange,
-)
+from qgis.core import QgsProcessingOutputString, QgsProcessingParameterNumber, QgsProcessingParameterRange
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
@@ -24,7 +16,7 @@ from ..imagery.errors import RasterError, SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import IMAGE_QUALITY
 from ..toolkit.algorithms.parameters import in_users_language
-from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
+from ..toolkit.algorithms.raster_lists import RASTERS, WINDOWS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.table_fields import text
 from ..toolkit.translation import filled, tr
@@ -58,63 +50,43 @@ class CheckRadiometry(RasterListAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
-        self.addRasters(RASTERS, tr("Rasters"), tr("The images to be checked, each for itself."), optional=True)
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(SHEETS, tr("Sheets"), [polygon], optional=True),
-            tr(
-                "Alone or beside the rasters: the sheets that 'Check a delivery' wrote, or a tile index as gdaltindex "
-                "writes it. The files that their field 'location' names are checked."
-            ),
-        )
-        self.addWindows(tr(
+        self.addDescribed(common.layers(RASTERS, tr("Rasters"), optional=True), tr(
+            "The images to be checked, each for itself."
+        ))
+        self.addDescribed(common.features(SHEETS, tr("Sheets"), common.POLYGON, optional=True), tr(
+            "Alone or beside the rasters: the sheets that 'Check a delivery' wrote, or a tile index as gdaltindex "
+            "writes it. The files that their field 'location' names are checked."
+        ))
+        self.addDescribed(common.features(WINDOWS, tr("Windows"), common.POLYGON, optional=True), tr(
             "Rectangles in any reference system; each is checked separately on all rasters under it. Without windows "
             "each raster is checked as a whole."
         ))
-        self.addDescribed(
-            common.choice(READY_RULES, tr("Ready rules"), list(ready_rule_files()), DEFAULT_RULES),
-            tr(
-                "jrc_lpis: as JRC's text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: "
-                "stricter, each band is held to the limits, and signal to noise and colour balance have to be known."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFile(RULES, tr("Rules"), extension="json", optional=True),
-            tr(
-                "A JSON file of your own with the limits and where they come from, instead of the ready rules; the "
-                "documentation has one to start from."
-            ),
-        )
+        self.addDescribed(common.choice(READY_RULES, tr("Ready rules"), list(ready_rule_files()), DEFAULT_RULES), tr(
+            "jrc_lpis: as JRC's text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: "
+            "stricter, each band is held to the limits, and signal to noise and colour balance have to be known."
+        ))
+        self.addDescribed(common.file(RULES, tr("Rules"), "json", optional=True), tr(
+            "A JSON file of your own with the limits and where they come from, instead of the ready rules; the "
+            "documentation has one to start from."
+        ))
         number = QgsProcessingParameterNumber.Type.Double
+        self.addDescribed(QgsProcessingParameterRange(VALUE_RANGE, tr("Range of values"), number, optional=True), tr(
+            "The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither "
+            "the file (NBITS) nor all files together say it: then nothing that depends on it is judged."
+        ))
+        self.addDescribed(common.features(GREY_AREAS, tr("Grey areas"), common.POLYGON, optional=True), tr(
+            "Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; "
+            "without them it is not measurable, since no pixel tells a cast from the colour of the ground."
+        ))
+        self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON, optional=True), tr(
+            "Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured "
+            "on the rasters they cross, 2 to 10 px on either side."
+        ))
+        self.addDescribed(common.result(OUTPUT, tr("Radiometry"), common.TABLE), tr(
+            "One row per raster or window, check and band: value, limit, whether it passed, and the rule's source."
+        ))
         self.addDescribed(
-            QgsProcessingParameterRange(VALUE_RANGE, tr("Range of values"), number, optional=True),
-            tr(
-                "The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where "
-                "neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(GREY_AREAS, tr("Grey areas"), [polygon], optional=True),
-            tr(
-                "Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; "
-                "without them it is not measurable, since no pixel tells a cast from the colour of the ground."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(SEAMLINES, tr("Seamlines"), [line, polygon], optional=True),
-            tr(
-                "Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is "
-                "measured on the rasters they cross, 2 to 10 px on either side."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Radiometry"), QgsProcessing.SourceType.TypeVector),
-            tr("One row per raster or window, check and band: value, limit, whether it passed, and the rule's source."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(
-                MAYBE_GREY, tr("What may be grey"), polygon, optional=True, createByDefault=False
-            ),
+            common.result(MAYBE_GREY, tr("What may be grey"), common.POLYGON, optional=True, by_default=False),
             tr(
                 "Uniform areas with little colour, where no grey areas are given: look at them, delete what is not "
                 "grey, and give the others as grey areas."

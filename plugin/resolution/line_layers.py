@@ -4,7 +4,6 @@ The field names are contracts.
 """
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Sequence
 from itertools import islice
 from pathlib import Path
@@ -12,14 +11,12 @@ from pathlib import Path
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsCoordinateTransformContext,
     QgsCsException,
     QgsFeature,
     QgsFields,
     QgsGeometry,
     QgsPointXY,
     QgsProject,
-    QgsVectorFileWriter,
     QgsVectorLayer,
     QgsVectorLayerUtils,
     QgsWkbTypes,
@@ -31,6 +28,7 @@ from ..imagery.grids import Grid
 from ..imagery.records import Column
 from ..imagery.statistics import DECIDED, VISIBLE
 from ..toolkit import messages as toolkit_messages
+from ..toolkit.geopackages import free_path, write_table
 from ..toolkit.layer_styles import load_style
 from ..toolkit.layers import edit_step
 from ..toolkit.table_fields import column_fields, column_values, feature, table_fields, text, whole_number
@@ -150,20 +148,10 @@ _MOST_LINES = 1000
 
 def create_bar_layer(crs: QgsCoordinateReferenceSystem, folder: Path) -> QgsVectorLayer:
     """A new, empty GeoPackage in a folder, styled. Raises WindowLayerError when it can't be written there."""
-    path, number = folder / f"{_LAYER_NAME}.gpkg", 1
-    while os.path.lexists(path):
-        number += 1
-        path = folder / f"{_LAYER_NAME}_{number}.gpkg"
-    options = QgsVectorFileWriter.SaveVectorOptions()
-    options.driverName, options.layerName, options.fileEncoding = "GPKG", _LAYER_NAME, "UTF-8"
-    fields = table_fields((GROUP, "integer"), (DIRECTION, "text"))
-    writer = QgsVectorFileWriter.create(
-        str(path), fields, QgsWkbTypes.Type.LineString, crs, QgsCoordinateTransformContext(), options
-    )
-    failed = writer.hasError() != QgsVectorFileWriter.WriterError.NoError
-    del writer  # closes the file
+    path, fields = free_path(folder, _LAYER_NAME), table_fields((GROUP, "integer"), (DIRECTION, "text"))
+    error = write_table(path, _LAYER_NAME, fields, QgsWkbTypes.Type.LineString, crs)
     layer = QgsVectorLayer(f"{path}|layername={_LAYER_NAME}", tr("Bar groups"), "ogr")
-    if failed or not layer.isValid():
+    if error is not None or not layer.isValid():
         raise WindowLayerError(messages.BAR_LAYER_NOT_CREATED(folder=folder))
     load_style(layer, "bar_groups")
     return layer

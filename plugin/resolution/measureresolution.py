@@ -4,15 +4,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
-    QgsWkbTypes,
-)
+from qgis.core import QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
@@ -55,84 +47,54 @@ class MeasureResolution(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(
-            QgsProcessingParameterRasterLayer(RASTER, tr("Image")),
-            tr("The image of the target, north-up. One without georeference is taken as QGIS shows it."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(
-                GROUPS, tr("Lines across the bars"), [QgsProcessing.SourceType.TypeVectorLine]
-            ),
-            tr(
-                "One line across the bars of each group, from the ground on one side to that on the other, with the "
-                "fields 'group' (whole number) and 'direction' ('along' or 'across' the flight). A line is turned by "
-                "up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, "
-                "'visible' or 'invisible', in the fields 'observer', 'observer_2' and so on."
-            ),
-        )
-        self.addDescribed(
-            common.real(WIDTH, tr("Width to average (pixels)"), limits.DEFAULT_BAR_WIDTH_PX, 0),
-            tr("How far on either side of the line the profile is averaged; less where the bars are shorter."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(BAND, tr("Band"), defaultValue=0, minValue=0),
-            tr("Number of the band to measure; 0 for every band."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(
-                BARS, tr("Bars in a group"), defaultValue=limits.DEFAULT_BARS, minValue=limits.MIN_BARS
-            ),
-            tr("How many bars each group of the target has."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(
-                REFERENCE_GROUP, tr("Reference group"), defaultValue=limits.DEFAULT_REFERENCE_GROUP
-            ),
-            tr("Number of the group whose distance is known. Higher numbers are finer."),
-        )
+        self.addDescribed(common.raster(RASTER, tr("Image")), tr(
+            "The image of the target, north-up. One without georeference is taken as QGIS shows it."
+        ))
+        self.addDescribed(common.features(GROUPS, tr("Lines across the bars"), common.LINE), tr(
+            "One line across the bars of each group, from the ground on one side to that on the other, with the fields "
+            "'group' (whole number) and 'direction' ('along' or 'across' the flight). A line is turned by up to 10 "
+            "degrees to be perpendicular to the bars. What observers saw may stand beside them, 'visible' or "
+            "'invisible', in the fields 'observer', 'observer_2' and so on."
+        ))
+        self.addDescribed(common.real(WIDTH, tr("Width to average (pixels)"), limits.DEFAULT_BAR_WIDTH_PX, 0), tr(
+            "How far on either side of the line the profile is averaged; less where the bars are shorter."
+        ))
+        self.addDescribed(common.whole(BAND, tr("Band"), 0, 0), tr("Number of the band to measure; 0 for every band."))
+        self.addDescribed(common.whole(BARS, tr("Bars in a group"), limits.DEFAULT_BARS, limits.MIN_BARS), tr(
+            "How many bars each group of the target has."
+        ))
+        self.addDescribed(common.whole(REFERENCE_GROUP, tr("Reference group"), limits.DEFAULT_REFERENCE_GROUP), tr(
+            "Number of the group whose distance is known. Higher numbers are finer."
+        ))
         self.addDescribed(
             common.real(REFERENCE_GRD, tr("Distance of the reference group (cm)"), limits.DEFAULT_REFERENCE_GRD_CM),
             tr("Of the reference group, in centimetres on the ground; the next parameter says of what it is the "
                "width."),
         )
-        self.addDescribed(
-            common.choice(GRD_OF, tr("Distances are widths of"), limits.DISTANCES),
-            tr(
-                "cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and "
-                "reports count. A bar and a gap finer than two pixels together are aliasing either way."
-            ),
-        )
-        self.addDescribed(
-            common.real(STEP, tr("Step from group to group"), limits.DEFAULT_GROUP_STEP, decimals=6),
-            tr("How many times as wide the next coarser group is; the sixth root of 2 on most targets."),
-            advanced=True,
-        )
-        self.addDescribed(
-            common.real(CRITERION, tr("Criterion"), limits.DEFAULT_CRITERION),
-            tr("Share of the full amplitude that the bars of a resolved group keep."),
-            advanced=True,
-        )
-        self.addDescribed(
-            common.choice(FULL_AMPLITUDE, tr("Full amplitude"), limits.FULL_AMPLITUDES),
-            tr(
-                "group: the group's own bars against plain gaps, as in the paper. coarsest: that of the coarsest "
-                "group, a reference that doesn't change from group to group, and a stricter one."
-            ),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterBoolean(REVERSED, tr("Higher numbers are coarser"), False),
-            tr("For targets numbered the other way."),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Measured groups"), QgsProcessing.SourceType.TypeVectorLine),
-            tr("The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift."),
-        )
+        self.addDescribed(common.choice(GRD_OF, tr("Distances are widths of"), limits.DISTANCES), tr(
+            "cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and "
+            "reports count. A bar and a gap finer than two pixels together are aliasing either way."
+        ))
+        self.addDescribed(common.real(STEP, tr("Step from group to group"), limits.DEFAULT_GROUP_STEP, decimals=6), tr(
+            "How many times as wide the next coarser group is; the sixth root of 2 on most targets."
+        ), advanced=True)
+        self.addDescribed(common.real(CRITERION, tr("Criterion"), limits.DEFAULT_CRITERION), tr(
+            "Share of the full amplitude that the bars of a resolved group keep."
+        ), advanced=True)
+        self.addDescribed(common.choice(FULL_AMPLITUDE, tr("Full amplitude"), limits.FULL_AMPLITUDES), tr(
+            "group: the group's own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a "
+            "reference that doesn't change from group to group, and a stricter one."
+        ), advanced=True)
+        self.addDescribed(common.flag(REVERSED, tr("Higher numbers are coarser")), tr(
+            "For targets numbered the other way."
+        ), advanced=True)
+        self.addDescribed(common.result(OUTPUT, tr("Measured groups"), common.LINE), tr(
+            "The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift."
+        ))
         self.addDescribed(*common.chart(tr("The profiles with their bars, threshold and verdict, group by group.")))
-        self.addDescribed(
-            *common.report(tr("A page with the distances, the target, the profiles and all measurements."))
-        )
+        self.addDescribed(*common.report(tr(
+            "A page with the distances, the target, the profiles and all measurements."
+        )))
         self.addNumbers({
             GRD_ALONG: tr("Distance along the flight (cm)"),
             GRD_ACROSS: tr("Distance across the flight (cm)"),

@@ -4,15 +4,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsFeature,
-    QgsFields,
-    QgsProcessing,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterString,
-)
+from qgis.core import QgsFeature, QgsFields
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
@@ -124,39 +116,26 @@ class MinimumHeight(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        table = QgsProcessing.SourceType.TypeVector
+        self.addDescribed(common.features(OBSERVATIONS, tr("Observations"), common.TABLE), tr(
+            "One row per pass with the fields 'height' (metres above the target) and 'grd' (centimetres), several "
+            "observers' in 'grd', 'grd_2', 'grd_3' and so on: their heights are averaged within the pass. Rows that "
+            "agree in 'sensor', 'image_type' and 'direction', as far as there are such fields, make a group."
+        ))
+        self.addDescribed(common.real(REQUIRED_GRD, tr("Required distance (cm)"), DEFAULT_REQUIRED_GRD_CM), tr(
+            "The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies."
+        ))
+        self.addDescribed(common.words(REFERENCE_HEIGHT, tr("Reference height (metres)")), tr(
+            "The minimum height that the results are compared with, or one for each sensor, type of image or "
+            "direction: 'DMC 2714; RC20 2015'."
+        ))
+        self.addDescribed(common.flag(BY_HEIGHT, tr("Keep flying heights apart")), tr(
+            "Rows of different 'height' make groups of their own, as in tables 4A and 4B of the paper."
+        ), advanced=True)
+        self.addDescribed(common.result(OUTPUT, tr("Minimum heights"), common.TABLE), tr(
+            "One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it."
+        ))
         self.addDescribed(
-            QgsProcessingParameterFeatureSource(OBSERVATIONS, tr("Observations"), [table]),
-            tr(
-                "One row per pass with the fields 'height' (metres above the target) and 'grd' (centimetres), several "
-                "observers' in 'grd', 'grd_2', 'grd_3' and so on: their heights are averaged within the pass. Rows "
-                "that agree in 'sensor', 'image_type' and 'direction', as far as there are such fields, make a group."
-            ),
-        )
-        self.addDescribed(
-            common.real(REQUIRED_GRD, tr("Required distance (cm)"), DEFAULT_REQUIRED_GRD_CM),
-            tr("The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterString(REFERENCE_HEIGHT, tr("Reference height (metres)"), optional=True),
-            tr(
-                "The minimum height that the results are compared with, or one for each sensor, type of image or "
-                "direction: 'DMC 2714; RC20 2015'."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterBoolean(BY_HEIGHT, tr("Keep flying heights apart"), False),
-            tr("Rows of different 'height' make groups of their own, as in tables 4A and 4B of the paper."),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Minimum heights"), table),
-            tr("One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(
-                HEIGHTS, tr("Heights by pass"), table, optional=True, createByDefault=False
-            ),
+            common.result(HEIGHTS, tr("Heights by pass"), common.TABLE, optional=True, by_default=False),
             tr("The observations that were used, each with its minimum height 'h_min'."),
         )
         self.addNumbers({GROUP_COUNT: tr("Groups")})

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from qgis.core import QgsProcessingParameterRasterDestination, QgsProcessingParameterRasterLayer
+from qgis.core import QgsProcessingParameterRasterDestination
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.algorithms import parameters as common
@@ -28,26 +28,20 @@ class SimulateBayer(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(
-            QgsProcessingParameterRasterLayer(RASTER, tr("Image")),
-            tr("A colour image, or one of a single band, north-up or without georeference."),
-        )
-        self.addDescribed(
-            common.choice(PATTERN, tr("Pattern"), limits.BAYER_PATTERNS),
-            tr("Colours of the filter over the first two pixels of the first row, then of the second."),
-        )
-        self.addDescribed(
-            common.choice(DEMOSAIC, tr("Interpolation"), limits.DEMOSAICS),
-            tr(
-                "bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that is seen "
-                "there says where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by "
-                "OpenCV, which has to be installed."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterRasterDestination(OUTPUT, tr("Seen by a single chip")),
-            tr("A GeoTIFF: red, green and blue on the image's own pixels, in its data type."),
-        )
+        self.addDescribed(common.raster(RASTER, tr("Image")), tr(
+            "A colour image, or one of a single band, north-up or without georeference."
+        ))
+        self.addDescribed(common.choice(PATTERN, tr("Pattern"), limits.BAYER_PATTERNS), tr(
+            "Colours of the filter over the first two pixels of the first row, then of the second."
+        ))
+        self.addDescribed(common.choice(DEMOSAIC, tr("Interpolation"), limits.DEMOSAICS), tr(
+            "bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that is seen there "
+            "says where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by OpenCV, which "
+            "has to be installed."
+        ))
+        self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Seen by a single chip")), tr(
+            "A GeoTIFF: red, green and blue on the image's own pixels, in its data type."
+        ))
 
     def check(self, run: Run) -> None:
         from .measure.bayer import check_demosaic

@@ -234,8 +234,11 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.DODGING.value: ShownCause(
         QT_TR_NOOP("dodging"),
-        QT_TR_NOOP("Brightness was evened out by a tone that changes from place to place."),
+        QT_TR_NOOP("Brightness was evened out from place to place; done from a coarse overview, that takes detail."),
         (QT_TR_NOOP("brightness was evened out from place to place"),),
+        took=QT_TR_NOOP("dodging took {value} %"),
+        brief=QT_TR_NOOP("dodged"),
+        to_do=QT_TR_NOOP("Dodge it less."),
     ),
     Cause.BALANCED.value: ShownCause(
         QT_TR_NOOP("balanced"),

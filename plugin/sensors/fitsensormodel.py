@@ -6,14 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsProcessing,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-    QgsWkbTypes,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SensorModelError
@@ -67,12 +60,10 @@ class FitSensorModel(SensorAlgorithm):
         self.addPoints()
         kinds = common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name)
         self.addDescribed(kinds, " ".join(map(_described, registry.KINDS.values())))
-        order = QgsProcessingParameterNumber(ORDER, tr("Order"), defaultValue=1, minValue=1, maxValue=3)
-        self.addDescribed(order, tr(
+        self.addDescribed(common.whole(ORDER, tr("Order"), 1, 1, 3), tr(
             "Of polynomials and quotients. Higher orders need many points and swing between them."
         ))
-        product = QgsProcessingParameterBoolean(DLT_XY, tr("Term a12 xy of the direct linear transformation"), False)
-        self.addDescribed(product, tr(
+        self.addDescribed(common.flag(DLT_XY, tr("Term a12 xy of the direct linear transformation")), tr(
             "Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."
         ))
         self.addDescribed(common.choice(BIAS, tr("Correction of the RPC"), _BIASES), tr(
@@ -82,7 +73,7 @@ class FitSensorModel(SensorAlgorithm):
         self.addTerrainError()
         self.addTable(OUTPUT, tr("Residuals"), tr(
             "The points with residuals, model minus measured: in pixels, and in metres at the point's height."
-        ), QgsProcessing.SourceType.TypeVectorPoint)
+        ), common.POINT)
         for name, label, filters, purpose in (
             (MODEL_FILE, tr("Model file"), tr("Model files (*.json)"), tr("The whole model, for orthorectification.")),
             (RPC, tr("RPC"), tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
@@ -92,8 +83,7 @@ class FitSensorModel(SensorAlgorithm):
             (POINTS, tr("Points for the georeferencer"), tr("GCP files (*.points)"),
              tr("The points with their residuals in pixels; check points and blunders are switched off.")),
         ):  # fmt: skip
-            file = QgsProcessingParameterFileDestination(name, label, filters, optional=True, createByDefault=False)
-            self.addDescribed(file, purpose)
+            self.addDescribed(common.made_file(name, label, filters, optional=True, by_default=False), purpose)
         report = tr("Accuracy, warnings and a plot of the residuals.")
         self.addDescribed(*common.report(report, tr("HTML files (*.html)")))
         for group, label in (("CHECK", tr("check points")), ("CONTROL", tr("control points"))):

@@ -6,10 +6,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsProcessingParameterFile, QgsProcessingParameterFolderDestination
+from qgis.core import QgsProcessingParameterFolderDestination
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import CancelledError, SeamInspectorError, SensorModelError, SettingsError
+from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
 from .measure import messages
@@ -31,8 +32,8 @@ class OrthorectifyPhotos(OrthoAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        kind, label = QgsProcessingParameterFile.Behavior.Folder, tr("Folder of an OpenDroneMap project, or of photos")
-        self.addDescribed(QgsProcessingParameterFile(PHOTOS, label, kind, optional=True), tr(
+        photos = common.folder(PHOTOS, tr("Folder of an OpenDroneMap project, or of photos"), optional=True)
+        self.addDescribed(photos, tr(
             "Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
             "project, else in the folder of its file."
         ))

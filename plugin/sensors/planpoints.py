@@ -5,7 +5,7 @@ import re
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingParameterNumber, QgsProcessingParameterString
+from qgis.core import QgsProcessingParameterString
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SettingsError
@@ -58,7 +58,7 @@ class PlanPoints(SensorAlgorithm):
             (SIGMA_PX, tr("Standard deviation in the image (pixels)"), 0.5, 0, 1000,
              tr("Of a point's column and row: how well it is identified.")),
         ):  # fmt: skip
-            self.addReal(name, label, default, text, minValue=least, maxValue=most)
+            self.addReal(name, label, default, text, least=least, most=most)
         for name, label, default in (
             (LOWEST, tr("Lowest terrain (metres)"), 0.0), (HIGHEST, tr("Highest terrain (metres)"), 300.0),
         ):  # fmt: skip
@@ -75,8 +75,8 @@ class PlanPoints(SensorAlgorithm):
             (PIXEL_SIZE, tr("Pixel size (metres)"), 0.5, 0.05, 1000, tr("On the ground; nominal scanner.")),
             (SIDE, tr("Side of the image (km)"), 15.0, 1, 200, tr("The image is square; nominal scanner.")),
         ):  # fmt: skip
-            self.addReal(name, label, default, text, advanced=True, minValue=least, maxValue=most)
-        seed = QgsProcessingParameterNumber(SEED, tr("Seed"), defaultValue=1, minValue=0, maxValue=2**31 - 1)
+            self.addReal(name, label, default, text, advanced=True, least=least, most=most)
+        seed = common.whole(SEED, tr("Seed"), 1, 0, 2**31 - 1)
         self.addDescribed(seed, tr("The same number gives the same draws."), advanced=True)
         self.addTable(OUTPUT, tr("Expected accuracy"), tr(
             "One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % "

@@ -4,17 +4,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterCrs,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
-    QgsVectorLayer,
-)
+from qgis.core import QgsProcessing, QgsProcessingParameterCrs, QgsProcessingParameterFile, QgsVectorLayer
 
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
@@ -62,41 +52,32 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     def addReal(
         self, name: str, label: str, default: float | None, purpose: str, advanced: bool = False, **limits: float
     ) -> None:
-        """A number between ``minValue`` and ``maxValue``, which may be left out where it has no default."""
-        real = QgsProcessingParameterNumber.Type.Double
-        self.addDescribed(
-            QgsProcessingParameterNumber(name, label, real, default, default is None, **limits), purpose, advanced
-        )
+        """A number between ``least`` and ``most``, which may be left out where it has no default."""
+        number = common.real(name, label, default, optional=default is None, decimals=None, **limits)
+        self.addDescribed(number, purpose, advanced)
 
-    def addTable(
-        self, name: str, label: str, purpose: str,
-        kind: QgsProcessing.SourceType = QgsProcessing.SourceType.TypeVector,
-    ) -> None:
+    def addTable(self, name: str, label: str, purpose: str, kind: QgsProcessing.SourceType = common.TABLE) -> None:
         """A layer that is made."""
-        self.addDescribed(QgsProcessingParameterFeatureSink(name, label, kind), purpose)
+        self.addDescribed(common.result(name, label, kind), purpose)
 
     def addPoints(self) -> None:
         """The points that a model is fitted to."""
-        vector_points = [QgsProcessing.SourceType.TypeVectorPoint]
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(GCPS, tr("Ground control points"), vector_points, None, True), tr(
-                "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper "
-                "left corner of the first pixel), and if there are any id, z, role (control or check) and sigma "
-                "(standard deviation in pixels); or a .points file of QGIS's georeferencer, a GeoJSON of orthority, or "
-                "a TIFF that holds such points. Empty: those inside the image."
-            ),
-        )
+        self.addDescribed(common.features(GCPS, tr("Ground control points"), common.POINT, optional=True), tr(
+            "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper "
+            "left corner of the first pixel), and if there are any id, z, role (control or check) and sigma "
+            "(standard deviation in pixels); or a .points file of QGIS's georeferencer, a GeoJSON of orthority, or "
+            "a TIFF that holds such points. Empty: those inside the image."
+        ))
 
     def addImage(self, optional: bool = True) -> None:
         """The image as it was taken."""
-        self.addDescribed(
-            QgsProcessingParameterRasterLayer(IMAGE, tr("Image"), optional=optional),
-            tr("The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it."),
-        )
+        self.addDescribed(common.raster(IMAGE, tr("Image"), optional), tr(
+            "The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it."
+        ))
 
     def addTerrain(self, purpose: str, *heights: tuple[str, str]) -> None:
         """A terrain model, what heights refer to (names and labels), and the grid for some of them."""
-        self.addDescribed(QgsProcessingParameterRasterLayer(DEM, tr("Terrain model"), optional=True), purpose)
+        self.addDescribed(common.raster(DEM, tr("Terrain model"), optional=True), purpose)
         for name, label in heights:
             self.addDescribed(common.choice(name, label, limits.HEIGHT_DATUMS), tr(
                 "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a "
@@ -111,7 +92,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         """What the view is judged by."""
         self.addReal(TERRAIN_ERROR, tr("Error of terrain heights (metres)"), 1.0, tr(
             "The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at."
-        ), advanced=True, minValue=0)
+        ), advanced=True, least=0)
 
     def addFittingParameters(self) -> None:
         """What a fit to points takes beside them and the model."""
@@ -124,9 +105,10 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addReal(CHECK_SHARE, tr("Share of check points"), DEFAULT_CHECK_SHARE, tr(
             "Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. "
             "The same points give the same choice."
-        ), minValue=0, maxValue=MOST_CHECK_SHARE)
-        robust = QgsProcessingParameterBoolean(ROBUST, tr("Look for blunders"), defaultValue=False)
-        self.addDescribed(robust, tr("Flags points that contradict the others and fits the model without them."))
+        ), least=0, most=MOST_CHECK_SHARE)
+        self.addDescribed(common.flag(ROBUST, tr("Look for blunders")), tr(
+            "Flags points that contradict the others and fits the model without them."
+        ))
         system = QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True)
         self.addDescribed(system, tr(
             "For files from before QGIS 3.26, which do not name the reference system of their map coordinates."
@@ -134,7 +116,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addReal(ORBIT_HEIGHT, tr("Height of the orbit (km)"), None, tr(
             "Nominal, for the model pushbroom. Empty: by the satellite that the image's metadata name, else 694 "
             "km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617."
-        ), advanced=True, minValue=0, maxValue=40000)
+        ), advanced=True, least=0, most=40000)
 
     def addViewNumbers(self) -> None:
         """How obliquely the image was taken."""

@@ -40,7 +40,7 @@ PAGES = (
 """Algorithms and their pages."""
 DRAWING = """acceptance.kept_chart acceptance.paper.charts
 resolution.charts resolution.report seams.charts.calibration_chart noise.charts
-noise.report radiometry.report toolkit.charts.variance_axes toolkit.charts.figure_files""".split()
+noise.report radiometry.report toolkit.charts.figure_files""".split()
 """Modules that can't be imported without matplotlib."""
 WRITING = """acceptance.paper.acceptance_report acceptance.paper.quality_document
 noise.report photos.report radiometry.report resolution.report seams.report.inspection_report

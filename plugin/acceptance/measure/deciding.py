@@ -22,10 +22,9 @@ from ...imagery.seam_totals import PieceState
 from ...imagery.statistics import Interval
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
-from .cut_failures import crossing_count, cut_failures
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, Observers, RuleOutcome
 from .delivery import DeliveredLayer, Delivery
-from .failure_runs import failure_runs
+from .failure_runs import crossing_count, cut_failures, failure_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
     ends_within,

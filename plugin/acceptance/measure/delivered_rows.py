@@ -26,7 +26,7 @@ from ...imagery.seam_totals import (
 )
 from . import messages
 from .delivery import DeliveredLayer, DeliveredPiece, Delivery, in_order
-from .failure_networks import TOUCHING
+from .failure_runs import TOUCHING
 from .measured_pieces import NO_VERDICT, state_of
 
 _LACKING_M = 0.05  # below it lengths are rounded

@@ -5,20 +5,151 @@ more than two failed pieces meet in a node, a run goes on along its own seam alo
 that lies on ground without detail, says nothing of whether the failure ends there: it does not break a run unless such
 pieces are longer than a typical one, and its own metres don't count. What passed always breaks it, and so does a gap
 between two sheets. The length of a failure is that of its pieces.
+
+Sheets that were scanned apart: seams may cross their borders, and failures end at the edge of a sheet where no seam
+goes on, so that beyond it they may be longer, and nobody looked.
 """
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
+from scipy.sparse import coo_matrix, csr_matrix
+from scipy.sparse.csgraph import connected_components, dijkstra
+from scipy.spatial import cKDTree
 
 from ...imagery.seam_totals import PieceState
 from .decision import FailureRun
-from .delivery import DeliveredPiece
-from .failure_networks import PiecePlaces, Step, unbroken_lines
+from .delivery import DeliveredPiece, Delivery
 
 _SAY_NOTHING = (PieceState.NOT_MEASURED, PieceState.NO_DETAIL)
+TOUCHING = 0.02  # of a typical piece: ends nearer than that touch. 0.5 m of 25 m, a few pixels of a staircase
+_STARTS_AT_ONCE = 256  # places from which others are looked for: a table of them by all places is held
+
+
+class PiecePlaces:
+    """The two places of each piece, as numbers."""
+
+    def __init__(self, pieces: Sequence[DeliveredPiece], typical_m: float, unit_m: float) -> None:
+        self._pieces, self._typical_m, self._tolerance_m = pieces, typical_m, TOUCHING * typical_m
+        self._ends = np.array([[piece.vertices[0], piece.vertices[-1]] for piece in pieces]) * unit_m
+        touching = cKDTree(self._ends.reshape(-1, 2)).query_pairs(self._tolerance_m)
+        joined = [(one, other) for one, other in touching if one // 2 != other // 2]
+        self._places = _united([*self._along_seams(), *joined], 2 * len(pieces)).reshape(-1, 2).tolist()
+
+    def of(self, number: int) -> tuple[int, int]:
+        """Where a piece begins and ends."""
+        start, stop = self._places[number]
+        return start, stop
+
+    def joined(self, failed: Iterable[int], unknown: Iterable[int]) -> dict[int, tuple[int, int]]:
+        """The places of failed pieces, the same for two where no more than a typical piece of unknown ones lies
+        between.
+        """
+        ends = {number: self.of(number) for number in failed}
+        lengths: dict[tuple[int, int], float] = {}  # the shortest of the unknown pieces between two places
+        for number in unknown:
+            way = min(self.of(number)), max(self.of(number))
+            lengths[way] = min(self._pieces[number].length_m, lengths.get(way, np.inf))
+        own = {place for places in ends.values() for place in places}
+        bridged = list(_near(lengths, own, self._typical_m * (1 + 1e-9)))
+        same = _united(bridged, 2 * len(self._pieces)).tolist()
+        return {number: (same[one], same[other]) for number, (one, other) in ends.items()}
+
+    def _along_seams(self) -> Iterator[tuple[int, int]]:
+        seams: dict[tuple[str, str], list[tuple[float, int]]] = {}
+        for number, piece in enumerate(self._pieces):
+            if piece.seam_id and piece.station_m is not None:
+                seams.setdefault(piece.seam, []).append((piece.station_m, number))
+        following = []
+        for stations in seams.values():
+            stations.sort()
+            for (station, number), (next_station, next_number) in zip(stations, stations[1:]):
+                if abs(next_station - station - self._pieces[number].length_m) <= self._tolerance_m:
+                    following.append((number, next_number))
+        return self._nearest_ends(np.array(following, int).reshape(-1, 2).T)
+
+    def _nearest_ends(self, following: np.ndarray) -> Iterator[tuple[int, int]]:
+        """Of pairs of pieces, (2, pairs) numbers, the two ends nearest to each other."""
+        ones, others = self._ends[following]
+        apart = np.hypot(*(ones[:, :, np.newaxis] - others[:, np.newaxis]).transpose(3, 0, 1, 2)).reshape(-1, 4)
+        apart[:, 2] -= 1e-9  # as the lines are drawn, where a ring of two pieces leaves the choice
+        ends = np.array(np.divmod(apart.argmin(axis=1), 2))
+        return zip(*(2 * following + ends).tolist())
+
+
+def _united(pairs: Sequence[tuple[int, int]], count: int) -> np.ndarray:
+    """(count,) numbers of which those are the same that pairs join."""
+    ones, others = np.array(pairs, int).reshape(-1, 2).T
+    graph = coo_matrix((np.ones(len(ones)), (ones, others)), (count, count))
+    return np.asarray(connected_components(graph, directed=False)[1])
+
+
+def _near(lengths: Mapping[tuple[int, int], float], wanted: set[int], limit: float) -> Iterator[tuple[int, int]]:
+    """Pairs of places that are wanted and no farther from each other than a limit, by ways of such lengths."""
+    if not lengths:
+        return
+    places, ends = np.unique(np.array(list(lengths)), return_inverse=True)
+    one, other = ends.reshape(-1, 2).T
+    graph = csr_matrix((list(lengths.values()), (one, other)), shape=(len(places), len(places)))
+    starts = np.flatnonzero([place in wanted for place in places.tolist()])
+    for first in range(0, len(starts), _STARTS_AT_ONCE):
+        some = starts[first : first + _STARTS_AT_ONCE]
+        reached = np.isfinite(dijkstra(graph, directed=False, indices=some, limit=limit)[:, starts])
+        yield from ((int(places[some[i]]), int(places[starts[j]])) for i, j in np.argwhere(reached).tolist())
+
+
+Step = tuple[int, bool]
+"""A piece, and whether it is walked from its first place to its second."""
+
+
+def unbroken_lines(
+    ends: Mapping[int, tuple[int, int]], seams: Mapping[int, tuple[str, str] | None]
+) -> list[tuple[Step, ...]]:
+    """The lines of pieces that go on without a break; each piece lies in one. A ring is walked once round.
+
+    ``ends``: the two places that each piece joins; ``seams``: what the seam that it is of is known by.
+    """
+    goes_on = _next_ends(ends, seams)
+    every = [(piece, end) for piece in ends for end in (0, 1)]
+    seen: set[int] = set()
+    lines = []
+    for piece, end in [*(one for one in every if one not in goes_on), *every]:  # what is left over are rings
+        steps: list[Step] = []
+        while piece not in seen:
+            seen.add(piece)
+            steps.append((piece, end == 0))
+            piece, end = goes_on.get((piece, 1 - end), (piece, end))
+        if steps:
+            lines.append(tuple(steps))
+    return lines
+
+
+_End = tuple[int, int]  # a piece, and 0 for its first place, 1 for its second
+
+
+def _next_ends(
+    ends: Mapping[int, tuple[int, int]], seams: Mapping[int, tuple[str, str] | None]
+) -> dict[_End, _End]:
+    """By the end of a piece that of the one that follows there."""
+    meeting: dict[int, list[_End]] = defaultdict(list)
+    for piece, places in ends.items():
+        for end, place in enumerate(places):
+            meeting[place].append((piece, end))
+    found: dict[_End, _End] = {}
+    for there in meeting.values():
+        by_seam: dict[tuple[str, str] | None, list[_End]] = defaultdict(list)
+        for piece, end in there:
+            by_seam[seams[piece] if len(there) > 2 else None].append((piece, end))
+        if len(there) > 2:
+            by_seam.pop(None, None)  # of no seam that is known
+        for pair in by_seam.values():
+            if len(pair) == 2:
+                found[pair[0]], found[pair[1]] = pair[1], pair[0]
+    return found
+
 
 
 def failure_runs(
@@ -50,3 +181,49 @@ def _run(steps: Sequence[Step], pieces: Sequence[DeliveredPiece]) -> FailureRun:
         0, float(reached[-1]), tuple(piece.number for piece in own), tuple(not forward for _, forward in steps), sheets,
         place,
     )
+
+
+_AT_EDGE = 0.5  # of a typical piece: seams are measured to some pixels from the edge of a mosaic
+
+
+def crossing_count(delivery: Delivery) -> int:
+    """Places where a seam of one scan goes on in another one."""
+    scans = [piece.seam[0] for piece in delivery.pieces]
+    if len(set(scans)) < 2:
+        return 0
+    near = _ends_of_all(delivery).query_pairs(TOUCHING * _typical(delivery))
+    return sum(scans[one // 2] != scans[other // 2] for one, other in near)
+
+
+def _ends_of_all(delivery: Delivery) -> cKDTree:
+    return cKDTree(np.array([vertices for piece in delivery.pieces for vertices in piece.vertices[[0, -1]]]))
+
+
+def _typical(delivery: Delivery) -> float:
+    """Length of a piece, in units of the coordinates."""
+    return float(np.median([piece.length_m for piece in delivery.pieces])) / delivery.unit_m
+
+
+def cut_failures(delivery: Delivery, runs: Sequence[FailureRun]) -> list[FailureRun]:
+    """Those with such an end; none of a single sheet. Sheets without an outline are boxes around their seams."""
+    if not runs or len(delivery.sheets) < 2:
+        return []
+    typical, ends = _typical(delivery), _ends_of_all(delivery)
+    edges = [(ring[:-1], ring[1:]) for rings in delivery.sheet_rings().values() for ring in rings]
+    starts, stops = (np.concatenate(parts) for parts in zip(*edges))
+
+    def is_cut(place: np.ndarray) -> bool:
+        if len(ends.query_ball_point(place, TOUCHING * typical)) > 1:  # another piece goes on
+            return False
+        along = stops - starts
+        squares = np.maximum((along**2).sum(axis=1), np.finfo(float).tiny)
+        shares = np.clip(((place - starts) * along).sum(axis=1) / squares, 0, 1)
+        return bool((np.hypot(*(starts + shares[:, np.newaxis] * along - place).T) <= _AT_EDGE * typical).any())
+
+    return [run for run in runs if any(map(is_cut, _ends(run, delivery)))]
+
+
+def _ends(run: FailureRun, delivery: Delivery) -> tuple[np.ndarray, np.ndarray]:
+    """Where a failure begins and ends, x and y."""
+    first, last = (delivery.pieces[number].vertices for number in (run.pieces[0], run.pieces[-1]))
+    return first[-1 if run.turned[0] else 0], last[0 if run.turned[-1] else -1]

@@ -22,6 +22,7 @@ from ...imagery.reference_systems import extent_on, metres_per_unit
 from ...imagery.seam_totals import PieceState
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure
+from ...toolkit.charts.round_ticks import round_below
 from ...toolkit.picture_stretch import cut_range
 from ...toolkit.translation import filled, formatted, shown_number, tr
 from ..measure.decision import Decision, Defect, PlanOutcome
@@ -215,7 +216,7 @@ def _draw_coordinates(axes: Axes, placed: Callable[[np.ndarray], np.ndarray], bo
     left, bottom, right, top = bounds
     corners = placed(np.array([(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]))
     axes.plot(*corners.T, color=PAPER.quiet, linewidth=0.6)
-    step = _round_below(max(right - left, top - bottom) / _TICKS)
+    step = round_below(max(right - left, top - bottom) / _TICKS)
     style = {"fontsize": _COORDINATE_PT, "color": PAPER.quiet, "path_effects": _HALO, "zorder": 3}
     (most_left, least), (most_right, most) = placed(np.array([(left, bottom), (right, top)]))
     for x in np.arange(np.ceil(left / step), np.floor(right / step) + 1) * step:
@@ -230,12 +231,6 @@ def _draw_coordinates(axes: Axes, placed: Callable[[np.ndarray], np.ndarray], bo
             continue
         axes.plot([edge, edge + _TICK_PT], [up, up], color=PAPER.quiet, linewidth=0.6)
         axes.text(edge + _TICK_PT, up, formatted(y, ".0f"), ha="left", va="center", rotation=90, **style)
-
-
-def _round_below(value: float) -> float:
-    """The largest of 1, 2 and 5 times a power of ten that is not above a value."""
-    decade = 10.0 ** np.floor(np.log10(value))
-    return float(max(digit * decade for digit in (1, 2, 5) if digit * decade <= value))
 
 
 def oc_figure(found: PlanOutcome) -> Figure:
@@ -313,7 +308,7 @@ def _thinned(points: np.ndarray, last: np.ndarray) -> np.ndarray:
 
 def _draw_scale_bar(axes: Axes, scale: float, foot: float) -> None:
     """A round length in the lower left corner, north up in the lower right one; ``foot``: of the strip for them."""
-    metres = _round_below(0.25 * 72 * _WIDTH / scale)
+    metres = round_below(0.25 * 72 * _WIDTH / scale)
     left, bottom = -36 * _WIDTH + 6, foot + 6
     axes.plot([left, left + metres * scale], [bottom, bottom], color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
     words = formatted(metres / 1000, "g") + " km" if metres >= 1000 else formatted(metres, "g") + " m"

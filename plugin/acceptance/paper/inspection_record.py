@@ -1,19 +1,28 @@
-"""What stands on paper beside a decision: what it was made of, by whom and when."""
+"""What stands on paper beside a decision: what it was made of, with digests so that nobody can say later that it was
+something else, what 'Check radiometry' found, by whom and when.
+"""
 from __future__ import annotations
 
+import hashlib
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
+from typing import Callable
 
 from ...imagery.documents import json_document
+from ...imagery.errors import RasterError, SettingsError
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster, RasterRef
-from ..measure.decision import Decision, Defect, defects_of
+from ...toolkit.algorithms.run import Run
+from ...toolkit.layers import features
+from ...toolkit.table_fields import attributes, text, whole_number
+from ...toolkit.translation import filled, tr
+from ..measure import messages
+from ..measure.decision import AcceptanceOutcome, Decision, Defect, defects_of
 from ..measure.delivery import in_words
-from .digests import Digest
-from .paper_head import PaperHead
-from .rated_images import RatedImage
+from .paper_head import RADIOMETRY, PaperHead
 
 _SETTINGS_DOMAIN = "SEAM_INSPECTOR"  # as the scan writes it
 _LISTS = ("mosaic", "sources")  # of the settings: paths as JSON
@@ -131,3 +140,92 @@ def described_bands(raster: RasterRef) -> tuple[str, ...]:
     """
     dataset = OpenRaster(raster).dataset
     return tuple(dataset.GetRasterBand(one).GetDescription() or str(one) for one in range(1, dataset.RasterCount + 1))
+
+
+_AT_ONCE = 1 << 22  # bytes
+
+
+@dataclass(frozen=True)
+class Digest:
+    """What was digested, and what came of it."""
+
+    path: str
+    """Of a file; what it is, in words, where there is none."""
+    size: int | None
+    """Bytes; None of what is no file."""
+    sha256: str
+    """Hexadecimal, 64 digits."""
+
+
+def mosaic_files(refs: Iterable[RasterRef]) -> list[str]:
+    """The files that rasters are read from, those that a VRT names too, each once; what a server has is left out.
+
+    Statistics that GDAL writes beside a raster are no part of it.
+    """
+    found: dict[str, None] = {}
+    for ref in refs:
+        names: Sequence[str] = ()
+        with suppress(RasterError):
+            names = OpenRaster(ref).dataset.GetFileList() or ()
+        found.update(dict.fromkeys(os.path.abspath(name) for name in names if not name.endswith(".aux.xml")))
+    return [path for path in found if os.path.isfile(path)]
+
+
+def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> list[Digest] | None:
+    """SHA-256 of each file as ``sha256sum`` prints it; None when it is not wanted any more.
+
+    ``goes_on``: told the share of the bytes that is done, 0 to 1. A file that can't be read has no digest.
+    """
+    sizes = {path: os.path.getsize(path) for path in paths if os.path.isfile(path)}
+    total, done = max(sum(sizes.values()), 1), 0
+    found = []
+    for path, size in sizes.items():
+        digest = hashlib.sha256()
+        with suppress(OSError):
+            with open(path, "rb") as file:
+                while block := file.read(_AT_ONCE):
+                    if not goes_on(min(done / total, 1.0)):
+                        return None
+                    digest.update(block)
+                    done += len(block)
+            found.append(Digest(path, size, digest.hexdigest()))
+    return found
+
+
+def text_digest(name: str, lines: Iterable[str]) -> Digest:
+    """Of lines of text, each ended by a line feed, in UTF-8."""
+    content = "".join(f"{line}\n" for line in lines).encode()
+    return Digest(name, len(content), hashlib.sha256(content).hexdigest())
+
+
+@dataclass(frozen=True)
+class RatedImage:
+    """An image, or a window of it."""
+
+    name: str
+    outcome: AcceptanceOutcome
+    failed_by: tuple[str, ...]
+    """Where the limits come from that it does not keep, each once."""
+
+
+def rated_images(run: Run) -> tuple[RatedImage, ...]:
+    """In the order of the table; none where none is given. Raises SettingsError for another table."""
+    if not run.parameters.get(RADIOMETRY):
+        return ()
+    source = run.source(RADIOMETRY)
+    names = source.fields().names()
+    if not {"raster", "window_id", "passed", "source", "decision"} <= set(names):
+        raise SettingsError(messages.RADIOMETRY_NO_TABLE(name=source.sourceName()))
+    found: dict[str, tuple[str, dict[str, None]]] = {}
+    for row in attributes(features(source), names):
+        name, window = text(row["raster"]), whole_number(row["window_id"])
+        if window is not None:
+            name = filled(tr("{name}, window {window}"), name=name, window=window)
+        _, failed_by = found.setdefault(name, (text(row["decision"]), {}))
+        if whole_number(row["passed"]) == 0:
+            failed_by[text(row["source"])] = None
+    words = {one.value: one for one in AcceptanceOutcome}
+    return tuple(
+        RatedImage(name, words.get(decision, AcceptanceOutcome.UNDECIDED), tuple(failed_by))
+        for name, (decision, failed_by) in found.items()
+    )

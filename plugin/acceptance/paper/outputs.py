@@ -1,13 +1,17 @@
-"""What acceptmosaic leaves on paper: the layer of failures with their pictures, the report, the XML."""
+"""What acceptmosaic leaves on paper: the layer of failures with their pictures, that of sheets, the report, the XML."""
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from qgis.core import (
+    QgsFeature,
+    QgsGeometry,
+    QgsPointXY,
     QgsProcessingException,
     QgsProcessingUtils,
     QgsProviderRegistry,
@@ -17,20 +21,29 @@ from qgis.core import (
 from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...imagery.open_raster import describe_mosaic, describe_placed
 from ...imagery.rasters import Raster, RasterRef
+from ...imagery.records import Column
 from ...toolkit.algorithms.run import Run
 from ...toolkit.pages.templates import whole_path
 from ...toolkit.reference_systems import reference_system
-from ...toolkit.table_fields import column_fields
+from ...toolkit.table_fields import column_features, column_fields
 from ...toolkit.translation import filled, tr
 from ..measure import messages
-from ..measure.decision import Decision, Defect
-from ..paper_parameters import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT
+from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
 from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, defect_features, save_pictures
-from .digests import Digest, file_digests, mosaic_files, text_digest
-from .inspection_record import InspectionRecord, described_bands, listed_images, scan_settings, scanned_sources
-from .paper_head import stated_head
-from .rated_images import rated_images
-from .sheet_files import SHEET_COLUMNS, sheet_features
+from .inspection_record import (
+    Digest,
+    InspectionRecord,
+    described_bands,
+    file_digests,
+    listed_images,
+    mosaic_files,
+    rated_images,
+    scan_settings,
+    scanned_sources,
+    text_digest,
+)
+from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
+from .words import rounded
 
 if TYPE_CHECKING:
     from .proofs import Proving
@@ -199,3 +212,61 @@ def _cut_pictures(
         run.tell(messages.PICTURES_MISSING(count=missing))
     if len(defects) > len(shown):
         run.tell(messages.PICTURES_LIMITED(shown=len(shown), count=len(defects)))
+
+
+@dataclass(frozen=True, eq=False)
+class _DecidedSheet:
+    """A row."""
+
+    figures: MetreFigures
+    outcome: AcceptanceOutcome | None
+    """None without seams, or where the delivery was decided on by a sample."""
+    findings: tuple[str, ...]
+    """What is wrong with its file; none where that was not looked at."""
+
+
+def _word(one: _DecidedSheet) -> str | None:
+    if not one.figures.piece_count:
+        return _NO_SEAMS
+    return one.outcome.value if one.outcome else None
+
+
+_NO_SEAMS = "no_seams"
+SHEET_COLUMNS: tuple[Column[_DecidedSheet], ...] = (
+    Column("sheet", "text", lambda one: one.figures.name),
+    Column("verdict", "text", _word),
+    Column("length", "real", lambda one: rounded(one.figures.total_m)),
+    Column("measured", "real", lambda one: rounded(one.figures.measured_m)),
+    Column("failed", "real", lambda one: rounded(one.figures.failed_m)),
+    Column("failed_share", "real", lambda one: (
+        None if one.figures.failed_share is None else rounded(100 * one.figures.failed_share)
+    )),
+    Column("longest_failure", "real", lambda one: rounded(one.figures.longest_failure_m)),
+    Column("pieces", "integer", lambda one: one.figures.piece_count),
+    Column("failed_pieces", "integer", lambda one: one.figures.failed_count),
+    Column("findings", "text", lambda one: "; ".join(one.findings) or None),
+)
+
+
+def sheet_features(decision: Decision) -> Iterator[QgsFeature]:
+    """In the order of ``decision.sheets``; a sheet of which no place is known has no outline."""
+    rings = decision.delivery.sheet_rings()
+    findings = {one.name: one.findings for one in decision.delivery.outlines}
+    rows = [
+        _DecidedSheet(one, outcome, findings.get(one.name, ()))
+        for one, outcome in zip(decision.sheets, decision.sheet_outcomes)
+    ]
+    for row, feature in zip(rows, column_features(SHEET_COLUMNS, rows)):
+        if outline := rings.get(row.figures.name):
+            feature.setGeometry(_polygon(outline))
+        yield feature
+
+
+def _polygon(rings: Sequence[np.ndarray]) -> QgsGeometry:
+    """What lies within an odd number of rings: parts lie beside each other, holes within parts."""
+    shape = QgsGeometry()
+    for ring in rings:
+        part = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in ring.tolist()]])
+        shape = part if shape.isNull() else shape.symDifference(part)
+    shape.convertToMultiType()
+    return shape

@@ -4,7 +4,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional
 
-from qgis.core import QgsProcessing, QgsProcessingParameterFeatureSink, QgsProcessingParameterFeatureSource
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import SettingsError
@@ -48,40 +47,26 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        table = QgsProcessing.SourceType.TypeVector
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(WINDOWS, tr("Inspected windows"), [table]),
-            tr(
-                "Windows that were inspected and judged: the field 'observer' with the words 'visible' (a loss was "
-                "seen at 2x) and 'invisible' ('unsure' does not count), and the measures 'kept_1', 'visibility', "
-                "'composite_ratio_1', 'contrast_1' and 'ratio_1', as far as they are there."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(PAIRS, tr("Pairs"), [table], optional=True),
-            tr(
-                "The table of pairs of the same windows. With it the absolute contrast 'contrast_1' is judged too: "
-                "against the composite where there is one, else the largest over the sources."
-            ),
-        )
-        self.addDescribed(
-            common.choice(MEASURE, tr("Measure"), _MEASURES, default=None, optional=True),
-            tr(
-                "The measure whose figures are given as outputs: the one the windows are judged by. Not set: "
-                "'kept_1' where the judged windows have it, else 'ratio_1'. The table and the chart hold all "
-                "measures."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Calibration"), table),
-            tr(
-                "For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, "
-                "what the standard limit does, and what every other threshold would do."
-            ),
-        )
-        self.addDescribed(
-            *common.chart(tr("ROC curves with their areas, and the judged windows of each measure."), by_default=True)
-        )
+        self.addDescribed(common.features(WINDOWS, tr("Inspected windows"), common.TABLE), tr(
+            "Windows that were inspected and judged: the field 'observer' with the words 'visible' (a loss was seen at "
+            "2x) and 'invisible' ('unsure' does not count), and the measures 'kept_1', 'visibility', "
+            "'composite_ratio_1', 'contrast_1' and 'ratio_1', as far as they are there."
+        ))
+        self.addDescribed(common.features(PAIRS, tr("Pairs"), common.TABLE, optional=True), tr(
+            "The table of pairs of the same windows. With it the absolute contrast 'contrast_1' is judged too: against "
+            "the composite where there is one, else the largest over the sources."
+        ))
+        self.addDescribed(common.choice(MEASURE, tr("Measure"), _MEASURES, default=None, optional=True), tr(
+            "The measure whose figures are given as outputs: the one the windows are judged by. Not set: 'kept_1' "
+            "where the judged windows have it, else 'ratio_1'. The table and the chart hold all measures."
+        ))
+        self.addDescribed(common.result(OUTPUT, tr("Calibration"), common.TABLE), tr(
+            "For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, what "
+            "the standard limit does, and what every other threshold would do."
+        ))
+        self.addDescribed(*common.chart(tr(
+            "ROC curves with their areas, and the judged windows of each measure."
+        ), by_default=True))
         self.addNumbers({
             MAX_RATIO: tr("Threshold of the measure"),
             AUC: tr("Area under the ROC curve"),

@@ -5,13 +5,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsWkbTypes,
-)
+from qgis.core import QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import SettingsError
@@ -53,37 +47,25 @@ class InspectWindows(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        polygon, table = QgsProcessing.SourceType.TypeVectorPolygon, QgsProcessing.SourceType.TypeVector
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(WINDOWS, tr("Windows"), [polygon]),
-            tr(
-                "Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is "
-                "measured is the rectangle around each, snapped to the mosaic's pixels."
-            ),
-        )
+        self.addDescribed(common.features(WINDOWS, tr("Windows"), common.POLYGON), tr(
+            "Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured "
+            "is the rectangle around each, snapped to the mosaic's pixels."
+        ))
         self.addDescribed(*common.mosaic())
         self.addDescribed(*common.sources())
         self.addDescribed(*common.source_index())
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
-        self.addDescribed(
-            # Optional, or QGIS would refuse models that were drawn before there was this choice.
-            common.choice(REFERENCE, tr("Verdict against"), REFERENCES, optional=True),
-            tr(
-                "seam: what is kept along the seam, against the hard-cut composite of the sources and the ground "
-                "around. "
-                "composite: the whole window against that composite. sources: the whole clip of each source, as in the "
-                "paper; that verdict is always in the field 'paper_verdict', too."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(CELLS, tr("Seam cells"), [polygon], optional=True),
-            tr(
-                "Polygons that say in the field 'source' which orthoimage each part of the mosaic was cut from. Where "
-                "they are known they decide on the composite; elsewhere it is found from the detail itself."
-            ),
-            advanced=True,
-        )
+        # Optional, or QGIS would refuse models that were drawn before there was this choice.
+        self.addDescribed(common.choice(REFERENCE, tr("Verdict against"), REFERENCES, optional=True), tr(
+            "seam: what is kept along the seam, against the hard-cut composite of the sources and the ground around. "
+            "composite: the whole window against that composite. sources: the whole clip of each source, as in the "
+            "paper; that verdict is always in the field 'paper_verdict', too."
+        ))
+        self.addDescribed(common.features(CELLS, tr("Seam cells"), common.POLYGON, optional=True), tr(
+            "Polygons that say in the field 'source' which orthoimage each part of the mosaic was cut from. Where they "
+            "are known they decide on the composite; elsewhere it is found from the detail itself."
+        ), advanced=True)
         self.addDescribed(
             # Optional for the same reason.
             common.real(MIN_KEPT, tr("Least share kept along the seam"), MAX_SIGNIFICANT_KEPT, 0.0, optional=True),
@@ -93,43 +75,28 @@ class InspectWindows(SeamInspectorAlgorithm):
             ),
             advanced=True,
         )
-        self.addDescribed(
-            *common.max_ratio(
-                tr("By the paper's rule a window is significant when its ratio at level 1 is this or less.")
-            ),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterBoolean(DIRECTIONS, tr("Detail by direction"), False, optional=True),
-            tr(
-                "Adds to the curves of the mosaic and the sources the three directional components of each level: LH, "
-                "in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level's "
-                "detail. Takes several times as long as the curves alone."
-            ),
-            advanced=True,
-        )
+        self.addDescribed(*common.max_ratio(tr(
+            "By the paper's rule a window is significant when its ratio at level 1 is this or less."
+        )), advanced=True)
+        self.addDescribed(common.flag(DIRECTIONS, tr("Detail by direction"), optional=True), tr(
+            "Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in "
+            "which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level's "
+            "detail. Takes several times as long as the curves alone."
+        ), advanced=True)
         self.addDescribed(*common.scheduler(), advanced=True)
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Inspected windows"), polygon),
-            tr(
-                "The rectangles as measured, with their verdict, what is kept along the seam, how far an eye sees the "
-                "loss at 2x ('visibility', 1 is just seen), and ratios: the largest over the sources."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(CURVES, tr("Curves"), table, optional=True, createByDefault=True),
-            tr("Relative variance of every component, for each window, raster and band."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(PAIRS, tr("Pairs"), table, optional=True, createByDefault=True),
-            tr("The mosaic against each single source: ratios, similarity, sub-pixel offset."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(
-                PROFILES, tr("Seam profiles"), table, optional=True, createByDefault=True
-            ),
-            tr("What is kept of each level's detail by distance from the seam, with its 95 % interval."),
-        )
+        self.addDescribed(common.result(OUTPUT, tr("Inspected windows"), common.POLYGON), tr(
+            "The rectangles as measured, with their verdict, what is kept along the seam, how far an eye sees the loss "
+            "at 2x ('visibility', 1 is just seen), and ratios: the largest over the sources."
+        ))
+        self.addDescribed(common.result(CURVES, tr("Curves"), common.TABLE, optional=True), tr(
+            "Relative variance of every component, for each window, raster and band."
+        ))
+        self.addDescribed(common.result(PAIRS, tr("Pairs"), common.TABLE, optional=True), tr(
+            "The mosaic against each single source: ratios, similarity, sub-pixel offset."
+        ))
+        self.addDescribed(common.result(PROFILES, tr("Seam profiles"), common.TABLE, optional=True), tr(
+            "What is kept of each level's detail by distance from the seam, with its 95 % interval."
+        ))
         self.addNumbers({
             WINDOW_COUNT: tr("Windows"),
             SIGNIFICANT_COUNT: tr("Windows with a significant loss"),

@@ -7,13 +7,8 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsGeometry,
     QgsLineString,
-    QgsProcessing,
     QgsProcessingOutputRasterLayer,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFileDestination,
     QgsProcessingParameterFolderDestination,
-    QgsProcessingParameterNumber,
     QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
@@ -52,52 +47,34 @@ class MendSeams(SeamInspectorAlgorithm):
     NAMED_BY_FORMAT = (MENDED,)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
-        whole = QgsProcessingParameterNumber.Type.Integer
         self.addDescribed(*common.mosaic())
         self.addDescribed(*common.sources())
         self.addDescribed(*common.source_index())
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(SEAMS, tr("Seams"), [line, polygon]),
-            tr(
-                "The seams as Scan a whole mosaic writes them, all of them. Or windows: then the mosaic is scanned "
-                "first, and the seams in the windows are mended."
-            ),
-        )
-        self.addDescribed(
-            common.choice(WHAT, tr("What to mend"), MENDED_SEAMS),
-            tr(
-                "failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: "
-                "every piece."
-            ),
-        )
-        self.addDescribed(
-            common.real(WIDTH, tr("Width of the corridor (metres)"), MEND_WIDTH_M, 0.01),
-            tr("How far a new cut may move to either side of the seam; at most 800 pixels."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(
-                BLEND, tr("Blend (pixels)"), whole, MEND_BLEND_PX, minValue=0, maxValue=MOST_BLEND_PX
-            ),
-            tr("Width over which the two orthoimages are mixed at the cut. 0: a hard cut."),
-            advanced=True,
-        )
+        self.addDescribed(common.features(SEAMS, tr("Seams"), common.LINE, common.POLYGON), tr(
+            "The seams as Scan a whole mosaic writes them, all of them. Or windows: then the mosaic is scanned first, "
+            "and the seams in the windows are mended."
+        ))
+        self.addDescribed(common.choice(WHAT, tr("What to mend"), MENDED_SEAMS), tr(
+            "failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every "
+            "piece."
+        ))
+        self.addDescribed(common.real(WIDTH, tr("Width of the corridor (metres)"), MEND_WIDTH_M, 0.01), tr(
+            "How far a new cut may move to either side of the seam; at most 800 pixels."
+        ))
+        self.addDescribed(common.whole(BLEND, tr("Blend (pixels)"), MEND_BLEND_PX, 0, MOST_BLEND_PX), tr(
+            "Width over which the two orthoimages are mixed at the cut. 0: a hard cut."
+        ), advanced=True)
         self.addDescribed(*common.scheduler(), advanced=True)
-        self.addDescribed(
-            QgsProcessingParameterFolderDestination(PATCHES, tr("Patches")),
-            tr(
-                "A folder for the patches, cloud-optimised GeoTIFFs with an alpha band; or the name of one .tif for "
-                "all of them."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFileDestination(MENDED, tr("Mended mosaic"), "VRT (*.vrt)"),
-            tr("A virtual raster: the mosaic with the patches above it. It needs both where they are."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(CUTS, tr("Cuts"), line),
-            tr("Each seam as it runs now, with what it kept before and after, and its step of tone before and after."),
-        )
+        self.addDescribed(QgsProcessingParameterFolderDestination(PATCHES, tr("Patches")), tr(
+            "A folder for the patches, cloud-optimised GeoTIFFs with an alpha band; or the name of one .tif for all of "
+            "them."
+        ))
+        self.addDescribed(common.made_file(MENDED, tr("Mended mosaic"), "VRT (*.vrt)"), tr(
+            "A virtual raster: the mosaic with the patches above it. It needs both where they are."
+        ))
+        self.addDescribed(common.result(CUTS, tr("Cuts"), common.LINE), tr(
+            "Each seam as it runs now, with what it kept before and after, and its step of tone before and after."
+        ))
         self.addDescribed(*common.report(tr("Each seam before and after, in figures and in pictures at 2x.")))
         self.addOutput(QgsProcessingOutputRasterLayer(MENDED_MOSAIC, tr("Mended mosaic")))
         self.addNumbers({

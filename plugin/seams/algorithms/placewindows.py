@@ -3,12 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsWkbTypes,
-)
+from qgis.core import QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery import limits as imagery_limits
@@ -37,28 +32,21 @@ class PlaceWindows(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(SEAMLINES, tr("Seamlines"), [line, polygon]),
-            tr(
-                "Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. "
-                "Fragments and pixel staircases are joined and straightened first."
-            ),
-        )
+        self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON), tr(
+            "Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. "
+            "Fragments and pixel staircases are joined and straightened first."
+        ))
         self.addDescribed(*common.mosaic())
-        self.addDescribed(
-            common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01),
-            tr("The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."),
-        )
-        self.addDescribed(
-            common.real(SPACING, tr("Spacing (metres)"), limits.STANDARD_SPACING_M, 0.01),
-            tr("Distance between the centres of neighbouring windows, measured along the seam."),
-        )
+        self.addDescribed(common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01), tr(
+            "The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."
+        ))
+        self.addDescribed(common.real(SPACING, tr("Spacing (metres)"), limits.STANDARD_SPACING_M, 0.01), tr(
+            "Distance between the centres of neighbouring windows, measured along the seam."
+        ))
         self.addDescribed(*common.levels())
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Windows"), polygon),
-            tr("The windows, with the number of their seam and their station along it in metres."),
-        )
+        self.addDescribed(common.result(OUTPUT, tr("Windows"), common.POLYGON), tr(
+            "The windows, with the number of their seam and their station along it in metres."
+        ))
 
     def check(self, run: Run) -> None:
         from ..measure.window_placing import window_side_px

@@ -5,14 +5,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsProcessing,
-    QgsProcessingFeatureSource,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsWkbTypes,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeatureSource, QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import RasterError, SettingsError
@@ -49,52 +42,35 @@ class PredictLoss(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
-        table = QgsProcessing.SourceType.TypeVector
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(WINDOWS, tr("Windows"), [polygon]),
-            tr(
-                "Rectangles where seams are to run, in any reference system. What is measured is the rectangle around "
-                "each, snapped to the pixels of the finest source that covers it."
-            ),
-        )
+        self.addDescribed(common.features(WINDOWS, tr("Windows"), common.POLYGON), tr(
+            "Rectangles where seams are to run, in any reference system. What is measured is the rectangle around "
+            "each, snapped to the pixels of the finest source that covers it."
+        ))
         self.addDescribed(*common.sources())
         self.addDescribed(*common.source_index())
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
-        self.addDescribed(
-            common.real(WIDTH, tr("Width of the feather (metres)"), 0, 0, optional=True),
-            tr(
-                "Full width, from where the one image is all to where the other is. What such a feather would leave, "
-                "in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the "
-                "middle of the feather is predicted, where both images weigh the same."
-            ),
-        )
-        self.addDescribed(
-            common.choice(RAMP, tr("Ramp of the feather"), RAMPS, COSINE, optional=True),
-            tr(
-                "How the weights of the two images change across the feather: in a straight line, as half a wave of "
-                "the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from "
-                "weights of 0.02 to 0.98."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(SEAMLINES, tr("Seamlines"), [line, polygon], optional=True),
-            tr(
-                "Lines along which the images are to be joined, or polygons with such borders, where they are known. "
-                "Elsewhere the seam is assumed to run straight through the middle of its window, and the prediction "
-                "is the mean over the directions it may have."
-            ),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Predicted windows"), polygon),
-            tr("The rectangles as measured, in the sources' reference system, with the smallest ratio over the pairs."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(PAIRS, tr("Source pairs"), table, optional=True, createByDefault=True),
-            tr("Every two sources of a window: agreement of their detail, ratio to be expected, shift between them."),
-        )
+        self.addDescribed(common.real(WIDTH, tr("Width of the feather (metres)"), 0, 0, optional=True), tr(
+            "Full width, from where the one image is all to where the other is. What such a feather would leave, in "
+            "the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle "
+            "of the feather is predicted, where both images weigh the same."
+        ))
+        self.addDescribed(common.choice(RAMP, tr("Ramp of the feather"), RAMPS, COSINE, optional=True), tr(
+            "How the weights of the two images change across the feather: in a straight line, as half a wave of the "
+            "cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of "
+            "0.02 to 0.98."
+        ))
+        self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON, optional=True), tr(
+            "Lines along which the images are to be joined, or polygons with such borders, where they are known. "
+            "Elsewhere the seam is assumed to run straight through the middle of its window, and the prediction is the "
+            "mean over the directions it may have."
+        ), advanced=True)
+        self.addDescribed(common.result(OUTPUT, tr("Predicted windows"), common.POLYGON), tr(
+            "The rectangles as measured, in the sources' reference system, with the smallest ratio over the pairs."
+        ))
+        self.addDescribed(common.result(PAIRS, tr("Source pairs"), common.TABLE, optional=True), tr(
+            "Every two sources of a window: agreement of their detail, ratio to be expected, shift between them."
+        ))
         self.addNumbers({WINDOW_COUNT: tr("Windows"), NOT_COMPARABLE_COUNT: tr("Windows that can't be compared")})
 
     def check(self, run: Run) -> None:

@@ -4,12 +4,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterString,
-)
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import SettingsError
@@ -45,48 +39,35 @@ class Report(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        table = QgsProcessing.SourceType.TypeVector
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(WINDOWS, tr("Inspected windows"), [table]),
-            tr("The windows that 'Inspect windows' wrote, judged by an observer or not."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(CURVES, tr("Curves"), [table], optional=True),
-            tr("The table of curves of the same windows; without it there are no relative variances and no charts."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(PAIRS, tr("Pairs"), [table], optional=True),
-            tr("The table of pairs of the same windows: it gives absolute contrast, and which sources are shown."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(PROFILES, tr("Seam profiles"), [table], optional=True),
-            tr("The table of seam profiles of the same windows: how much detail is kept by distance from the seam."),
-        )
-        self.addDescribed(
-            common.mosaic(optional=True)[0],
-            tr("The inspected mosaic; with it the report shows the clips and an overview below the map sketch."),
-        )
-        self.addDescribed(
-            common.sources()[0], tr("The orthoimages that the mosaic was made from; their clips stand beside its own.")
-        )
+        self.addDescribed(common.features(WINDOWS, tr("Inspected windows"), common.TABLE), tr(
+            "The windows that 'Inspect windows' wrote, judged by an observer or not."
+        ))
+        self.addDescribed(common.features(CURVES, tr("Curves"), common.TABLE, optional=True), tr(
+            "The table of curves of the same windows; without it there are no relative variances and no charts."
+        ))
+        self.addDescribed(common.features(PAIRS, tr("Pairs"), common.TABLE, optional=True), tr(
+            "The table of pairs of the same windows: it gives absolute contrast, and which sources are shown."
+        ))
+        self.addDescribed(common.features(PROFILES, tr("Seam profiles"), common.TABLE, optional=True), tr(
+            "The table of seam profiles of the same windows: how much detail is kept by distance from the seam."
+        ))
+        self.addDescribed(common.mosaic(optional=True)[0], tr(
+            "The inspected mosaic; with it the report shows the clips and an overview below the map sketch."
+        ))
+        self.addDescribed(common.sources()[0], tr(
+            "The orthoimages that the mosaic was made from; their clips stand beside its own."
+        ))
         self.addDescribed(*common.source_index())
-        self.addDescribed(
-            QgsProcessingParameterString(TITLE, tr("Title"), optional=True),
-            tr("Heading of the page. Empty: the mosaics' names."),
-        )
+        self.addDescribed(common.words(TITLE, tr("Title")), tr("Heading of the page. Empty: the mosaics' names."))
         self.addDescribed(
             common.real(MIN_KEPT, tr("Least share kept along the seam"), MAX_SIGNIFICANT_KEPT, 0.0, optional=True),
             tr("The limit drawn into the seam profiles: the one the windows were inspected with."),
             advanced=True,
         )
-        self.addDescribed(
-            *common.max_ratio(tr("The limit drawn into the charts: the one the windows were inspected with.")),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterFileDestination(OUTPUT, tr("Report"), tr("HTML files (*.html)")),
-            tr("The page, one file."),
-        )
+        self.addDescribed(*common.max_ratio(tr(
+            "The limit drawn into the charts: the one the windows were inspected with."
+        )), advanced=True)
+        self.addDescribed(common.made_file(OUTPUT, tr("Report"), tr("HTML files (*.html)")), tr("The page, one file."))
 
     def check(self, run: Run) -> None:
         if run.parameters.get(common.MOSAIC):

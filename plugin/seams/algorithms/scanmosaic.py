@@ -8,16 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsProcessing,
-    QgsProcessingException,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterField,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterDestination,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingException, QgsProcessingParameterRasterDestination
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import CancelledError, SettingsError
@@ -57,85 +48,51 @@ class ScanMosaic(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
-        whole = QgsProcessingParameterNumber.Type.Integer
         self.addDescribed(*common.mosaic())
         self.addDescribed(*common.sources())
         self.addDescribed(*common.source_index())
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(SEAMLINES, tr("Seamlines"), [line, polygon], optional=True),
-            tr(
-                "Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the "
-                "pixels. Needed where there are no orthoimages."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterField(
-                SOURCE_FIELD, tr("Field with the orthoimage's name"), None, SEAMLINES,
-                QgsProcessingParameterField.DataType.Any, optional=True,
-            ),
-            tr(
-                "Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, "
-                "CLICHE, image or imageSourceReference."
-            ),
-            advanced=True,
-        )
-        self.addDescribed(
-            common.real(CORRIDOR, tr("Corridor (metres)"), 0.0, 0.0),
-            tr("What is read on either side of the seamlines; 0: the whole mosaic."),
-        )
-        self.addDescribed(
-            common.choice(DENSITY, tr("Density"), limits.DENSITIES),
-            tr(
-                "seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. "
-                "full: every pixel everywhere."
-            ),
-        )
+        self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON, optional=True), tr(
+            "Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the "
+            "pixels. Needed where there are no orthoimages."
+        ))
+        self.addDescribed(common.field(SOURCE_FIELD, tr("Field with the orthoimage's name"), SEAMLINES), tr(
+            "Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, "
+            "CLICHE, image or imageSourceReference."
+        ), advanced=True)
+        self.addDescribed(common.real(CORRIDOR, tr("Corridor (metres)"), 0.0, 0.0), tr(
+            "What is read on either side of the seamlines; 0: the whole mosaic."
+        ))
+        self.addDescribed(common.choice(DENSITY, tr("Density"), limits.DENSITIES), tr(
+            "seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: "
+            "every pixel everywhere."
+        ))
         self.addDescribed(
             common.real(PIECE, tr("Length of a piece of seam (metres)"), limits.STANDARD_PIECE_M, 0.01),
             tr("Seams are measured and judged in pieces of about this length."),
         )
-        self.addDescribed(
-            QgsProcessingParameterNumber(CELL, tr("Cell of the picture (pixels)"), whole, 32, minValue=16),
-            tr("Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256."),
-            advanced=True,
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(
-                WORST_COUNT, tr("Windows of the worst places"), whole, limits.WORST_COUNT, minValue=0
-            ),
-            tr("How many windows are placed where least was kept."),
-            advanced=True,
-        )
+        self.addDescribed(common.whole(CELL, tr("Cell of the picture (pixels)"), 32, 16), tr(
+            "Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256."
+        ), advanced=True)
+        self.addDescribed(common.whole(WORST_COUNT, tr("Windows of the worst places"), limits.WORST_COUNT, 0), tr(
+            "How many windows are placed where least was kept."
+        ), advanced=True)
         self.addDescribed(*common.levels(), advanced=True)
         self.addDescribed(*common.wavelet(), advanced=True)
         self.addDescribed(*common.scheduler(), advanced=True)
-        self.addDescribed(
-            QgsProcessingParameterRasterDestination(
-                LOSS, tr("Picture of losses"), None, optional=True, createByDefault=True
-            ),
-            tr(
-                "A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is "
-                "nodata."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(
-                SEAMS, tr("Seams"), QgsProcessing.SourceType.TypeVectorLine, optional=True, createByDefault=True
-            ),
-            tr(
-                "Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees "
-                "the loss at 2x, and the verdict."
-            ),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(CELLS, tr("Source cells"), polygon, optional=True, createByDefault=True),
-            tr("Polygons that say in the field 'source' which orthoimage each part of the mosaic came from."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFeatureSink(WORST, tr("Worst places"), polygon, optional=True, createByDefault=True),
-            tr("Windows where least was kept, the worst first, ready for the desk and for Inspect windows."),
-        )
+        picture = QgsProcessingParameterRasterDestination(LOSS, tr("Picture of losses"), None, True, True)
+        self.addDescribed(picture, tr(
+            "A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata."
+        ))
+        self.addDescribed(common.result(SEAMS, tr("Seams"), common.LINE, optional=True), tr(
+            "Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees the "
+            "loss at 2x, and the verdict."
+        ))
+        self.addDescribed(common.result(CELLS, tr("Source cells"), common.POLYGON, optional=True), tr(
+            "Polygons that say in the field 'source' which orthoimage each part of the mosaic came from."
+        ))
+        self.addDescribed(common.result(WORST, tr("Worst places"), common.POLYGON, optional=True), tr(
+            "Windows where least was kept, the worst first, ready for the desk and for Inspect windows."
+        ))
         self.addNumbers({
             SEAM_METRES: tr("Length of all seams (metres)"),
             FAILED_METRES: tr("Length of the pieces that keep less than 70 % (metres)"),

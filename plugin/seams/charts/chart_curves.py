@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ...toolkit.charts.round_ticks import decade_ticks, round_below
 from ...toolkit.translation import BAND_ORDER, filled, formatted, tr
 from ..measure.window_records import COMPOSITE, REFERENCES
 
@@ -18,7 +19,6 @@ Key = tuple[bool, str]
 Point = tuple[int, int]
 """A curve's index and a component's."""
 _LOWEST_SHARE = 1e-6  # a logarithmic axis goes no further down: what the measurement resolves
-_DIGITS = (1, 2, 5)
 _MOST_LINEAR_TICKS = 6
 _TICK_LINES = 1.4  # of the font, that ticks of a logarithmic axis are apart
 
@@ -105,8 +105,7 @@ def share_range(chart: Chart) -> tuple[float, float]:
     if not chart.logarithmic:
         return 0, 1.05 * math.ceil(10 * max(positive, default=1)) / 10
     lowest = max(min(positive, default=0.01) * 0.9, _LOWEST_SHARE)
-    decade = 10.0 ** math.floor(math.log10(lowest))
-    return decade * max(digit for digit in _DIGITS if digit * decade <= lowest * (1 + 1e-9)), 1.25
+    return round_below(lowest), 1.25
 
 
 def share_ticks(low: float, high: float, logarithmic: bool, room: float) -> list[float]:
@@ -114,14 +113,7 @@ def share_ticks(low: float, high: float, logarithmic: bool, room: float) -> list
     if not logarithmic:
         step = next(step for step in (0.02, 0.05, 0.1, 0.2, 0.5) if high / step <= _MOST_LINEAR_TICKS)
         return [step * number for number in range(int(high / step) + 1)]
-    first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
-    ticks: list[float] = []
-    for digits, step in (((1, 2, 5), 1), ((1, 3), 1), ((1,), 1), ((1,), 2), ((1,), 3)):
-        shares = (digit * 10.0**decade for decade in range(last, first - 1, -step) for digit in digits)
-        ticks = sorted(share for share in shares if low * (1 - 1e-9) <= share <= high)
-        if len(ticks) <= max(room / _TICK_LINES, 2):
-            break
-    return ticks
+    return decade_ticks(low, high, max(room / _TICK_LINES, 2))
 
 
 def bands_of(results: Iterable[WindowCurves]) -> list[str]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Callable
 
 from qgis.core import Qgis, QgsApplication, QgsProject
-from qgis.gui import QgisInterface, QgsMapCanvas, QgsMessageBar
+from qgis.gui import QgisInterface, QgsMessageBar
 from qgis.PyQt.QtCore import QObject, Qt
 from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
@@ -17,7 +17,6 @@ from qgis.PyQt.QtWidgets import (
     QComboBox,
     QGridLayout,
     QHBoxLayout,
-    QMessageBox,
     QProgressBar,
     QSplitter,
     QToolBar,
@@ -43,13 +42,14 @@ from .judging_desk import JudgingDesk
 from .judging_layout import JudgingLayout
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
-from .map.window_view import WindowView
+from .map.window_view import SelectedWindows, WindowView
 from .mosaic_scans import MosaicScans, ScanMessage, show_layer, uncover
 from .report_writer import ReportWriter
 from .session import Session
 from .swipe.flicker import Flicker
 from .swipe.swipe_action import SwipeAction
 from .windows.undo_actions import UndoActions
+from .windows.windows_mosaic import MosaicQuestion
 from .windows.windows_panel import WindowsPanel
 
 
@@ -419,37 +419,6 @@ class DockBody(QWidget):
         self._place_judge()
 
 
-class MosaicQuestion(QObject):
-    """Asks what is to become of windows when the mosaic is another; nothing goes on with them before."""
-
-    def __init__(self, session: Session, dock: QWidget) -> None:
-        super().__init__(dock)
-        self._session, self._dock = session, dock
-        self.box: QMessageBox | None = None
-        session.mosaicDoubted.connect(self._ask)
-
-    def _ask(self, message: Message) -> None:
-        icon, text = QMessageBox.Icon.Warning, sentence(message)
-        self.box = box = QMessageBox(icon, tr("Seam Inspector"), text, parent=self._dock)
-        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        role, session = QMessageBox.ButtonRole, self._session
-        for text, part, answer in (
-            (tr("New windows at the same places"), role.AcceptRole, session.copy_windows),
-            (tr("The windows are of this mosaic"), role.AcceptRole, session.take_windows),
-            (tr("Leave these windows as they are"), role.RejectRole, session.leave_windows),
-        ):  # fmt: skip
-            button = box.addButton(text, part)
-            button.clicked.connect(lambda *_, answer=answer: self._answer(answer))
-            if part == role.RejectRole:
-                box.setEscapeButton(button)
-        QgsProject.instance().cleared.connect(box.deleteLater)
-        box.open()
-
-    def _answer(self, answer: Callable[[], None]) -> None:
-        self.box = None
-        answer()
-
-
 class FoundMessage(BarQuestion):
     """Offers each file once, since who dismisses it has seen where it is."""
 
@@ -470,32 +439,3 @@ class FoundMessage(BarQuestion):
     def _go(self, path: Path) -> None:
         self._offered.discard(path)  # the project may be left without saving once more
         self._open(path)
-
-
-SELECTED = "seam_inspector_selected"
-"""Of the map: its keys are a layer's id and a feature's, with a space between (resources/styles/windows.qml)."""
-
-
-class SelectedWindows:
-    """Keeps the variable until ``close``.
-
-    The style does not ask ``is_selected()``: that looks into the layer from the threads that draw the map, and QGIS
-    before 3.30 crashes when another window is selected, or the layer goes, while they do.
-    """
-
-    def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
-        self._canvas, self._session = canvas, session
-        session.selectionChanged.connect(self._tell)
-        session.windowsChanged.connect(self._tell)  # equal ids of another layer, too
-        self._tell()
-
-    def close(self) -> None:
-        """Take the variable away."""
-        self._session.selectionChanged.disconnect(self._tell)
-        self._session.windowsChanged.disconnect(self._tell)
-        self._canvas.expressionContextScope().removeVariable(SELECTED)
-
-    def _tell(self) -> None:
-        layer = self._session.window_layer()
-        keys = {f"{layer.id()} {fid}": True for fid in self._session.selected()} if layer is not None else {}
-        self._canvas.expressionContextScope().setVariable(SELECTED, keys)

@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from itertools import chain, compress, islice
 from operator import is_not
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.statistics import DECIDED, OPERATORS, Operator
+from ...toolkit.connections import Connections
 from ...toolkit.project_settings import load_settings, save_settings
 from ...toolkit.translation import filled, tr
 from ..words import observer_word
@@ -181,20 +182,16 @@ class Judging(QObject):
         self._places: dict[int, int] = {}
         self._place = -1
         self._last_place = -1
-        self._connections: list[tuple[Any, Callable[..., None]]] = [
+        self._connections = Connections(
             (self._project.readProject, self._load),
             (self._project.cleared, self._load),
             (self._project.writeProject, self._save),
             (session.selectionChanged, self._leave_judged),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
+        )
 
     def close(self) -> None:
         """Let go of the project; once is enough."""
-        while self._connections:
-            signal, slot = self._connections.pop()
-            signal.disconnect(slot)
+        self._connections.close()
 
     # What the project keeps
 

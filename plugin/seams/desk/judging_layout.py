@@ -10,6 +10,7 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject, QSize, Qt
 from qgis.PyQt.QtWidgets import QAction, QDockWidget
 
+from ...toolkit.connections import Connections
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import single_shot
 from ...toolkit.translation import filled, tr
@@ -48,13 +49,11 @@ class JudgingLayout(QObject):
         self.action.setCheckable(True)
         self.action.toggled.connect(self._toggle)
         self._project = QgsProject.instance()
-        self._signals = (self._project.cleared, self._project.readProject)
-        for signal in self._signals:
-            signal.connect(self.leave)
-        dock.visibilityChanged.connect(self._follow_dock)
-        session.selectionChanged.connect(self._mark)
-        session.windowsChanged.connect(self._mark)
-        session.resultArrived.connect(self._mark)
+        self._connections = Connections(
+            (self._project.cleared, self.leave), (self._project.readProject, self.leave),
+            (dock.visibilityChanged, self._follow_dock), (session.selectionChanged, self._mark),
+            (session.windowsChanged, self._mark), (session.resultArrived, self._mark),
+        )  # fmt: skip
         _put_back(self._project)
 
     @property
@@ -73,12 +72,7 @@ class JudgingLayout(QObject):
         self._later.stop()
         self._outline.close()
         self.ticks.close()
-        self._dock.visibilityChanged.disconnect(self._follow_dock)
-        self._session.selectionChanged.disconnect(self._mark)
-        self._session.windowsChanged.disconnect(self._mark)
-        self._session.resultArrived.disconnect(self._mark)
-        for signal in self._signals:
-            signal.disconnect(self.leave)
+        self._connections.close()
 
     def _toggle(self, is_on: bool) -> None:
         if is_on:

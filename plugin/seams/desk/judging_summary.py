@@ -10,12 +10,11 @@ from ...imagery.statistics import DECIDED, INVISIBLE, UNSURE, VISIBLE, Operator
 from ...toolkit.background_tasks import BackgroundTasks, Cancelled, Job
 from ...toolkit.translation import filled, percent, tr
 from ..measure.window_records import WindowRecord
+from .windows.filter_boxes import CLAIMS
 
 if TYPE_CHECKING:
     from ...imagery.grids import Extent
     from ..measure.threshold_calibration import ThresholdCalibration
-
-_CLAIMS = ("significant", "reduced", "preserved")
 
 
 def counts_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
@@ -30,7 +29,7 @@ def tool_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
     """How often the tool says so too; empty where both said something of none."""
     pairs = [
         (getattr(row, operator.observer) == VISIBLE, row.verdict == "significant") for row in windows
-        if getattr(row, operator.observer) in DECIDED and row.verdict in _CLAIMS
+        if getattr(row, operator.observer) in DECIDED and row.verdict in CLAIMS
     ]  # fmt: skip
     same, vain = sum(seen == found for seen, found in pairs), sum(found and not seen for seen, found in pairs)
     text = tr("The tool agrees on {same} of {count}.")

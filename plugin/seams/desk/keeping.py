@@ -16,6 +16,7 @@ from ...imagery.errors import SeamInspectorError, WindowLayerError
 from ...imagery.gdal_paths import holds_only_tables
 from ...imagery.record_store import RecordKeeper
 from ...toolkit import layers
+from ...toolkit.geopackages import free_path
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import result_of, result_record
 from ..measure.window_records import WindowRecord
@@ -262,7 +263,7 @@ def move(layer: QgsVectorLayer, folder: Path) -> Path:
     Raises WindowLayerError when it stays where it was.
     """
     old, source = Path(layers.layer_path(layer)), layer.source()
-    new = window_layer.free_path(folder)
+    new = free_path(folder, window_layer.TABLE)
     try:
         _copy(old, new)
         if (results := path_beside(layer, RESULTS)) is not None and results.is_file():

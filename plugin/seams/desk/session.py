@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Callable
 
 from qgis.core import QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -17,6 +16,7 @@ from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.statistics import FIRST, Operator
 from ...toolkit.background_tasks import BackgroundTasks
+from ...toolkit.connections import Connections
 from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.desk.widgets import single_shot
 from ...toolkit.layers import edit_step
@@ -98,16 +98,14 @@ class Session(QObject):
         self._is_read = True
         self._offer_what_parts_do()
         self._connect_parts()
-        self._connections: list[tuple[Any, Callable[..., None]]] = [
+        self._connections = Connections(
             (project.readProject, self._load),
             (project.cleared, self._cleared),
             (project.writeProject, self._save),
             (project.layersAdded, self._layers_added),
             (project.layersWillBeRemoved, self._forget_layers),
             (project.layersRemoved, self._layers_changed),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
+        )
         self._load()
 
     def _offer_what_parts_do(self) -> None:
@@ -150,9 +148,7 @@ class Session(QObject):
 
     def close(self) -> None:
         """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
-        while self._connections:
-            signal, slot = self._connections.pop()
-            signal.disconnect(slot)
+        self._connections.close()
         self._layers.close()
         self._searcher.stop()
         self._new.abandon()

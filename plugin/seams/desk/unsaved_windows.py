@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, NamedTuple
@@ -16,7 +15,7 @@ from typing import Any, Callable, NamedTuple
 from osgeo import ogr
 from qgis.core import QgsFeature, QgsFeatureRequest, QgsGeometry, QgsProject, QgsVectorLayer, QgsVectorLayerUtils
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QObject, pyqtBoundSignal, pyqtSignal
+from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.documents import json_document
 from ...imagery.errors import SettingsError, WindowLayerError
@@ -24,6 +23,7 @@ from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.record_store import RecordKeeper, RecordStore
 from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
+from ...toolkit.connections import Connections
 from ...toolkit.desk.widgets import single_shot
 from ...toolkit.layers import edit_step
 from ...toolkit.table_fields import is_known, whole_number
@@ -73,7 +73,7 @@ class UnsavedWindows(QObject):
         self._numbers: dict[int, int] = {}  # by feature id
         self._is_saving = False
         self._writer = single_shot(self, self._write)
-        self._connections: list[tuple[pyqtBoundSignal, Callable[..., None]]] = [
+        self._connections = Connections(
             (layer.featureAdded, self._touch),
             (layer.featureDeleted, self._touch),
             (layer.attributeValueChanged, self._touch),
@@ -81,9 +81,7 @@ class UnsavedWindows(QObject):
             (layer.beforeCommitChanges, self._about_to_be_saved),
             (layer.afterCommitChanges, self._settled),
             (layer.afterRollBack, self._settled),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
+        )
         self._saved = single_shot(self, self._not_saved)
         self._has_owner = False
         self._read_numbers()
@@ -111,9 +109,7 @@ class UnsavedWindows(QObject):
             self._write(len(self._touched))  # in one go: QGIS goes through all that was added each time it is asked
         self._writer.stop()
         self._saved.stop()
-        for signal, slot in self._connections:
-            with suppress(TypeError, RuntimeError):  # the layer is gone already
-                signal.disconnect(slot)
+        self._connections.close()
         if is_left or (self._is_alone and not sip.isdeleted(self._layer) and not self._layer.isModified()):
             self._keeper.remove()
         self._keeper.close()

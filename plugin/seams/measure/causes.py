@@ -23,6 +23,7 @@ MIN_GAMMA_CHANGE = 1.1  # as a factor, either way
 MAX_NARROWED_GAIN = 0.9  # a tenth of the contrast
 MIN_BALANCED_GAIN = 1.05  # gains of two sources 5 % apart
 MIN_BALANCED_OFFSET = 0.03  # of the mosaic's range of values: what one source was raised by against another
+MIN_EVENED_POWER = 0.37  # of what a filter leaves of waves of 2.5 px, that it leaves of those of 5 px
 MIN_UNEVENNESS = 0.35  # of what a tone leaves over, explained by where on the ground it is
 MAX_BLURRED_TRANSFER = 0.93  # of fine detail that comes over; a hard cut has 0.99 to 1.01, a Gaussian of 0.5 px 0.6
 MIN_SHARPENED_TRANSFER = 1.07  # as far above 1 as the limit of a blur is below
@@ -120,6 +121,9 @@ class CauseEvidence:
     """None where too little is unmixed."""
     lossy_file: bool
     """Whether the mosaic's file says that it is compressed with loss."""
+    filter_power: float | None = None
+    """The power of what the filter that came over the sources leaves of waves of 2.5 px, that it leaves of those of
+    5 px, the least of any source; None where nothing came over one of them."""
     fit: float = 1.0
     """Share of the mosaic's fine detail that its sources explain as they are, the mean over the window."""
     unit_dn: float = 1.0
@@ -223,6 +227,17 @@ class CauseEvidence:
         return max(1 - (1.0 if self.sharpness is None else self.sharpness) ** 2 - told - self.clipped_lost, 0.0)
 
     @property
+    def is_evened(self) -> bool:
+        """Whether contrast was taken of fine and less fine detail alike and from all sources, as by a dodger that
+        evens out a coarse overview. Blur and resampling take far more of what is finest."""
+        found = self.texture
+        if found is None or self.is_mostly_mixed or self.filter_power is None:
+            return False
+        if self.off_seam_lost <= self.lost or found.most_transfer > MAX_BLURRED_TRANSFER * self.bends[0]:
+            return False
+        return self.filter_power >= MIN_EVENED_POWER
+
+    @property
     def is_uneven(self) -> bool:
         return self.unevenness >= MIN_UNEVENNESS
 
@@ -235,7 +250,9 @@ class CauseEvidence:
 
     @property
     def is_blurred(self) -> bool:
-        """Whether less fine detail comes over than compression or a power function leave."""
+        """Whether less fine detail comes over than compression, a power function or evened light leave."""
+        if self.is_evened:
+            return False
         if self.is_compressed and self.texture is not None:
             return self.texture.strong_transfer <= MAX_BLURRED_COMPRESSED
         return self.least_transfer <= MAX_BLURRED_TRANSFER * self.bends[0]
@@ -298,7 +315,9 @@ def _blur(found: CauseEvidence) -> float | None:
 
 
 def _resampled(found: CauseEvidence) -> float | None:
-    return found.off_seam_lost if found.is_resampled else None
+    if not found.is_resampled:
+        return None
+    return 0.0 if found.is_evened else found.off_seam_lost
 
 
 def _sharpened(found: CauseEvidence) -> float | None:
@@ -309,7 +328,7 @@ def _sharpened(found: CauseEvidence) -> float | None:
 def _compressed(found: CauseEvidence) -> float | None:
     if found.texture is None or not found.is_compressed:
         return None
-    is_told = found.is_resampled or found.is_blurred  # by another cause
+    is_told = found.is_resampled or found.is_blurred or found.is_evened  # by another cause
     return 0.0 if is_told else found.off_seam_lost
 
 
@@ -322,6 +341,8 @@ def _clipping(found: CauseEvidence) -> float | None:
 
 
 def _dodging(found: CauseEvidence) -> float | None:
+    if found.is_evened:
+        return found.off_seam_lost
     return 0.0 if found.is_uneven and not found.is_mostly_mixed else None
 
 

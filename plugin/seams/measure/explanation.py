@@ -20,6 +20,7 @@ from .following.boxes import enlarged, near_border
 from .following.followed_source import FollowedSource
 from .following.hard_cut import Composite, HardCut, cut_hard, follows_at
 from .following.levelling import left_by_curve, left_over
+from .following.source_filters import filter_power
 from .limits import SHARPNESS_TOLERANCE
 from .profile.cell_table import CELL_PX, CellTable
 from .profile.seam_profile import SeamProfile
@@ -145,6 +146,7 @@ def explain(
         fit=following.fit,
         unit_dn=unit,
         lossy_file=image.raster.is_lossy,
+        filter_power=_filter_power(cut),
     )
     found = Explanation(
         causes=_causes(evidence, detail.has_seam and profile is None),
@@ -293,6 +295,15 @@ def _sharpness(details: np.ndarray, labels: np.ndarray) -> float | None:
     own, plain = (float(np.einsum("dij,dij,ij->i", one, one, known, dtype=np.float32).sum(dtype=np.float64))
                   for one in (details[:, 0], details[:, -1]))
     return float(np.sqrt(own / plain)) if plain > 0 else None
+
+
+def _filter_power(cut: HardCut) -> float | None:
+    """Of what came over the sources that are followed."""
+    source_of, taps = cut.around.followed.source_of, cut.around.expected.filters.taps
+    return filter_power(
+        taps[plane] for plane, source in enumerate(source_of)
+        if plane in taps and cut.following.shares[source] >= MIN_PLACED_SHARE
+    )
 
 
 def _added(cells: CellTable) -> float | None:

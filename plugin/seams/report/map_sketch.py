@@ -4,11 +4,11 @@ All places and lengths of the sketch are millimetres on paper, from its upper le
 """
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...imagery.grids import Extent
+from ...toolkit.charts.round_ticks import round_below
 from ...toolkit.translation import formatted
 
 _WIDTH, _HEIGHT, _STRIP = 170.0, 90.0, 11.0  # mm: the map at most, below the summary, and what stands below it
@@ -127,8 +127,6 @@ def _labels(placed: Sequence[tuple[Box, SketchShape]]) -> list[tuple[float, floa
 
 def _scale_bar(frame: _Frame) -> tuple[float, str]:
     """A round length of about a quarter of the width, and its words."""
-    most = 0.3 * frame.width * frame.metres_per_mm
-    decade = 10.0 ** math.floor(math.log10(most))
-    metres = max(digit * decade for digit in (1, 2, 5) if digit * decade <= most)
+    metres = round_below(0.3 * frame.width * frame.metres_per_mm)
     words = formatted(metres / 1000, "g") + " km" if metres >= 1000 else formatted(metres, "g") + " m"
     return metres / frame.metres_per_mm, words

@@ -26,12 +26,7 @@ from ...toolkit.version_differences import field
 from ..measure.loss_forecast import Forecast, ForecastPair
 from ..measure.threshold_calibration import STANDARD_LIMITS, Step, ThresholdCalibration, step_at
 from ..measure.window.window_result import WindowResult
-from ..measure.window.window_tables import (
-    CURVE_COLUMNS,
-    MEASURED,
-    WINDOW_FIELDS,
-    curves_of,
-)
+from ..measure.window.window_tables import CURVE_COLUMNS, MEASURED, WINDOW_FIELDS, curves_of
 from ..measure.window_placing import PlacedWindow
 
 give_titles({one.name: one.title for one in WINDOW_FIELDS if one.title})

@@ -7,14 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import (
-    QgsCoordinateTransformContext,
     QgsFeature,
-    QgsFeatureSink,
     QgsFields,
     QgsGeometry,
     QgsLineString,
     QgsRasterLayer,
-    QgsVectorFileWriter,
     QgsWkbTypes,
 )
 
@@ -23,6 +20,7 @@ from ...imagery.atomic_files import whole_file
 from ...imagery.errors import SettingsError
 from ...imagery.records import Column
 from ...imagery.seam_totals import TOTALS_DOMAIN
+from ...toolkit.geopackages import write_table
 from ...toolkit.layers import mosaic_crs, rectangle, write_layer_notes
 from ...toolkit.table_fields import column_fields, column_values, feature
 from ..measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, seam_notes
@@ -96,24 +94,10 @@ def write_scan_file(path: Path, result: ScanResult, request: ScanRequest) -> Non
 
     Raises SettingsError when it can't be written.
     """
-    crs, writers = mosaic_crs(request.mosaic), QgsVectorFileWriter
     with whole_file(path) as unfinished:
         for layer in SCAN_LAYERS:
-            options = writers.SaveVectorOptions()
-            options.driverName, options.layerName, options.fileEncoding = "GPKG", layer.name, "UTF-8"
-            if unfinished.exists():
-                options.actionOnExistingFile = writers.ActionOnExistingFile.CreateOrOverwriteLayer
-            writer = writers.create(
-                str(unfinished), layer.fields(request.settings.levels), layer.geometry, crs,
-                QgsCoordinateTransformContext(), options,
-            )
-            failed = writer.hasError() != writers.WriterError.NoError
-            if not failed:
-                rows = layer.rows(result, request)
-                failed = not all(writer.addFeature(row, QgsFeatureSink.Flag.FastInsert) for row in rows)
-                failed = not writer.flushBuffer() or failed
-            error = writer.errorMessage()
-            del writer  # closes the file
-            if failed:
+            fields, rows = layer.fields(request.settings.levels), layer.rows(result, request)
+            error = write_table(unfinished, layer.name, fields, layer.geometry, mosaic_crs(request.mosaic), rows)
+            if error is not None:
                 raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error))
         write_layer_notes(str(unfinished), TOTALS_DOMAIN, seam_notes(result, request.settings), SEAMS.name)

@@ -6,15 +6,12 @@ QGIS's own.
 from __future__ import annotations
 
 import contextlib
-import os
 import sqlite3
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import chain, count
 from pathlib import Path
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransformContext,
     QgsFeature,
     QgsFeatureRequest,
     QgsField,
@@ -23,7 +20,6 @@ from qgis.core import (
     QgsProject,
     QgsSingleSymbolRenderer,
     QgsSymbol,
-    QgsVectorFileWriter,
     QgsVectorLayer,
     QgsVectorLayerUtils,
     QgsWkbTypes,
@@ -33,6 +29,7 @@ from ...imagery.errors import WindowLayerError
 from ...imagery.gdal_paths import holds_only_tables
 from ...imagery.statistics import FIRST, JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
+from ...toolkit.geopackages import free_path, write_table
 from ...toolkit.layer_styles import load_style, name_fields
 from ...toolkit.layers import change_quietly, edit_step
 from ...toolkit.table_fields import column_fields, column_values, is_known
@@ -62,14 +59,8 @@ def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Pa
     have no reference system: GeoPackage takes that for degrees."""
     if not crs.isValid():
         raise WindowLayerError(messages.NO_SYSTEM_FOR_WINDOWS())
-    path = free_path(folder)
-    options = QgsVectorFileWriter.SaveVectorOptions()
-    options.driverName, options.layerName, options.fileEncoding = "GPKG", TABLE, "UTF-8"
-    fields, polygon = output_fields(levels, ()), QgsWkbTypes.Type.Polygon
-    writer = QgsVectorFileWriter.create(str(path), fields, polygon, crs, QgsCoordinateTransformContext(), options)
-    failed = writer.hasError() != QgsVectorFileWriter.WriterError.NoError
-    del writer  # closes the file
-    if failed:
+    path = free_path(folder, TABLE)
+    if write_table(path, TABLE, output_fields(levels, ()), QgsWkbTypes.Type.Polygon, crs) is not None:
         raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=folder))
     return path
 
@@ -251,12 +242,6 @@ def _change(layer: QgsVectorLayer, fid: int, values: Mapping[str, object]) -> No
         index = layer.fields().indexOf(name)
         if index >= 0:
             layer.changeAttributeValue(fid, index, value)
-
-
-def free_path(folder: Path) -> Path:
-    """For a window layer's file: one that is not there yet."""
-    names = chain(["windows.gpkg"], (f"windows_{number}.gpkg" for number in count(2)))
-    return next(path for path in map(folder.joinpath, names) if not os.path.lexists(path))
 
 
 _STYLED = "seam_inspector/styled"  # custom property of the layer: its looks are its user's from now on

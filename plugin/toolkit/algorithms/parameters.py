@@ -12,10 +12,14 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
+    QgsProcessingParameterBoolean,
     QgsProcessingParameterCrs,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsProcessingParameterFile,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
@@ -44,6 +48,14 @@ SCHEDULER = "SCHEDULER"
 CHART = "CHART"
 REPORT = "REPORT"
 
+POINT = QgsProcessing.SourceType.TypeVectorPoint
+LINE = QgsProcessing.SourceType.TypeVectorLine
+POLYGON = QgsProcessing.SourceType.TypeVectorPolygon
+ANY_GEOMETRY = QgsProcessing.SourceType.TypeVectorAnyGeometry
+TABLE = QgsProcessing.SourceType.TypeVector
+"""With or without geometry."""
+RASTER = QgsProcessing.SourceType.TypeRaster
+
 _LAYER_ADDRESS = re.compile(r"^delimitedtext:/*file:/{2}|^file:/{2}|[|?].*$", re.S)
 """What stands around the path of a file in the address of a layer."""
 _LARGEST_WHOLE = 2**31 - 1  # Qt's int; of a larger number QGIS makes another one
@@ -60,92 +72,143 @@ def choice(
 
 
 def real(
-    name: str, title: str, default: float | None, least: float | None = None, optional: bool = False, decimals: int = 2
+    name: str, title: str, default: float | None, least: float | None = None, most: float | None = None,
+    optional: bool = False, decimals: int | None = 2,
 ) -> QgsProcessingParameterDefinition:
-    """A number that the form shows with so many decimals."""
+    """A number that the form shows with so many decimals; None: as many as QGIS has."""
     number = QgsProcessingParameterNumber(name, title, QgsProcessingParameterNumber.Type.Double, default, optional)
     if least is not None:
         number.setMinimum(least)
-    number.setMetadata({"widget_wrapper": {"decimals": decimals}})
+    if most is not None:
+        number.setMaximum(most)
+    if decimals is not None:
+        number.setMetadata({"widget_wrapper": {"decimals": decimals}})
     return number
 
 
+def whole(
+    name: str, title: str, default: int | None, least: int | None = None, most: int | None = None,
+    optional: bool = False,
+) -> QgsProcessingParameterDefinition:
+    """A whole number."""
+    number = real(name, title, default, least, most, optional, None)
+    number.setDataType(QgsProcessingParameterNumber.Type.Integer)
+    return number
+
+
+def flag(name: str, title: str, default: bool = False, optional: bool = False) -> QgsProcessingParameterDefinition:
+    """A yes or a no."""
+    return QgsProcessingParameterBoolean(name, title, default, optional)
+
+
+def words(name: str, title: str) -> QgsProcessingParameterDefinition:
+    """A text, which may be left out."""
+    return QgsProcessingParameterString(name, title, optional=True)
+
+
+def file(
+    name: str, title: str, extension: str | None = None, optional: bool = False
+) -> QgsProcessingParameterDefinition:
+    """A file that is read."""
+    return QgsProcessingParameterFile(name, title, extension=extension, optional=optional)
+
+
+def folder(name: str, title: str, optional: bool = False) -> QgsProcessingParameterDefinition:
+    """A folder whose files are read."""
+    return QgsProcessingParameterFile(name, title, QgsProcessingParameterFile.Behavior.Folder, optional=optional)
+
+
+def raster(name: str, title: str, optional: bool = False) -> QgsProcessingParameterDefinition:
+    """A raster that is read."""
+    return QgsProcessingParameterRasterLayer(name, title, optional=optional)
+
+
+def layers(
+    name: str, title: str, kind: QgsProcessing.SourceType = RASTER, optional: bool = False
+) -> QgsProcessingParameterDefinition:
+    """Several layers of a kind, rasters by default."""
+    return QgsProcessingParameterMultipleLayers(name, title, kind, optional=optional)
+
+
+def features(
+    name: str, title: str, *kinds: QgsProcessing.SourceType, optional: bool = False
+) -> QgsProcessingParameterDefinition:
+    """A layer of features, or a table, that is read."""
+    return QgsProcessingParameterFeatureSource(name, title, list(kinds), optional=optional)
+
+
+def field(name: str, title: str, layer: str) -> QgsProcessingParameterDefinition:
+    """A field of another parameter's layer, which may be left out."""
+    return QgsProcessingParameterField(name, title, None, layer, optional=True)
+
+
+def result(
+    name: str, title: str, kind: QgsProcessing.SourceType = ANY_GEOMETRY, optional: bool = False,
+    by_default: bool = True,
+) -> QgsProcessingParameterDefinition:
+    """A layer or table that is made; ``by_default``: where it is optional, unless somebody says no."""
+    return QgsProcessingParameterFeatureSink(name, title, kind, None, optional, by_default)
+
+
+def made_file(
+    name: str, title: str, filters: str, optional: bool = False, by_default: bool = True
+) -> QgsProcessingParameterDefinition:
+    """A file that is made, likewise."""
+    return QgsProcessingParameterFileDestination(name, title, filters, None, optional, by_default)
+
+
 def mosaic(optional: bool = False) -> Described:
-    return (
-        QgsProcessingParameterRasterLayer(MOSAIC, tr("Mosaic"), optional=optional),
-        tr("The orthophoto mosaic under inspection: north-up, with a coordinate reference system."),
+    return raster(MOSAIC, tr("Mosaic"), optional), tr(
+        "The orthophoto mosaic under inspection: north-up, with a coordinate reference system."
     )
 
 
 def sources() -> Described:
-    return (
-        QgsProcessingParameterMultipleLayers(
-            SOURCES, tr("Sources"), QgsProcessing.SourceType.TypeRaster, optional=True
-        ),
-        tr(
-            "The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels "
-            "differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so."
-        ),
+    return layers(SOURCES, tr("Sources"), optional=True), tr(
+        "The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels "
+        "differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so."
     )
 
 
 def source_index() -> Described:
-    return (
-        QgsProcessingParameterFeatureSource(
-            SOURCE_INDEX, tr("Source index"), [QgsProcessing.SourceType.TypeVectorPolygon], optional=True
-        ),
-        tr(
-            "A tile index of orthoimages as gdaltindex writes it, with their paths in the field 'location'; relative "
-            "paths start at the index file's folder. For blocks with too many sources to load, alone or beside them."
-        ),
+    return features(SOURCE_INDEX, tr("Source index"), POLYGON, optional=True), tr(
+        "A tile index of orthoimages as gdaltindex writes it, with their paths in the field 'location'; relative "
+        "paths start at the index file's folder. For blocks with too many sources to load, alone or beside them."
     )
 
 
 def levels() -> Described:
-    return (
-        QgsProcessingParameterNumber(
-            LEVELS, tr("Levels"), QgsProcessingParameterNumber.Type.Integer, imagery_limits.DEFAULT_LEVELS,
-            minValue=imagery_limits.MIN_LEVELS, maxValue=imagery_limits.MAX_LEVELS,
-        ),
-        tr("Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse."),
+    usual, least, most = imagery_limits.DEFAULT_LEVELS, imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS
+    return whole(LEVELS, tr("Levels"), usual, least, most), tr(
+        "Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse."
     )
 
 
 def wavelet() -> Described:
-    return (
-        choice(WAVELET, tr("Wavelet"), imagery_limits.WAVELETS, imagery_limits.DEFAULT_WAVELET),
-        tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers."),
+    return choice(WAVELET, tr("Wavelet"), imagery_limits.WAVELETS, imagery_limits.DEFAULT_WAVELET), tr(
+        "An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers."
     )
 
 
 def scheduler() -> Described:
-    return (
-        QgsProcessingParameterString(SCHEDULER, tr("Dask scheduler"), optional=True),
-        tr(
-            "Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. "
-            "Empty: all cores of this machine."
-        ),
+    return words(SCHEDULER, tr("Dask scheduler")), tr(
+        "Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. "
+        "Empty: all cores of this machine."
     )
 
 
 def max_ratio(description: str) -> Described:
-    number = QgsProcessingParameterNumber(
-        MAX_RATIO, tr("Largest ratio of a significant loss"), QgsProcessingParameterNumber.Type.Double,
-        imagery_limits.MAX_SIGNIFICANT_RATIO, minValue=0, maxValue=1,
-    )
-    return number, description
+    title, usual = tr("Largest ratio of a significant loss"), imagery_limits.MAX_SIGNIFICANT_RATIO
+    return real(MAX_RATIO, title, usual, 0, 1, decimals=None), description
 
 
 def chart(description: str, by_default: bool = False) -> Described:
-    return _file(CHART, tr("Chart"), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)", by_default), description
+    filters = "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)"
+    return made_file(CHART, tr("Chart"), filters, optional=True, by_default=by_default), description
 
 
 def report(description: str, filters: str = "HTML (*.html)", by_default: bool = False) -> Described:
-    return _file(REPORT, tr("Report"), filters, by_default), description
-
-
-def _file(name: str, title: str, filters: str, by_default: bool) -> QgsProcessingParameterDefinition:
-    return QgsProcessingParameterFileDestination(name, title, filters, optional=True, createByDefault=by_default)
+    return made_file(REPORT, tr("Report"), filters, optional=True, by_default=by_default), description
 
 
 def check_numbers(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:

@@ -5,22 +5,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsFeature,
-    QgsGeometry,
-    QgsProcessing,
-    QgsProcessingFeatureSource,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterMultipleLayers,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsGeometry, QgsProcessingFeatureSource
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, SettingsError, WindowError
 from ...imagery.grids import NumberedWindow
 from .. import messages
 from ..table_fields import text, whole_number
-from ..translation import tr
 from .base import SeamInspectorAlgorithm
 from .run import Run
 
@@ -129,20 +120,6 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         """The rasters by parameter."""
         self.left_out = [why for _, left_out in given.values() for why in left_out]
         """About rasters that can't be used at all."""
-
-    def addRasters(self, name: str, title: str, description: str, optional: bool = False) -> None:
-        """Add a parameter of several rasters."""
-        rasters = QgsProcessingParameterMultipleLayers(
-            name, title, QgsProcessing.SourceType.TypeRaster, optional=optional
-        )
-        self.addDescribed(rasters, description)
-
-    def addWindows(self, description: str) -> None:
-        """Add the parameter WINDOWS."""
-        polygon = QgsProcessing.SourceType.TypeVectorPolygon
-        self.addDescribed(
-            QgsProcessingParameterFeatureSource(WINDOWS, tr("Windows"), [polygon], optional=True), description
-        )
 
     def require_rasters(self, usable: Iterable[object]) -> None:
         """Raise SettingsError, with the reasons, when no raster is left."""

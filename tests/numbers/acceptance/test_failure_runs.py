@@ -3,11 +3,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.acceptance.measure.cut_failures import crossing_count, cut_failures
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import FailureRun
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredPiece
-from seam_inspector.plugin.acceptance.measure.failure_runs import failure_runs
+from seam_inspector.plugin.acceptance.measure.failure_runs import crossing_count, cut_failures, failure_runs
 from seam_inspector.plugin.acceptance.measure.measured_pieces import state_of
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam

@@ -14,8 +14,7 @@ from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
-from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord, listed_images
-from seam_inspector.plugin.acceptance.paper.rated_images import RatedImage
+from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord, RatedImage, listed_images
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.toolkit.resources import plugin_commit
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsSettings, QgsVectorLayer
-from seam_inspector.plugin.acceptance.paper.digests import file_digests
+from seam_inspector.plugin.acceptance.paper.inspection_record import file_digests
 from seam_inspector.plugin.acceptance.paper.proofs import PROOF_PX
 from seam_inspector.plugin.proven_acceptance import proof_of
 from seam_inspector.plugin.seams.measure.inspection import open_block

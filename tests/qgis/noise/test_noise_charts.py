@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.charts import MAX_LEGEND, draw_noise_clip, noise_figure
 from seam_inspector.plugin.noise.measure.band_noise import measure_noise, noisiest_band
 from seam_inspector.plugin.noise.measure.group_noise import measure_window
-from seam_inspector.plugin.radiometry.charts import balance_figure, histogram_figure
+from seam_inspector.plugin.radiometry.report import balance_figure, histogram_figure
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK
 from seam_inspector.plugin.toolkit.charts.figure_files import new_figure, save_figure
 

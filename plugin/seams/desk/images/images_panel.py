@@ -328,7 +328,7 @@ class ImagesPanel(QWidget):
 
     def _show_one(self, pictures: Sequence[ClipPicture]) -> None:
         """The mosaic large, the others small; the one chosen before stays chosen where it is."""
-        self.strip.show_pictures(sorted(pictures[1:], key=lambda one: -one.covered), "")
+        self.strip.show_pictures(sorted(pictures[1:], key=lambda one: -one.covered))
         for before, after in zip((self.large, *self.strip.buttons), self.strip.buttons):
             self.setTabOrder(before, after)
         self.strip.setVisible(len(pictures) > 1)

@@ -56,8 +56,8 @@ class PictureStrip(QScrollArea):
         self.setMaximumSize(size.width() + bar if is_upright else most, most if is_upright else size.height() + bar)
         self.setMinimumSize(size.width() + bar if is_upright else 0, 0 if is_upright else size.height() + bar)
 
-    def show_pictures(self, pictures: Sequence[ClipPicture], chosen: str) -> None:
-        """Make a button of each, and one of their composite; the one named ``chosen`` is pressed."""
+    def show_pictures(self, pictures: Sequence[ClipPicture]) -> None:
+        """Make a button of each, and one of their composite; none is pressed."""
         for button in self.buttons:
             self._group.removeButton(button)
             self._row.removeWidget(button)
@@ -75,7 +75,6 @@ class PictureStrip(QScrollArea):
         for place, button in enumerate(self.buttons):
             self._group.addButton(button)
             self._row.insertWidget(place, button)
-        self.mark(chosen)
 
     def mark(self, chosen: str) -> None:
         """Press the button of a picture."""

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
 from qgis.PyQt.QtCore import Qt
@@ -12,6 +12,7 @@ from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, 
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import WARNING, SettingsError
+from ....toolkit.connections import Connections
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.widgets import SummaryBox, single_shot
 from ....toolkit.project_settings import unmodified
@@ -49,7 +50,7 @@ class InputsPanel(QWidget):
         self._is_wide: bool | None = None
         self._table_fields()
         self._lay_out()
-        self._connections: list[tuple[Any, Callable[..., None]]] = [
+        self._connections = Connections(
             (session.inputsChanged, self.refresh),
             (session.progressChanged, self._say_doubts),
             (QgsProject.instance().cleared, self.suggesting.forget_choices),
@@ -57,16 +58,12 @@ class InputsPanel(QWidget):
             (QgsProject.instance().layersRemoved, self._layers_removed),
             (QgsProject.instance().layerTreeRoot().nameChanged, self._layer_renamed),
             (QApplication.instance().focusChanged, self._focus_moved),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
+        )
         self.refresh()
 
     def close(self) -> bool:
         """Stop following session, project and focus."""
-        while self._connections:
-            signal, slot = self._connections.pop()
-            signal.disconnect(slot)
+        self._connections.close()
         self._suggester.stop()
         self.suggesting.sources.close()
         return bool(super().close())

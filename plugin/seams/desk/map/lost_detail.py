@@ -13,6 +13,7 @@ from qgis.PyQt.QtGui import QColor, QIcon, QImage, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QAction, QWidget
 
 from ....imagery.grids import Grid, PixelWindow
+from ....toolkit.connections import Connections
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.layers import transformed_point
 from ....toolkit.painting import painting
@@ -86,11 +87,11 @@ class LossOverlay(QObject):
         self._pictures: dict[int, _Picture] = {}  # by window number
         self._timer = single_shot(self, self._refresh, _TOGETHER_MS)
         self._next_slice = single_shot(self, self._refresh)
-        session.resultArrived.connect(self._forget)
-        self._signals = (session.resultArrived, session.windowsChanged, session.inputsChanged)
-        for signal in self._signals:
-            signal.connect(self._refresh_soon)
-        session.loss_view.changed.connect(self._refresh)
+        self._connections = Connections(
+            (session.resultArrived, self._forget), (session.resultArrived, self._refresh_soon),
+            (session.windowsChanged, self._refresh_soon), (session.inputsChanged, self._refresh_soon),
+            (session.loss_view.changed, self._refresh),
+        )  # fmt: skip
 
     @property
     def pictures(self) -> tuple[PlacedPicture, ...]:
@@ -99,10 +100,7 @@ class LossOverlay(QObject):
 
     def close(self) -> None:
         """Take all off the canvas and follow the session no more."""
-        for signal in self._signals:
-            signal.disconnect(self._refresh_soon)
-        self._session.resultArrived.disconnect(self._forget)
-        self._session.loss_view.changed.disconnect(self._refresh)
+        self._connections.close()
         self._timer.stop()
         self._next_slice.stop()
         self._overlay.close()

@@ -1,4 +1,4 @@
-"""A window on the map: it is gone to, and whether the operator sees it."""
+"""Windows on the map: one is gone to, whether the operator sees it, and which are selected."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -117,3 +117,32 @@ def _within(middle: float, low: float, high: float, size: float) -> float:
 
 def _area(box: QgsRectangle) -> float:
     return 0.0 if box.isEmpty() else box.width() * box.height()
+
+
+SELECTED = "seam_inspector_selected"
+"""Of the map: its keys are a layer's id and a feature's, with a space between (resources/styles/windows.qml)."""
+
+
+class SelectedWindows:
+    """Keeps the variable until ``close``.
+
+    The style does not ask ``is_selected()``: that looks into the layer from the threads that draw the map, and QGIS
+    before 3.30 crashes when another window is selected, or the layer goes, while they do.
+    """
+
+    def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
+        self._canvas, self._session = canvas, session
+        session.selectionChanged.connect(self._tell)
+        session.windowsChanged.connect(self._tell)  # equal ids of another layer, too
+        self._tell()
+
+    def close(self) -> None:
+        """Take the variable away."""
+        self._session.selectionChanged.disconnect(self._tell)
+        self._session.windowsChanged.disconnect(self._tell)
+        self._canvas.expressionContextScope().removeVariable(SELECTED)
+
+    def _tell(self) -> None:
+        layer = self._session.window_layer()
+        keys = {f"{layer.id()} {fid}": True for fid in self._session.selected()} if layer is not None else {}
+        self._canvas.expressionContextScope().setVariable(SELECTED, keys)

@@ -1,9 +1,8 @@
 """The mosaic against one of its sources, on the map, either side of a handle; the dock's button and menu for it."""
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 from uuid import uuid4
 
 from qgis.core import QgsMapLayer, QgsProject, QgsRasterLayer
@@ -17,6 +16,7 @@ from ....imagery.errors import Message
 from ....imagery.gdal_calls import drop_from_memory
 from ....imagery.grids import Extent, extents_meet
 from ....toolkit.background_tasks import BackgroundTasks, Job
+from ....toolkit.connections import Connections
 from ....toolkit.desk.message_bar import bar_level
 from ....toolkit.desk.widgets import allow, plain_tip
 from ....toolkit.layers import box_extent, transformed_box
@@ -70,7 +70,7 @@ class Swipe(QObject):
         self._item: SwipeItem | None = None
         self._handle: SwipeHandle | None = None
         self._keys: list[QShortcut] = []
-        self._connections: list[tuple[Any, Callable[..., None]]] = []
+        self._connections = Connections()
         self.divider = Divider() if has_handle else Divider(share=0.0)
         self.is_shown = has_handle
         """Whether what lies on the canvas is seen."""
@@ -116,13 +116,10 @@ class Swipe(QObject):
         self._own.close()
         self._other.close()
         self._forget_file()
-        while self._connections:
-            signal, slot = self._connections.pop()
-            if not sip.isdeleted(self._canvas):
-                signal.disconnect(slot)
         item, handle, self._item, self._handle = self._item, self._handle, None, None
         keys, self._keys = self._keys, []
         if not sip.isdeleted(self._canvas):  # it owns them all
+            self._connections.close()
             self._canvas.viewport().removeEventFilter(self)
             if item is not None:
                 self._canvas.scene().removeItem(item)
@@ -166,7 +163,7 @@ class Swipe(QObject):
         self._item.setVisible(self.is_shown)
         if self._has_handle:
             self._lay_handle(canvas)
-        self._connections = [
+        self._connections = Connections(
             (canvas.renderStarting, self._draw),
             (canvas.extentsChanged, self._repaint),
             (canvas.rotationChanged, self._repaint),
@@ -175,9 +172,7 @@ class Swipe(QObject):
             (QgsProject.instance().layersWillBeRemoved, end_drawing),
             (self._own.drawn, self._repaint),
             (self._other.drawn, self._repaint),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
+        )
         canvas.viewport().installEventFilter(self)
         self._origin = canvas.sceneRect().topLeft()
         self._place()

@@ -16,8 +16,8 @@ from ...measure.window_records import WindowRecord
 from ...words import VERDICTS, verdict_word
 from .window_columns import verdict_chip
 
-_CLAIMS = ("significant", "reduced", "preserved")
-_WORST = (*_CLAIMS, "not_comparable")
+CLAIMS = ("significant", "reduced", "preserved")
+_WORST = (*CLAIMS, "not_comparable")
 _LEAST_HALF_WIDTH = 0.001  # of an interval: layers may keep a few digits only
 
 
@@ -50,7 +50,7 @@ def worst_first(row: WindowRecord) -> tuple[int, float] | None:
 
 def least_sure_first(row: WindowRecord, min_kept: float) -> float | None:
     """By how many half widths of its 95 % interval what is kept along the seam lies from the limit."""
-    if row.verdict not in _CLAIMS or row.kept_1 is None or row.kept_low is None or row.kept_high is None:
+    if row.verdict not in CLAIMS or row.kept_1 is None or row.kept_low is None or row.kept_high is None:
         return None
     return abs(row.kept_1 - min_kept) / max((row.kept_high - row.kept_low) / 2, _LEAST_HALF_WIDTH)
 
@@ -59,7 +59,7 @@ def tool_and_observer_disagree(row: WindowRecord) -> bool:
     """Whether the tool flags what an observer does not see, or the other way round."""
     flagged = row.verdict == "significant"
     words = [word for word in (row.observer, row.observer_2) if word in ("visible", "invisible")]
-    return row.verdict in _CLAIMS and any((word == VISIBLE) != flagged for word in words)
+    return row.verdict in CLAIMS and any((word == VISIBLE) != flagged for word in words)
 
 
 def operators_disagree(row: WindowRecord) -> bool:

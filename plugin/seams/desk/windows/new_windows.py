@@ -16,7 +16,6 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery.errors import Message, SeamInspectorError
 from ....imagery.grids import Extent, PixelWindow
 from ....toolkit import layers
-from ....toolkit import layers as layer_editing
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.message_bar import write_log
 from ....toolkit.desk.widgets import single_shot
@@ -133,7 +132,7 @@ class NewWindows(QObject):
         yield
         self.layerMade.emit(made.id())
         yield
-        layer_editing.start_editing(made)
+        layers.start_editing(made)
         yield
 
     def _there(self, block: Block, windows: Sequence[PixelWindow]) -> list[int | None]:
@@ -152,7 +151,7 @@ class NewWindows(QObject):
     def _added(self, outlines: Sequence[QgsGeometry], at_once: int) -> Iterator[list[int]]:
         layer = self._watch.layer
         assert layer is not None
-        with layer_editing.edit_step(layer, tr("Add windows")):
+        with layers.edit_step(layer, tr("Add windows")):
             self._watch.prepare([], self._block.inputs.levels)
             yield from window_layer.add_windows(layer, outlines, self._watch.next_number, at_once)
 

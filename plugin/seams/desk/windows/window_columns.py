@@ -25,7 +25,7 @@ from ...window_summary import (
     window_sentence,
     window_why,
 )
-from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
+from ...words import VERDICTS, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult
@@ -222,9 +222,6 @@ _LAST = (
 )  # fmt: skip
 
 
-_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-
-
 def _percent(value: float) -> str:
     return f"{percent(value)} %"
 
@@ -233,11 +230,7 @@ def _metres(value: float) -> str:
     return filled(tr("{metres} m"), metres=shown_number(value, 2 if value < 10 else 0))
 
 
-def _causes(words: str) -> str:
-    return ", ".join(cause_word(word) for word in words.split("; ") if word)
-
-
-_TEXTS: dict[str, Callable[[str], str]] = {"words": str, "causes": _causes}
+_TEXTS: dict[str, Callable[[str], str]] = {"words": str, "causes": causes_words}
 _NUMBERS: dict[str, Callable[[float], str]] = {
     "number": shown_number, "tenths": partial(shown_number, decimals=1), "percent": _percent, "metres": _metres,
     "square metres": shown_area, "of 100": lambda value: f"{value} %", "whole": str,
@@ -264,7 +257,8 @@ def _column(field: WindowField) -> TableColumn:
         )  # fmt: skip
     shown = _NUMBERS[field.shown]
     return TableColumn(
-        name, field.heading, field.help, lambda row: "" if read(row) is None else shown(read(row)), read, _RIGHT
+        name, field.heading, field.help, lambda row: "" if read(row) is None else shown(read(row)), read,
+        _ALIGNED_RIGHT,
     )
 
 

@@ -2,18 +2,24 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.core import QgsProject
+from qgis.PyQt.QtCore import QObject, Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import QMessageBox, QWidget
 
 from ....imagery.documents import json_document
+from ....imagery.errors import Message
 from ....imagery.rasters import RasterRef
 from ....toolkit import layers
+from ....toolkit.translation import sentence, tr
 from .. import messages
 from ..inputs.block_cache import BlockCache, KnownMosaic
 
 if TYPE_CHECKING:
     from ..keeping import Keeping
+    from ..session import Session
     from .window_watch import WindowWatch
 
 _KEY = "mosaic"  # in the file of results, where windows have their numbers for keys
@@ -95,3 +101,34 @@ def _known(noted: bytes | None) -> KnownMosaic | None:
         return None
     is_ours = isinstance(found, list) and len(found) == 2 and all(isinstance(one, str) for one in found)
     return KnownMosaic(*found) if is_ours else None
+
+
+class MosaicQuestion(QObject):
+    """Asks what is to become of windows when the mosaic is another; nothing goes on with them before."""
+
+    def __init__(self, session: Session, dock: QWidget) -> None:
+        super().__init__(dock)
+        self._session, self._dock = session, dock
+        self.box: QMessageBox | None = None
+        session.mosaicDoubted.connect(self._ask)
+
+    def _ask(self, message: Message) -> None:
+        icon, text = QMessageBox.Icon.Warning, sentence(message)
+        self.box = box = QMessageBox(icon, tr("Seam Inspector"), text, parent=self._dock)
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        role, session = QMessageBox.ButtonRole, self._session
+        for text, part, answer in (
+            (tr("New windows at the same places"), role.AcceptRole, session.copy_windows),
+            (tr("The windows are of this mosaic"), role.AcceptRole, session.take_windows),
+            (tr("Leave these windows as they are"), role.RejectRole, session.leave_windows),
+        ):  # fmt: skip
+            button = box.addButton(text, part)
+            button.clicked.connect(lambda *_, answer=answer: self._answer(answer))
+            if part == role.RejectRole:
+                box.setEscapeButton(button)
+        QgsProject.instance().cleared.connect(box.deleteLater)
+        box.open()
+
+    def _answer(self, answer: Callable[[], None]) -> None:
+        self.box = None
+        answer()

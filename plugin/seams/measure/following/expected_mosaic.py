@@ -32,6 +32,7 @@ from .source_filters import (
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
 MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
 MOST_LEFT_OF_THAT = 0.5  # where both mixed explain it
+HOPELESS_LEFT_OF_THAT = 0.75  # of which a first estimate leaves no more: true mixtures had up to 0.45, and less later
 MOST_LEFT_BY_MIXED = 10.0  # times what they leave over one by one; true mixtures have up to 4
 MOST_LEFT_MIXED = 0.05  # of the fine detail, for a filter to be believed that was learned where sources may be mixed
 MIN_THIRD_SHARE = 0.25  # of the pixels, that a third image surely has where two are mixed everywhere
@@ -246,8 +247,14 @@ class _Window:
         gains = evened_gains([self.planes[i] for i in pair], gains, where)
         images = [gain * self.fine[1 + i] for i, gain in zip(pair, gains)]
         shown = [found.placed(i, one) if i in found.taps else one for i, one in zip(pair, images)]
-        ground = mixed_ground(self.fine[0], images, shown, where)
-        if ground is None or share_left(self.fine[0], ground.mosaic[SAMPLE], inside, pair) > MOST_LEFT_OF_THAT * left:
+
+        def left_of_that(made: np.ndarray) -> float:
+            return share_left(self.fine[0], made[SAMPLE], inside, pair) / left
+
+        ground = mixed_ground(
+            self.fine[0], images, shown, where, lambda made: left_of_that(made) > HOPELESS_LEFT_OF_THAT
+        )
+        if ground is None or left_of_that(ground.mosaic) > MOST_LEFT_OF_THAT:
             return None
         return ground, {i: ground.gain * gain for i, gain in zip(pair, gains) if i in in_tone}
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, combinations_with_replacement
 from typing import Callable
 
 import numpy as np
@@ -182,14 +182,17 @@ def _unexplained(
             found = _strange_parts(wide, left, textured, even, sampling, is_compressed, stand_ins)
     if len(sources) == 1 or not found.any():
         return found
+    near, *with_mosaic = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *(products[i] for i in sources)))
+    shared = dict(zip(sources, with_mosaic))
     common = {
-        (i, j): energies[i] if i == j else square_sums(sources[i], sources[j], CELL_PX)
-        for i in sources for j in sources
+        (i, j): box_means(energies[i] if i == j else square_sums(sources[i], sources[j], CELL_PX), (NEAR_CELLS,))[0]
+        for i, j in combinations_with_replacement(sources, 2)
     }
     alone = left.copy()
     for count in (2, 3):  # a mixture of some that are given is nothing strange
         for some in combinations(sources, count):
-            by_some = _left_by(own, [products[i] for i in some], [[common[i, j] for j in some] for i in some])
+            pairs = combinations_with_replacement(some, 2)
+            by_some = _left_by(near, [shared[i] for i in some], [common[pair] for pair in pairs])
             np.minimum(left, by_some, out=left)
     if _is_explained(wide, left, textured):
         return np.zeros_like(found)
@@ -296,25 +299,31 @@ def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:
     return found
 
 
-def _left_by(
-    own: np.ndarray, products: Sequence[np.ndarray], common: Sequence[Sequence[np.ndarray]]
-) -> np.ndarray:
+def _left_by(own: np.ndarray, shared: Sequence[np.ndarray], common: Sequence[np.ndarray]) -> np.ndarray:
     """What a mixture of some sources leaves over of the mosaic's energy, over the wide squares; its weights, all of
-    which are above zero, are even within the near ones. ``products`` of each with the mosaic, ``common`` of each with
-    each."""
-    own, *shared = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *products))
-    normal = np.stack([[box_means(one, (NEAR_CELLS,))[0] for one in row] for row in common]).astype(np.float64)
-    for place in range(len(shared)):
-        normal[place, place] += LEAST_ENERGY * CELL_PX**2
-    if len(shared) == 2:  # as ``solve`` has it, in a fifth of the time
-        (aa, ab), (_, bb) = normal
-        (a, b), determinant = shared, aa * bb - ab * ab
-        weights = np.stack([a * bb - b * ab, b * aa - a * ab]) / determinant
-    else:
-        weights = np.linalg.solve(np.moveaxis(normal, (0, 1), (-2, -1)), np.stack(shared, axis=-1)[..., np.newaxis])
-        weights = np.moveaxis(weights[..., 0], -1, 0)
-    explained = sum(weight * one for weight, one in zip(weights, shared))
-    left = np.where((weights > 0).all(axis=0), np.maximum(own - explained, 0), own)
+    which are above zero, are even within the near ones. Means over those: ``own`` of the mosaic, ``shared`` of each
+    with it, ``common`` of each with itself and those after it."""
+    count = len(shared)
+    normal: dict[tuple[int, int], np.ndarray] = {}
+    for (row, column), one in zip(combinations_with_replacement(range(count), 2), common):
+        normal[row, column] = one.astype(np.float64)
+        if row == column:
+            normal[row, row] += LEAST_ENERGY * CELL_PX**2
+    # By elimination, as ``solve`` has it, in a fifth of the time.
+    rest = [one.astype(np.float64) for one in shared]
+    for row in range(count):
+        for below in range(row + 1, count):
+            factor = normal[row, below] / normal[row, row]
+            for column in range(below, count):
+                normal[below, column] -= factor * normal[row, column]
+            rest[below] -= factor * rest[row]
+    for row in reversed(range(count)):
+        for column in range(row + 1, count):
+            rest[row] -= normal[row, column] * rest[column]
+        rest[row] /= normal[row, row]
+    explained = sum(weight * one for weight, one in zip(rest, shared))
+    all_above = np.logical_and.reduce([weight > 0 for weight in rest])
+    left = np.where(all_above, np.maximum(own - explained, 0), own)
     return box_means(left, (WIDE_CELLS - NEAR_CELLS + 1,))[0]
 
 

@@ -7,7 +7,7 @@ fitted to one alone a filter takes the detail that the other one's share took, a
 """
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,11 +37,13 @@ class MixedGround:
 
 
 def mixed_ground(
-    mosaic: np.ndarray, fine: Sequence[np.ndarray], shown: Sequence[np.ndarray], where: np.ndarray
+    mosaic: np.ndarray, fine: Sequence[np.ndarray], shown: Sequence[np.ndarray], where: np.ndarray,
+    is_hopeless: Callable[[np.ndarray], bool] = lambda made: False,
 ) -> MixedGround | None:
     """Of two high-passed planes in the mosaic's tones, (rows, columns) float32, and the pixels that take part, bool.
 
-    ``shown``: the same as the mosaic shows them, as far as that is known. None where there is too little.
+    ``shown``: the same as the mosaic shows them, as far as that is known. ``is_hopeless``: asked what a round makes of
+    them, whether more rounds are in vain. None where they are, or there is too little.
     """
     held = square_sums(where.astype(np.float32), where.astype(np.float32), BLOCK_PX) >= _MIN_BLOCK * BLOCK_PX**2
     own = np.where(where, mosaic, np.float32(0))
@@ -72,9 +74,11 @@ def mixed_ground(
             return None
         shown = [np.float32(gain * by) * one for by, one in zip(even, made)]
         gain, taps = gain * scale, taps / scale
+        mixed = weights[0] * shown[0] + weights[1] * shown[1]
+        if is_hopeless(mixed):
+            return None
     assert taps is not None
-    made = weights[0] * shown[0] + weights[1] * shown[1]
-    return MixedGround(gain, (taps[0], taps[1]), made)
+    return MixedGround(gain, (taps[0], taps[1]), mixed)
 
 
 def _amplitude(plane: np.ndarray, where: np.ndarray) -> float:

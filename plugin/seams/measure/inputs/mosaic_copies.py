@@ -23,9 +23,9 @@ from ..source_images import Source, is_same_file, sources_in
 from . import messages
 
 SIDE_PX = 64  # of a patch that is compared
-# Along each side of the mosaic, where so many have room beside each other: what follows another source on 1 % of it is
-# missed once in thirteen times.
 PLACES = 16
+"""Along each side of the mosaic, where so many have room: what follows another source on 1 % of it is missed once in
+thirteen times."""
 EXPLAINED_PLACES = 6  # along each side of the mosaic, where the other sources are tried
 FEWEST_PLACES = 4  # along each side
 FEWEST = 4  # patches with content, without which nothing is said
@@ -62,11 +62,10 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
     """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those.
 
     Only sources that cover the mosaic, all of it or nearly, are opened, and compared in 256 places, or in all of it
-    where that has fewer. One that differs
-    anywhere is none, nor is one that others beat where the mosaic turns to them: orthoimages of one flight or triplet
-    are alike. One that is like it everywhere would explain all of the mosaic and hide every loss, if it was made from
-    it; where the other sources do not explain the mosaic it is what that was cut from, and stays. So does
-    the first one if there is no other source, and a notice says what that means.
+    where that has fewer. One that differs anywhere is none, nor is one that others beat where the mosaic turns to them:
+    orthoimages of one flight or triplet are alike. One that is like it everywhere would explain all of the mosaic and
+    hide every loss, if it was made from it; where the other sources do not explain the mosaic it is what that was cut
+    from, and stays. So does the first one if there is no other source, and a notice says what that means.
     """
     kept: list[Source] = []
     copies: list[Source] = []

@@ -226,6 +226,25 @@ def test_what_changes_from_place_to_place_is_dodging_and_no_tone(spoilt: dict[st
     assert Cause.BALANCED not in find_causes(replace(two_tones(gain=1.5), unevenness=0.9))
 
 
+EVENED = {"filter_power": rules.MIN_EVENED_POWER, "most_transfer": 0.7, "least_transfer": 0.7, "sharpness": 0.7}
+
+
+def test_contrast_that_was_taken_evenly_was_taken_by_dodging_and_by_nothing_else() -> None:
+    assert causes_taken(evidence(**EVENED)) == ((Cause.DODGING, pytest.approx(1 - 0.7**2)),)
+    found = causes_taken(evidence(**EVENED, off_pixel=0.5, **COMPRESSED))
+    assert found[0] == (Cause.DODGING, pytest.approx(1 - 0.7**2))
+    assert dict(found[1:]) == {Cause.RESAMPLED: 0.0, Cause.COMPRESSED: 0.0}
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"filter_power": rules.MIN_EVENED_POWER - LITTLE}, {"filter_power": None},
+     {"most_transfer": 1.0}, {"mixed": rules.MIN_MOSTLY_MIXED}, {"lost": 0.4, **FEATHERED}],
+)
+def test_contrast_that_was_not_taken_evenly_or_not_everywhere_was_not_dodged(change: dict[str, Any]) -> None:
+    assert Cause.DODGING not in find_causes(evidence(**{**EVENED, **change}))
+
+
 @pytest.mark.parametrize("spoilt", [{"gamma": 1.5}, {"colour_shift": 1.5}])
 def test_where_most_is_mixed_tones_between_two_sources_say_nothing(spoilt: dict[str, Any]) -> None:
     most = rules.MIN_MOSTLY_MIXED

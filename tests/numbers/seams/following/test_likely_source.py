@@ -1,7 +1,7 @@
 """Where exactly a mosaic passes from one source to another, and where none of them explains it."""
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 import numpy as np
 import pytest
@@ -27,12 +27,13 @@ def plane(contrast: float, seed: int) -> np.ndarray:
 
 
 def found_in(
-    mosaic: np.ndarray, planes: list[np.ndarray], valid: Mapping[int, np.ndarray] | None = None
+    mosaic: np.ndarray, planes: list[np.ndarray], valid: Mapping[int, np.ndarray] | None = None,
+    interpolated: Collection[int] = (),
 ) -> LikelySource:
     fine = [high_pass(one) for one in (mosaic, *planes)]
     rough = follow(lambda start, stop: [one[start:stop] for one in fine], SHAPE, len(planes))
     sources = {i: fine[1 + i] for i in range(len(planes)) if i in rough.followed}
-    return likely_source(fine[0], sources, rough.labels, rough.clear, valid or {})
+    return likely_source(fine[0], sources, rough.labels, rough.clear, valid or {}, interpolated=interpolated)
 
 
 def cut_at(border: int, first: np.ndarray, second: np.ndarray) -> np.ndarray:
@@ -150,6 +151,16 @@ def test_a_source_that_stands_in_for_its_neighbour_is_told_by_its_own_ground(sha
     assert found[:, border + 10 : -10].mean() > 0.98
     assert found[:, 10 : border - 10].mean() < 0.01
     assert not found_in(np.rint(missing), [first]).unexplained.any()  # as much everywhere: nothing tells it apart
+
+
+@pytest.mark.parametrize("alike", [0.5, 0.8])
+def test_a_source_that_stands_in_is_told_though_it_seems_resampled(alike: float) -> None:
+    """Of its own ground there is none, so what it leaves over is compared with what the other source does."""
+    _, second, missing = alike_planes(alike)
+    first = plane(9, 4)
+    found = found_in(cut_at(BORDER, first, missing), [first, second], interpolated=[1]).unexplained
+    assert found[:, BORDER + 10 : -10].mean() > 0.9
+    assert found[:, 10 : BORDER - 10].mean() < 0.05
 
 
 def test_a_source_that_was_resampled_leaves_more_over_than_others() -> None:

@@ -5,7 +5,13 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.followed_source import high_pass
-from seam_inspector.plugin.seams.measure.following.source_filters import REACH_PX, filtered, fit_filter, through_filter
+from seam_inspector.plugin.seams.measure.following.source_filters import (
+    REACH_PX,
+    filter_power,
+    filtered,
+    fit_filter,
+    through_filter,
+)
 
 from tests.numbers.synthetic import texture
 
@@ -132,3 +138,48 @@ def test_ground_of_another_image_does_not_spoil_the_filter(plane: np.ndarray, ke
     found = through_filter(own, source, EVERYWHERE)
     part = np.s_[12:-12, 12 : int(0.6 * SHAPE[1]) - 12]
     assert np.square(own - found)[part].mean() < 0.005 * np.square(own)[part].mean()
+
+
+# --- whether contrast was taken evenly ------------------------------------------------------------------------
+
+
+def power_of(plane: np.ndarray, shown: np.ndarray) -> float:
+    """Of the filter between two planes, as it is learned."""
+    taps = fit_filter(high_pass(shown.astype(np.float32)), high_pass(plane), EVERYWHERE, 1.0)
+    assert taps is not None
+    found = filter_power([taps])
+    assert found is not None
+    return found
+
+
+@pytest.mark.parametrize("beta", [0.0, 1.6, 3.0])
+@pytest.mark.parametrize("change", ["blur 0.5", "blur 0.8", "blur 1", "box", "half, linear", "half, cubic", "third"])
+def test_blur_and_interpolation_take_far_more_of_what_is_finest(beta: float, change: str) -> None:
+    plane = (120 + 20 * texture(SHAPE, beta, 3)).astype(np.float32)
+    shown = {
+        "blur 0.5": lambda: ndimage.gaussian_filter(plane, 0.5),
+        "blur 0.8": lambda: ndimage.gaussian_filter(plane, 0.8),
+        "blur 1": lambda: ndimage.gaussian_filter(plane, 1.0),
+        "box": lambda: ndimage.uniform_filter(plane, 3),
+        "half, linear": lambda: ndimage.shift(plane, (0, 0.5), order=1, mode="nearest"),
+        "half, cubic": lambda: ndimage.shift(plane, (0, 0.5), order=3, mode="nearest"),
+        "third": lambda: ndimage.shift(plane, (0.3, 0.3), order=1, mode="nearest"),
+    }[change]()
+    assert power_of(plane, shown) < 0.33
+
+
+@pytest.mark.parametrize("beta", [0.0, 1.6, 3.0])
+@pytest.mark.parametrize("kept", [0.3, 0.5, 0.7])
+@pytest.mark.parametrize("overview", [1.4, 2.5])
+def test_detail_that_is_partly_given_back_to_an_overview_is_taken_evenly(
+    beta: float, kept: float, overview: float
+) -> None:
+    plane = (120 + 20 * texture(SHAPE, beta, 3)).astype(np.float32)
+    coarse = ndimage.gaussian_filter(plane, overview)
+    assert power_of(plane, coarse + kept * (plane - coarse)) > 0.45
+
+
+def test_where_a_filter_takes_nothing_it_has_no_power() -> None:
+    assert filter_power([]) is None
+    assert filter_power([tap(), gaussian(0.8)]) is None
+    assert filter_power([2 * tap() - gaussian(0.8)]) is None  # sharpened

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from qgis.core import QgsExpressionContextScope, QgsVectorLayer
-from seam_inspector.plugin.seams.desk.dock import SELECTED
+from seam_inspector.plugin.seams.desk.map.window_view import SELECTED
 
 
 def selection_scope(layer: QgsVectorLayer) -> QgsExpressionContextScope:

@@ -26,7 +26,7 @@ from seam_inspector.plugin.seams.desk.mosaic_scans import _is_ours
 from seam_inspector.plugin.seams.desk.unsaved_windows import _KIND, UnsavedWindows, left_by
 from seam_inspector.plugin.seams.desk.windows.windows_mosaic import KnownMosaic, _known
 from seam_inspector.plugin.seams.jobs import ScanFiles
-from seam_inspector.plugin.seams.tables.window_layer import free_path
+from seam_inspector.plugin.toolkit.geopackages import free_path
 
 from tests.qgis.scenes import layer, saved, windows
 from tests.qgis.seams.desk.session_desk import Desk
@@ -98,7 +98,7 @@ def test_links_by_the_names_of_our_own_files_are_not_followed(qgis_app: object, 
     for name in ("windows.gpkg", "bar_groups.gpkg", "a.gpkg.unsaved"):
         (home / name).symlink_to(outside)
     os.mkfifo(home / "b.gpkg.unsaved")
-    assert free_path(home).name == "windows_2.gpkg"
+    assert free_path(home, "windows").name == "windows_2.gpkg"
     made = create_bar_layer(QgsCoordinateReferenceSystem("EPSG:32633"), home)
     assert "bar_groups_2.gpkg" in made.source()
     assert left_by(home / "a.gpkg.unsaved") is None

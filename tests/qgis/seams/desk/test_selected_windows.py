@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsFeature, QgsVectorLayer
 from qgis.gui import QgsMapCanvas
-from seam_inspector.plugin.seams.desk.dock import SELECTED, SelectedWindows
+from seam_inspector.plugin.seams.desk.map.window_view import SELECTED, SelectedWindows
 
 from tests.qgis.scenes import BLURRED, SHARP, windows
 from tests.qgis.seams.desk.session_desk import Desk, settle

@@ -182,7 +182,7 @@ def test_buttons_are_as_wide_as_their_names_ask_for(qgis_app: QApplication) -> N
     pictures = make_pictures()
     widths = []
     for letters in range(1, 21):
-        strip.show_pictures([replace(pictures[0], raster=f"{end}{'m' * letters}") for end in "ab"], "")
+        strip.show_pictures([replace(pictures[0], raster=f"{end}{'m' * letters}") for end in "ab"])
         assert len({button.width() for button in strip.buttons}) == 1
         for button in strip.buttons:
             assert button.width() >= button.minimumSizeHint().width() - 1, button.text()
