@@ -87,6 +87,8 @@ def _contrast(widget: QWidget, box: QRect) -> float:
 def _colours(widget: QWidget, box: QRect) -> np.ndarray:
     """Blue, green and red of the pixels in a part of a widget, row by row."""
     image = widget.grab(box).toImage().convertToFormat(QImage.Format.Format_RGB32)
+    if image.isNull():  # out of sight
+        return np.empty((0, 0, 3), np.uint8)
     bits = image.constBits()
     bits.setsize(image.sizeInBytes())
     return np.frombuffer(bits, np.uint8).reshape(image.height(), image.width(), 4)[..., :3].copy()
