@@ -6270,12 +6270,12 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="435"/>
+        <location filename="../plugin/seams/desk/dock.py" line="466"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="436"/>
+        <location filename="../plugin/seams/desk/dock.py" line="467"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
@@ -11999,17 +11999,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_mosaic.py" line="121"/>
+        <location filename="../plugin/seams/desk/dock.py" line="437"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_mosaic.py" line="122"/>
+        <location filename="../plugin/seams/desk/dock.py" line="438"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_mosaic.py" line="123"/>
+        <location filename="../plugin/seams/desk/dock.py" line="439"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
