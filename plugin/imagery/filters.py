@@ -3,9 +3,13 @@
 A step filters along both axes, periodically or with mirrored edges, and keeps every second output. A block of outputs
 is one small product with a band of the filter matrix (``FilterPair``). It runs strip by strip, so that what lies
 between two passes stays in the cache and the converted samples are never held whole.
+
+In QGIS on Debian and Ubuntu numpy's products go to GSL's CBLAS, which libqgis_core brings along and which takes ten to
+twenty times as long; SciPy's BLAS is reached there by other names.
 """
 from __future__ import annotations
 
+import ctypes
 import math
 import threading
 from collections.abc import Iterator, Sequence
@@ -216,7 +220,48 @@ def _banded(x: np.ndarray, matrix: np.ndarray, out: np.ndarray) -> None:
     width = max(1, MAX_MULTIPLICATIONS // matrix.size)
     for left in range(0, x.shape[2], width):
         part = np.s_[..., left : left + width]
-        np.matmul(matrix, samples[part], out=out[part])
+        multiply(matrix, samples[part], out[part])
+
+
+def product(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """Of two matrices of one type, (n, k) and (k, m) -> (n, m)."""
+    made = np.empty((first.shape[0], second.shape[1]), np.result_type(first, second))
+    multiply(first, second, made)
+    return made
+
+
+def multiply(first: np.ndarray, second: np.ndarray, out: np.ndarray) -> None:
+    """Products of a matrix (n, k) with one or many, (..., k, m), into ``out`` (..., n, m), all float32 or float64."""
+    if not numpy_has_plain_products():
+        np.matmul(first, second, out=out)
+    elif second.ndim > 2:
+        for one, made in zip(second, out):
+            multiply(first, one, made)
+    else:
+        from scipy.linalg import blas  # not where nobody needs it
+
+        gemm = blas.sgemm if out.dtype == np.float32 else blas.dgemm
+        out[...] = gemm(1.0, second.T, first.T).T
+
+
+class _Library(ctypes.Structure):
+    """``Dl_info`` of dladdr(3)."""
+
+    _fields_ = (
+        ("path", ctypes.c_char_p), ("base", ctypes.c_void_p), ("name", ctypes.c_char_p), ("address", ctypes.c_void_p),
+    )  # fmt: skip
+
+
+@cache
+def numpy_has_plain_products() -> bool:
+    """Whether this process was started with GSL's CBLAS, whose names go before those of the library that numpy asks
+    for."""
+    try:
+        process, found = ctypes.CDLL(None), _Library()
+        is_known = process.dladdr(process.cblas_sgemm, ctypes.byref(found))
+    except (AttributeError, OSError, TypeError):  # none of these names, as on other systems and in plain Python
+        return False
+    return bool(is_known) and b"gslcblas" in (found.path or b"")
 
 
 def reused(name: str, shape: tuple[int, ...], dtype: type) -> np.ndarray:
@@ -267,5 +312,5 @@ def correlated(plane: np.ndarray, taps: np.ndarray) -> np.ndarray:
         target = made[start : start + height].reshape(-1, _BLOCK, columns)
         for first in range(0, columns, width):
             part = np.s_[..., first : first + width]
-            np.matmul(matrix, samples[part], out=target[part])
+            multiply(matrix, samples[part], target[part])
     return made[:rows]

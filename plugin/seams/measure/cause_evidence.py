@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy import fft
 
+from ...imagery.filters import product
 from ...imagery.rasters import Raster, is_range_known, value_range
 from ...imagery.shifts import Shift, shifted
 from ...imagery.wavelets import placed_components
@@ -128,7 +129,7 @@ def _quantised(mosaic: np.ndarray) -> float:
         for left in range(_PERIOD_PX):
             part = mosaic[top : top + rows * _PERIOD_PX, left : left + columns * _PERIOD_PX]
             blocks = part.reshape(rows, _PERIOD_PX, columns, _PERIOD_PX)[::step, :, ::step].swapaxes(1, 2)
-            coefficients = blocks.reshape(-1, _PERIOD_PX**2) @ transform
+            coefficients = product(blocks.reshape(-1, _PERIOD_PX**2), transform)
             vanished = np.count_nonzero(np.abs(coefficients, out=coefficients) < _VANISHED_DN)
             found.append(int(vanished) / coefficients.size)
     best = int(np.argmax(found))

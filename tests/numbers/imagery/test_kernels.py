@@ -1,9 +1,15 @@
-"""A plane through a small kernel is what scipy makes of it."""
+"""A plane through a small kernel is what scipy makes of it, and products are numpy's, whoever works them out."""
 from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from ctypes.util import find_library
 
 import numpy as np
 import pytest
 from scipy import ndimage
+from seam_inspector.plugin.imagery import filters
 from seam_inspector.plugin.imagery.filters import correlated
 
 
@@ -18,3 +24,54 @@ def test_a_plane_is_correlated_as_by_scipy(shape: tuple[int, int], taps: tuple[i
     assert found.dtype == np.float32
     np.testing.assert_allclose(found, ndimage.correlate(plane, kernel, mode="nearest"), atol=2e-3)
     np.testing.assert_array_equal(plane, before)
+
+
+# --- where numpy's products go to a plain library, as in QGIS on Debian and Ubuntu ------------------------------
+
+
+@pytest.fixture
+def plain(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(filters, "numpy_has_plain_products", lambda: True)
+
+
+@pytest.mark.usefixtures("plain")
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("many", [(), (3,), (2, 4)])
+def test_products_are_those_of_numpy(dtype: type, many: tuple[int, ...]) -> None:
+    rng = np.random.default_rng(1)
+    first, second = rng.random((7, 5)).astype(dtype), rng.random((*many, 5, 18)).astype(dtype)[..., ::2]
+    out = np.full((*many, 7, 18), -1, dtype)
+    filters.multiply(first, second, out[..., 1::2])
+    np.testing.assert_allclose(out[..., 1::2], first @ second, rtol=1e-5)
+    assert (out[..., ::2] == -1).all()
+    own = rng.random((6, 4)).astype(dtype)
+    np.testing.assert_allclose(filters.product(own.T, own), own.T @ own, rtol=1e-5)
+
+
+@pytest.mark.usefixtures("plain")
+def test_kernels_and_wavelets_are_the_same_by_other_products(monkeypatch: pytest.MonkeyPatch) -> None:
+    plane = np.random.default_rng(2).normal(120, 30, (150, 203)).astype(np.float32)
+    taps = np.random.default_rng(3).random((5, 5)).astype(np.float32)
+
+    def made() -> list[np.ndarray]:
+        pair = filters.filter_pair("coif3")
+        return [filters.correlated(plane, taps), *filters.split(plane[np.newaxis], [100.0], pair, np.float32)]
+
+    by_scipy = made()
+    monkeypatch.setattr(filters, "numpy_has_plain_products", lambda: False)
+    for one, other in zip(by_scipy, made()):
+        np.testing.assert_allclose(one, other, rtol=1e-5, atol=2e-3)
+
+
+GSL = find_library("gslcblas")
+
+
+@pytest.mark.skipif(not (GSL and sys.platform.startswith("linux")), reason="no CBLAS of GSL on this machine")
+def test_a_process_that_was_started_with_the_library_of_gsl_is_told() -> None:
+    code = f"import {filters.__name__} as filters; print(filters.numpy_has_plain_products())"
+    for preloaded, found in (("", "False"), (str(GSL), "True")):
+        made = subprocess.run(
+            [sys.executable, "-c", code], env={**os.environ, "LD_PRELOAD": preloaded}, capture_output=True, text=True,
+            check=True,
+        )
+        assert made.stdout.strip() == found

@@ -13,6 +13,7 @@ from functools import lru_cache
 import numpy as np
 from scipy import ndimage
 
+from ....imagery.filters import multiply
 from ..tone import coarse_means
 from .boxes import enlarged
 
@@ -205,10 +206,10 @@ def to_pixels(squares: np.ndarray, shape: tuple[int, ...], side: int = SQUARE_PX
     down, across = (_interpolation(few * side, few) for few in squares.shape)
     rows = np.empty((len(down), squares.shape[1]), np.float32)
     for pixels, needed in _parts(len(squares), side):
-        np.matmul(down[pixels, needed], squares[needed], out=rows[pixels])
+        multiply(down[pixels, needed], squares[needed], rows[pixels])
     made = np.empty((len(down), len(across)), np.float32)
     for pixels, needed in _parts(squares.shape[1], side):
-        np.matmul(rows[:, needed], across[pixels, needed].T, out=made[:, pixels])
+        multiply(rows[:, needed], across[pixels, needed].T, made[:, pixels])
     return made[: shape[0], : shape[1]]
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ....imagery.filters import correlated
+from ....imagery.filters import correlated, product
 from ....imagery.shifts import shifted
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import BORDER_PX
@@ -62,7 +62,7 @@ def fit_filters(
         part = places[start : start + _AT_A_TIME]
         around = part[:, np.newaxis] + offsets
         samples = np.concatenate([one[around] for one in values], axis=1) if len(values) > 1 else values[0][around]
-        normal += samples.T @ samples
+        normal += product(samples.T, samples)
         right += image.ravel()[part] @ samples
     mean = float(np.trace(normal)) / count
     if mean <= 0:
