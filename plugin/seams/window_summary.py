@@ -13,6 +13,8 @@ from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERAN
 from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
 from .measure.window_records import SEAM
 from .words import (
+    CLAIMS,
+    LOSSES,
     brief_words,
     cause_clause,
     causes_words,
@@ -216,8 +218,6 @@ _ALL_KEPT = 0.97  # less is said to be less, though the interval holds 1
 _TONES = ("dodging", "gamma", "balanced", "clipping", "narrowed histogram")
 """Causes that change what share of all variance the finest detail is."""
 _NOT_COMPARABLE = "not_comparable"
-LOSSES = ("significant", "reduced")
-_SEVERITY = (*LOSSES, "preserved")
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
@@ -451,9 +451,9 @@ def by_the_paper(row: WindowRecord) -> list[str]:
     The ratio to the least detailed source is the one to the hard cut times what the hard cut has of that source's.
     """
     ratio, composite, kept = row.ratio, row.composite_ratio, judged_kept(row)
-    if ratio is None or row.paper_verdict not in _SEVERITY or row.verdict not in _SEVERITY:
+    if ratio is None or row.paper_verdict not in CLAIMS or row.verdict not in CLAIMS:
         return []
-    milder = _SEVERITY.index(row.paper_verdict) - _SEVERITY.index(row.verdict)
+    milder = CLAIMS.index(row.paper_verdict) - CLAIMS.index(row.verdict)
     content = ratio / composite if composite else None
     has_other_tones = not set(row.causes.split("; ")).isdisjoint(_TONES)
     change = (row.sharpness or 1) - 1

@@ -43,6 +43,9 @@ VERDICTS = {
     "": ShownVerdict(QT_TR_NOOP("not inspected"), "#c8c8c8", QT_TR_NOOP("Not inspected yet.")),
 }
 """By the word that tables hold, the worst first; the empty one is that of a window not inspected."""
+LOSSES = ("significant", "reduced")
+CLAIMS = (*LOSSES, "preserved")
+"""Verdicts that say whether detail was lost, the worst first."""
 
 
 def verdict_word(verdict: str) -> str:

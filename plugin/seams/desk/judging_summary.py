@@ -10,7 +10,7 @@ from ...imagery.statistics import DECIDED, INVISIBLE, UNSURE, VISIBLE, Operator
 from ...toolkit.background_tasks import BackgroundTasks, Cancelled, Job
 from ...toolkit.translation import filled, percent, tr
 from ..measure.window_records import WindowRecord
-from .windows.filter_boxes import CLAIMS
+from ..words import CLAIMS
 
 if TYPE_CHECKING:
     from ...imagery.grids import Extent

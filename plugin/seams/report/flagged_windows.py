@@ -10,8 +10,8 @@ from ...imagery.limits import judged_band
 from ...toolkit.translation import filled, formatted, percent, sentence, tr
 from ..measure import messages
 from ..measure.window_records import COMPOSITE, WindowRecord, contrast_of
-from ..window_summary import LOSSES, by_the_paper, window_sentence, window_why
-from ..words import cause_sentence, cause_word, observer_word, verdict_word
+from ..window_summary import by_the_paper, window_sentence, window_why
+from ..words import LOSSES, cause_sentence, cause_word, observer_word, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
 from .window_charts import curve_legend, curves_svg, profile_picture

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Sequence, Set
 
 from ...toolkit.translation import filled, percent, shown_number, tr
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, WindowRecord
-from ..window_summary import LOSSES, judged_words
-from ..words import causes_words, observer_word, verdict_colour, verdict_word
+from ..window_summary import judged_words
+from ..words import LOSSES, causes_words, observer_word, verdict_colour, verdict_word
 
 _ROLES = ("mosaic", "source", COMPOSITE)
 

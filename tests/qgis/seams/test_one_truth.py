@@ -22,14 +22,13 @@ from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.report.window_words import window_rows
 from seam_inspector.plugin.seams.tables import window_layer
 from seam_inspector.plugin.seams.window_summary import (
-    LOSSES,
     is_lost_along_the_seam,
     judged_kept,
     shown_area,
     window_sentence,
     window_why,
 )
-from seam_inspector.plugin.seams.words import loss_rgba, verdict_sentence
+from seam_inspector.plugin.seams.words import LOSSES, loss_rgba, verdict_sentence
 from seam_inspector.plugin.toolkit.translation import percent
 
 from demo.block import make_block

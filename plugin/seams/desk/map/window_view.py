@@ -8,6 +8,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas
 
 from ....imagery.grids import Grid
+from ....toolkit.connections import Connections
 from ....toolkit.layers import transformed_box
 
 if TYPE_CHECKING:
@@ -132,14 +133,13 @@ class SelectedWindows:
 
     def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
         self._canvas, self._session = canvas, session
-        session.selectionChanged.connect(self._tell)
-        session.windowsChanged.connect(self._tell)  # equal ids of another layer, too
+        # After a change of windows as well: another layer may have equal ids.
+        self._connections = Connections((session.selectionChanged, self._tell), (session.windowsChanged, self._tell))
         self._tell()
 
     def close(self) -> None:
         """Take the variable away."""
-        self._session.selectionChanged.disconnect(self._tell)
-        self._session.windowsChanged.disconnect(self._tell)
+        self._connections.close()
         self._canvas.expressionContextScope().removeVariable(SELECTED)
 
     def _tell(self) -> None:

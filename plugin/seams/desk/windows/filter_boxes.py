@@ -13,10 +13,9 @@ from qgis.PyQt.QtWidgets import QComboBox, QSizePolicy, QWidget
 from ....imagery.statistics import FIRST, SECOND, UNSURE, VISIBLE
 from ....toolkit.translation import tr
 from ...measure.window_records import WindowRecord
-from ...words import VERDICTS, verdict_word
+from ...words import CLAIMS, VERDICTS, verdict_word
 from .window_columns import verdict_chip
 
-CLAIMS = ("significant", "reduced", "preserved")
 _WORST = (*CLAIMS, "not_comparable")
 _LEAST_HALF_WIDTH = 0.001  # of an interval: layers may keep a few digits only
 

@@ -75,11 +75,14 @@ def mixed_ground(
             return None
         shown = [np.float32(gain * by) * one for by, one in zip(even, made)]
         gain, taps = gain * scale, taps / scale
-        mixed = weights[0] * shown[0] + weights[1] * shown[1]
-        if number >= _HOPEFUL_ROUNDS and is_hopeless(mixed):
+        if number >= _HOPEFUL_ROUNDS and is_hopeless(_mixed(weights, shown)):
             return None
     assert taps is not None
-    return MixedGround(gain, (taps[0], taps[1]), mixed)
+    return MixedGround(gain, (taps[0], taps[1]), _mixed(weights, shown))
+
+
+def _mixed(weights: Sequence[np.ndarray], shown: Sequence[np.ndarray]) -> np.ndarray:
+    return np.asarray(weights[0] * shown[0] + weights[1] * shown[1])
 
 
 def _amplitude(plane: np.ndarray, where: np.ndarray) -> float:
