@@ -66,6 +66,7 @@ def test_kernels_and_wavelets_are_the_same_by_other_products(monkeypatch: pytest
 GSL = find_library("gslcblas")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not (GSL and sys.platform.startswith("linux")), reason="no CBLAS of GSL on this machine")
 def test_a_process_that_was_started_with_the_library_of_gsl_is_told() -> None:
     code = f"import {filters.__name__} as filters; print(filters.numpy_has_plain_products())"
