@@ -7,7 +7,7 @@ weigh the same. What compression made of weak detail is expected of every source
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations, combinations_with_replacement
 from typing import Callable
 
@@ -133,9 +133,10 @@ def likely_source(
         costs.append(cost)
     nearest, cost = _least(list(sources), costs)
     found = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
-    cells = _unexplained(own, energies, products, found, sources, sampling, interpolated, lambda: (
-        compressed_alike(mosaic, sources, enlarged(found, step)) if alike is None else alike
-    ), lambda: shows_squares(mosaic))
+    cells = _unexplained(
+        own, energies, products, found, sources, sampling, interpolated, alike,
+        lambda: compressed_alike(mosaic, sources, enlarged(found, step)), lambda: shows_squares(mosaic),
+    )
     unexplained = enlarged(cells, CELL_PX // step, found.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
@@ -145,8 +146,8 @@ def likely_source(
 
 def _unexplained(
     own: np.ndarray, energies: Mapping[int, np.ndarray], products: Mapping[int, np.ndarray], labels: np.ndarray,
-    sources: Mapping[int, np.ndarray], sampling: Sampling, interpolated: Collection[int], alike: Callable[[], Alike],
-    is_compressed: Callable[[], bool],
+    sources: Mapping[int, np.ndarray], sampling: Sampling, interpolated: Collection[int], alike: Alike | None,
+    learn_alike: Callable[[], Alike], is_compressed: Callable[[], bool],
 ) -> np.ndarray:
     """Cells that the sources explain worse than the best ground of all, (cell rows, cell columns) bool.
 
@@ -170,17 +171,17 @@ def _unexplained(
     # Where the mosaic shows nothing of a source's texture it was clipped, or blurred away.
     textured = (wide > _MIN_TEXTURED * least) & (wide >= MIN_TEXTURE * energy)
     left = np.maximum(wide - np.maximum(product, 0) ** 2 / energy, 0)
-    if _is_explained(wide, left, textured):
-        return np.zeros_like(textured)
     # A step of tones leaves over much along a line, and nothing beside it.
     even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
     sharp = textured & (wide >= _AS_STRONG * energy)  # a seam that was brushed soft is followed all the same
-    found = _strange_parts(wide, left, textured, even, sampling, is_compressed, np.zeros_like(sharp))
+    cells = _Cells(wide, left, textured, sharp, even, labels, sampling is FINE, is_compressed)
+    if cells.are_explained():
+        return np.zeros_like(textured)
+    everyone = frozenset(sources)
+    found = cells.strange((everyone,)) if not alike else cells.strange(alike)
     if len(sources) == 1 or not found.any():
-        stand_ins = _stand_ins(wide, left, sharp, labels)
-        if opened(stand_ins & even, _ALIKE_CELLS).any():
-            found = _strange_parts(wide, left, textured, even, sampling, is_compressed, stand_ins)
-    if len(sources) == 1 or not found.any():
+        return found
+    if alike is None and (alike := learn_alike()) and not (found := cells.strange(alike)).any():
         return found
     near, *with_mosaic = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *(products[i] for i in sources)))
     shared = dict(zip(sources, with_mosaic))
@@ -194,39 +195,112 @@ def _unexplained(
             pairs = combinations_with_replacement(some, 2)
             by_some = _left_by(near, [shared[i] for i in some], [common[pair] for pair in pairs])
             np.minimum(left, by_some, out=left)
-    if _is_explained(wide, left, textured):
-        return np.zeros_like(found)
-    same, *anew = alike() or (frozenset(sources),)
     # What weights that change within a square leave over of a mixture is as much as of one that stands in.
-    stand_ins = _stand_ins(wide, left, sharp & (left > _MIXED_LEFT * alone), labels)
-    found = np.zeros_like(textured)
-    for group in (same.difference(interpolated), same.intersection(interpolated), *anew):
-        inside = textured & is_one_of(labels, group)
-        told = None if group in anew else stand_ins & inside
-        found |= _strange_parts(wide, left, inside, even, sampling, is_compressed, told)
-    return found
+    cells = replace(cells, left=left, sharp=sharp & (left > _MIXED_LEFT * alone))
+    if cells.are_explained():
+        return np.zeros_like(found)
+    same, *anew = alike or (everyone,)
+    return cells.strange((same, *anew), interpolated)
 
 
-def _stand_ins(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, labels: np.ndarray) -> np.ndarray:
-    """Where a source stands in for one of the same ground, (cell rows, cell columns) bool: it leaves over many times as
-    much as it does on its own best ground, or all over its part as much more than the others do on theirs, and
-    unevenly. One that was resampled leaves over evenly what is finest."""
-    found = np.zeros(textured.shape, bool)
-    own = {number: textured & (labels == number) for number in present(labels)}
-    grounds = {number: learn_best_ground(wide[of], left[of]) for number, of in own.items()}
-    for number, ground in grounds.items():
+@dataclass(frozen=True, eq=False)
+class _Cells:
+    """What sources leave over of a mosaic's fine detail; (cell rows, cell columns) each."""
+
+    wide: np.ndarray
+    """Energy of the mosaic, over the wide squares."""
+    left: np.ndarray
+    """What is left over of that."""
+    textured: np.ndarray
+    """bool: what is told at all."""
+    sharp: np.ndarray
+    """bool: where a source may stand in for another."""
+    even: np.ndarray
+    """bool: of which much is left over not only along a line."""
+    labels: np.ndarray
+    """uint8: the source that is followed."""
+    is_window: bool
+    """A part of a block has too little ground to say that it is of no given source."""
+    is_compressed: Callable[[], bool]
+
+    def are_explained(self) -> bool:
+        """Whether nothing could be strange, whatever true sources leave over: the usual window, in a tenth of the
+        time."""
+        much = (self.textured & (self.left > least * self.wide) for least in (MIN_STRANGE, MIN_STAND_IN_STRANGE))
+        if any(opened(one, side).any() for one, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
+            return False
+        return not self._is_much_left(self.textured)
+
+    def strange(self, groups: Alike, interpolated: Collection[int] = ()) -> np.ndarray:
+        """Parts that no source explains, (cell rows, cell columns) bool, each by the ground of its group: those that
+        came out of compression as they were, of which some may lie between the mosaic's pixels, then the others."""
+        same, *anew = groups
+        stand_ins = self._stand_ins(is_one_of(self.labels, same))
+        found = np.zeros_like(self.textured)
+        for group in filter(None, (same.difference(interpolated), same.intersection(interpolated))):
+            found |= self._strange_parts(is_one_of(self.labels, group), stand_ins)
+        for group in anew:
+            found |= self._strange_parts(is_one_of(self.labels, group))
+        return found
+
+    def _stand_ins(self, of: np.ndarray) -> np.ndarray:
+        """Where a source stands in for one of the same ground, (cell rows, cell columns) bool: it leaves over many
+        times as much as it does on its own best ground, or all over its part as much more than the others do on theirs,
+        and unevenly. One that was resampled leaves over evenly what is finest."""
+        found = np.zeros_like(of)
+        sharp, wide, left = self.sharp & of, self.wide, self.left
+        if not opened(sharp & self.even & (left > MIN_STAND_IN_STRANGE * wide), _ALIKE_CELLS).any():
+            return found
+        own = {number: sharp & (self.labels == number) for number in present(self.labels[of])}
+        grounds = {number: learn_best_ground(wide[its], left[its]) for number, its in own.items()}
+        for number, ground in grounds.items():
+            if ground is None:
+                continue
+            its = own[number]
+            found |= its & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
+            # A seam leaves something over along itself.
+            inside = its & narrowed(self.labels == number, WIDE_CELLS // 2 + 1)
+            if inside.any() and np.median(expected := ground.response(wide[inside])) >= MIN_STAND_IN_STRANGE:
+                others = [one for one in own if one != number]
+                rest = sharp & (self.labels != number)
+                best = grounds[others[0]] if len(others) == 1 else learn_best_ground(wide[rest], left[rest])
+                if best is not None and _is_nowhere_true(expected, best, wide[inside], left[inside]):
+                    found |= its & (left > MIN_STAND_IN_STRANGE * wide)
+        return found
+
+    def _strange_parts(self, of: np.ndarray, stand_ins: np.ndarray | None = None) -> np.ndarray:
+        """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool,
+        and evenly. ``stand_ins``: images that resemble the true one are told as well, and these are such; what
+        compression leaves over of true ones is as much."""
+        textured, wide, left = self.textured & of, self.wide, self.left
+        seen = textured & self.even
+        certain = np.zeros_like(seen) if stand_ins is None else seen & stand_ins
+        could_be = opened(seen & (left > MIN_STRANGE * wide), _STRIP_CELLS).any()
+        if stand_ins is not None and not could_be:
+            could_be = opened(certain | (seen & (left > MIN_ALIKE_STRANGE * wide)), _ALIKE_CELLS).any()
+        if not could_be and not (self.is_window and self._is_much_left(textured)):
+            return np.zeros_like(seen)  # whatever true sources leave over
+        ground = learn_best_ground(wide[textured], left[textured])
         if ground is None:
-            continue
-        of = own[number]
-        found |= of & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
-        inside = of & narrowed(labels == number, WIDE_CELLS // 2 + 1)  # a seam leaves something over along itself
-        if inside.any() and np.median(expected := ground.response(wide[inside])) >= MIN_STAND_IN_STRANGE:
-            others = [one for one in own if one != number]
-            rest = textured & (labels != number)
-            best = grounds[others[0]] if len(others) == 1 else learn_best_ground(wide[rest], left[rest])
-            if best is not None and _is_nowhere_true(expected, best, wide[inside], left[inside]):
-                found |= of & (left > MIN_STAND_IN_STRANGE * wide)
-    return found
+            return np.zeros_like(textured)
+        is_of_none = self.is_window and ground.is_of_none()
+        if is_of_none and (ground.is_of_none(MIN_EVEN_LEFT_COMPRESSED) or not self.is_compressed()):
+            return textured
+        strange, alike = ground.strangeness(wide, left)
+        found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
+        inside = np.zeros_like(found)
+        if stand_ins is not None:
+            inside = ndimage.binary_propagation(opened(certain, _ALIKE_CELLS), mask=certain)
+            found |= opened(seen & alike, _ALIKE_CELLS) | inside
+        if not found.any():
+            return found
+        found = _to_borders(found, strange) | narrowed(inside, WIDE_CELLS // 2 + 1)
+        return without_islands(found.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
+
+    def _is_much_left(self, textured: np.ndarray) -> bool:
+        """Whether not even the best ground may be of a given source."""
+        much = textured & (self.left > MIN_EVEN_LEFT / 2 * self.wide)
+        return np.count_nonzero(much) * 2 >= np.count_nonzero(textured)
 
 
 def _is_nowhere_true(expected: np.ndarray, others: BestGround, own: np.ndarray, left: np.ndarray) -> bool:
@@ -238,51 +312,6 @@ def _is_nowhere_true(expected: np.ndarray, others: BestGround, own: np.ndarray, 
     is_more = expected >= np.maximum(MIN_STAND_IN_STRANGE, _NOWHERE_FACTOR * of_others)
     low, high = np.quantile(left / (expected * own), (0.25, 0.75))
     return bool(is_more.mean() >= 0.5 and high >= _NOWHERE_SPREAD * low)
-
-
-def _strange_parts(
-    wide: np.ndarray, left: np.ndarray, textured: np.ndarray, even: np.ndarray, sampling: Sampling,
-    is_compressed: Callable[[], bool], stand_ins: np.ndarray | None = None,
-) -> np.ndarray:
-    """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool, and
-    evenly. ``stand_ins``: images that resemble the true one are told as well, and these are such; what compression
-    leaves over of true ones is as much."""
-    seen = textured & even
-    certain = np.zeros_like(seen) if stand_ins is None else seen & stand_ins
-    could_be = opened(seen & (left > MIN_STRANGE * wide), _STRIP_CELLS).any()
-    if stand_ins is not None and not could_be:
-        could_be = opened(certain | (seen & (left > MIN_ALIKE_STRANGE * wide)), _ALIKE_CELLS).any()
-    if not could_be and not (sampling is FINE and _is_much_left(wide, left, textured)):
-        return np.zeros_like(seen)  # whatever true sources leave over
-    ground = learn_best_ground(wide[textured], left[textured])
-    if ground is None:
-        return np.zeros_like(textured)
-    is_of_none = sampling is FINE and ground.is_of_none()  # a part of a block has too little ground to say that
-    if is_of_none and (ground.is_of_none(MIN_EVEN_LEFT_COMPRESSED) or not is_compressed()):
-        return textured
-    strange, alike = ground.strangeness(wide, left)
-    found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
-    inside = np.zeros_like(found)
-    if stand_ins is not None:
-        inside = ndimage.binary_propagation(opened(certain, _ALIKE_CELLS), mask=certain)
-        found |= opened(seen & alike, _ALIKE_CELLS) | inside
-    if not found.any():
-        return found
-    found = _to_borders(found, strange) | narrowed(inside, WIDE_CELLS // 2 + 1)
-    return without_islands(found.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
-
-
-def _is_explained(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> bool:
-    """Whether nothing could be strange, whatever true sources leave over: the usual window, in a tenth of the time."""
-    much = (textured & (left > least * wide) for least in (MIN_STRANGE, MIN_STAND_IN_STRANGE))
-    if any(opened(one, side).any() for one, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
-        return False
-    return not _is_much_left(wide, left, textured)
-
-
-def _is_much_left(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> bool:
-    """Whether not even the best ground may be of a given source."""
-    return np.count_nonzero(textured & (left > MIN_EVEN_LEFT / 2 * wide)) * 2 >= np.count_nonzero(textured)
 
 
 def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:
