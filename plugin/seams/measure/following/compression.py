@@ -20,7 +20,7 @@ JPEG_SQUARE_PX = 8
 _MIN_SURE = 4.0  # standard errors, along both axes: that there are squares; chance reaches 3
 _MIN_TOLD = 2.0  # the same at places that are known
 _MIN_SAME = 0.75  # of the mosaic's edges, that a source in the same squares has at their places
-_MORE_LEFT = 8.0  # times as much as the source that came out best leaves over: rounded anew, though in its own squares
+MORE_LEFT = 8.0  # times as much as the source that came out best leaves over: rounded anew, though in its own squares
 _MIXED = 0.25  # of the squares, that are not believed
 _EXACT = 1e-3  # of the fine detail, that is left over of what came out as it was
 _MOST_ROUNDED = 0.4  # of the fine detail, that rounding anew takes; other images of the same ground leave over more
@@ -59,7 +59,7 @@ def compressed_alike(
             lies = ()  # this one alone was not compressed
         groups.setdefault(lies, set()).add(number)
     left = {number: _left_over(mosaic, sources[number], labels == number) for number in numbers}
-    most = max(_MORE_LEFT * min(left.values()), _EXACT)
+    most = max(MORE_LEFT * min(left.values()), _EXACT)
     if groups.keys() <= {places, ()} and max(left.values()) <= most:
         return ()  # all came out as they were
     same_squares = groups.pop(places, set())

@@ -27,7 +27,7 @@ from .best_ground import (
     learn_best_ground,
 )
 from .boxes import box_means, enlarged, narrowed, near_border, opened, square_sums
-from .compression import Alike, compressed_alike, shows_squares
+from .compression import MORE_LEFT, Alike, compressed_alike, shows_squares
 from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
@@ -178,7 +178,9 @@ def _unexplained(
     if cells.are_explained():
         return np.zeros_like(textured)
     everyone = frozenset(sources)
-    found = cells.strange((everyone,)) if not alike else cells.strange(alike)
+    if alike is None and cells.differ():
+        alike = learn_alike()
+    found = cells.strange(alike or (everyone,))
     if len(sources) == 1 or not found.any():
         return found
     if alike is None and (alike := learn_alike()) and not (found := cells.strange(alike)).any():
@@ -230,6 +232,12 @@ class _Cells:
         if any(opened(one, side).any() for one, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
             return False
         return not self._is_much_left(self.textured)
+
+    def differ(self) -> bool:
+        """Whether one source leaves over many times as much as another: compression may have taken them differently."""
+        parts = (self.textured & (self.labels == number) for number in present(self.labels))
+        shares = [float(np.median(self.left[of] / self.wide[of])) for of in parts if of.any()]
+        return len(shares) > 1 and max(shares) > MORE_LEFT * min(shares)
 
     def strange(self, groups: Alike, interpolated: Collection[int] = ()) -> np.ndarray:
         """Parts that no source explains, (cell rows, cell columns) bool, each by the ground of its group: those that
