@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Callable, ClassVar
 
 import numpy as np
@@ -31,19 +32,28 @@ _Choice = Callable[[np.ndarray, np.ndarray], list[int]]
 
 def terms_3d(scaled: np.ndarray, order: int) -> np.ndarray:
     """(n, 3) -> (n, 4 | 10 | 20), the constant first."""
-    return _terms(scaled, [powers for powers in EXPONENTS_3D if sum(powers) <= order])
+    return _terms(scaled, _factors(order, 3))
 
 
 def terms_2d(scaled: np.ndarray, order: int) -> np.ndarray:
     """(n, 2 or more) -> (n, 3 | 6 | 10), the constant first; only x and y count."""
-    return _terms(scaled, [powers for powers in EXPONENTS_3D if sum(powers) <= order and powers[2] == 0])
+    return _terms(scaled, _factors(order, 2))
+
+
+@cache
+def _factors(order: int, axes: int) -> list[tuple[int, ...]]:
+    """Term by term the axes whose coordinates are multiplied, each as often as its power says."""
+    return [
+        tuple(axis for axis, power in enumerate(powers) for _ in range(power))
+        for powers in EXPONENTS_3D if sum(powers) <= order and not any(powers[axes:])
+    ]
 
 
 @np.errstate(over="ignore", invalid="ignore")  # what is not finite is told by the fit, or where the model is inverted
-def _terms(scaled: np.ndarray, exponents: Sequence[tuple[int, int, int]]) -> np.ndarray:
-    columns = [np.ones(len(scaled)) for _ in exponents]
-    for column, powers in zip(columns, exponents):
-        for axis in np.repeat(range(3), powers):
+def _terms(scaled: np.ndarray, factors: Sequence[tuple[int, ...]]) -> np.ndarray:
+    columns = [np.ones(len(scaled)) for _ in factors]
+    for column, axes in zip(columns, factors):
+        for axis in axes:
             column *= scaled[:, axis]
     return np.column_stack(columns)
 
