@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,8 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from scipy import stats
+from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED
 from seam_inspector.plugin.seams.measure.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.threshold_calibration import Verdicts, calibrate, step_at
+from seam_inspector.plugin.seams.measure.threshold_calibration import STANDARD_LIMITS, Verdicts, calibrate, step_at
 from seam_inspector.plugin.seams.measure.verdict_statistics import area_interval, roc_area, wanted_verdicts
 
 VALUES = st.lists(st.integers(0, 40).map(lambda number: number / 20), min_size=5, max_size=30)
@@ -212,3 +214,13 @@ def test_verdicts_of_one_place_are_told() -> None:
     assert found.best_range == calibrate(lonely).best_range
     assert found.neighbourhoods is None
     assert any("one neighbourhood" in str(notice) for notice in found.notices)
+
+
+def test_the_standard_limits_are_those_of_the_guide(repository: Path) -> None:
+    default_limits, visibility = (
+        (repository / "docs" / "method" / f"{page}.md").read_text(encoding="utf-8").replace("\n", " ")
+        for page in ("default_limits", "visibility")
+    )
+    assert f"**kept_1 is {STANDARD_LIMITS['kept_1']} or less**" in default_limits
+    assert f"**square of sharpness_1 is {MAX_SIGNIFICANT_SHARPNESS_SQUARED} or less**" in default_limits
+    assert f"{STANDARD_LIMITS['visibility']:.0f} is one *just noticeable difference*" in visibility

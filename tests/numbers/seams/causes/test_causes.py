@@ -433,3 +433,44 @@ def test_whatever_was_measured_there_is_a_cause_or_none_alone(
     assert len(set(found)) == len(found) > 0
     assert Cause.UNCLEAR not in found
     assert (Cause.NONE in found) is (found == (Cause.NONE,))
+
+
+# --- what the guide says of the limits ------------------------------------------------------------------------------
+
+
+def percent(share: float) -> str:
+    return f"{100 * share:.3g} %"
+
+
+IN_GUIDE = {
+    Cause.MISSING_SOURCE: (percent(rules.MIN_MISSING_SHARE), percent(rules.MIN_UNSURE_MISSING_SHARE)),
+    Cause.FEATHERING: (f"at most {rules.MAX_FEATHERED_KEPT} of", percent(rules.MIN_MIXED)),
+    Cause.OTHER_MIXTURE: (percent(MOST_LEFT),),
+    Cause.BLUR: (
+        f"at most {rules.MAX_BLURRED_TRANSFER} of", f"{rules.MAX_BLURRED_COMPRESSED} of the strongest",
+        f"less than {rules.MOST_LIKE_BLUR} of", f"less than {rules.MIN_BLENDED_KEPT} of",
+    ),
+    Cause.RESAMPLED: (
+        f"{rules.MIN_RESAMPLED_PX} px", f"{rules.MIN_MIXED_RESAMPLED_PX} px within", f"{rules.WIDE_FEATHER_PX:.0f} px",
+    ),
+    Cause.SHARPENED: (f"at least {rules.MIN_SHARPENED_TRANSFER} times",),
+    Cause.COMPRESSED: (percent(rules.MIN_QUANTISED), percent(rules.MIN_LOSSY_QUANTISED)),
+    Cause.NOISE_ADDED: (f"{rules.MIN_NOISE_DN:.0f} DN",),
+    Cause.CLIPPING: (percent(rules.MIN_CLIPPED_SHARE),),
+    Cause.DODGING: (percent(rules.MIN_UNEVENNESS), f"r^{rules.MIN_EVENED_POWER} or less"),
+    Cause.GAMMA: (f"{rules.MIN_GAMMA_CHANGE} or more",),
+    Cause.NARROWED_HISTOGRAM: (f"at most {rules.MAX_NARROWED_GAIN}",),
+    Cause.COLOUR_SHIFT: (percent(rules.MIN_COLOUR_SHIFT - 1),),
+    Cause.MISREGISTRATION: (
+        f"{limits.MIN_MISREGISTRATION_PX} px", percent(rules.MIN_MISFIT_SHARE), percent(rules.MIN_CUT_MISFIT_SHARE),
+    ),
+    Cause.BALANCED: (percent(rules.MIN_BALANCED_GAIN - 1), f"by {percent(rules.MIN_BALANCED_OFFSET)}"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("cause", IN_GUIDE)
+def test_the_limits_are_those_that_the_guide_tells(repository: Path, cause: Cause) -> None:
+    """Else nothing but real mosaics would tell that one was changed."""
+    guide = (repository / "docs" / "method" / "causes.md").read_text(encoding="utf-8")
+    limit, *_ = re.findall(rf"^\| `{cause.value}` \| ([^|]*) \|", guide, re.MULTILINE)
+    assert [one for one in IN_GUIDE[cause] if one not in limit] == []
