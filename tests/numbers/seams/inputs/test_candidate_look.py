@@ -210,3 +210,16 @@ def test_a_copy_turns_with_the_mosaic_from_one_image_to_the_other(here: float, t
         PlaceLikeness(0.99, {"first": Rival(0.5, there), "second": Rival(0.9, here)}),
     ]
     assert origin_of(places, is_whole=True) is origin
+
+
+@pytest.mark.parametrize(("there", "is_copy"), [(0.45, True), (0.7, False)])
+def test_what_turns_with_the_mosaic_is_a_copy_of_it_even_where_others_are_more_like_it(
+    there: float, is_copy: bool
+) -> None:
+    """As one that was compressed: the images that the mosaic was made of are nearer to it, here the one, there the
+    second; what shows much less of their difference is an orthoimage of the same ground."""
+    more, less = Rival(0.95, 0.8), Rival(0.5, there)
+    turns = [{"first": more, "second": less}, {"first": less, "second": more}]
+    places = [PlaceLikeness(0.8, turns[number % 2]) for number in range(10)]
+    places += [PlaceLikeness(0.99, {"first": Rival(0.5, 0.5)})] * 10
+    assert (origin_of(places, is_whole=True) is Origin.MOSAIC) is is_copy
