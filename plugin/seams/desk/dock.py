@@ -338,7 +338,7 @@ def _triggered(action: QAction) -> Callable[[], bool]:
 
 
 _HIGH_LINES = 44  # of text: from this height on there is room for more windows, and for a long sentence
-_FEWEST_ROWS = 4  # of windows, there
+_FEWEST_ROWS = {False: 3, True: 4}  # of windows, on low screens and there
 _SHARES = [2000, 3000]  # of the windows and the tabs; Qt fits them to the room there is
 
 
@@ -406,7 +406,7 @@ class DockBody(QWidget):
     def arrange(self, is_wide: bool) -> None:
         """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
         self._is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
-        self._windows.table.set_fewest_rows(_FEWEST_ROWS if self._is_high else 0)
+        self._windows.table.set_fewest_rows(0 if is_wide else _FEWEST_ROWS[self._is_high])
         self._judge.set_high(self._is_high)
         orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
         if orientation == self._splitter.orientation():
