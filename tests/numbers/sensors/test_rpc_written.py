@@ -81,6 +81,16 @@ def test_a_line_of_the_georeferencers_file_that_holds_no_number_is_told(tmp_path
         file_points(path, "", None)
 
 
+def test_points_inside_an_image_keep_their_names_and_without_are_counted(tmp_path: Path) -> None:
+    path, system = tmp_path / "named.vrt", osr.SpatialReference()
+    system.ImportFromEPSG(32632)
+    dataset = gdal.Translate(str(path), gdal.Open(image_file(tmp_path / "image.tif")))  # a GeoTIFF counts them itself
+    given = [gdal.GCP(5e5, 4e6, 0, 1.5, 2.5, "", "kerb"), gdal.GCP(5.1e5, 4.1e6, 0, 10, 4, "", "")]
+    dataset.SetGCPs(given, system.ExportToWkt())
+    dataset = None
+    assert list(image_points(open_image(RasterRef(str(path)))).ids) == ["kerb", "2"]
+
+
 def test_points_inside_a_tiff(tmp_path: Path) -> None:
     path = tmp_path / "gcps.tif"
     dataset = gdal.GetDriverByName("GTiff").Create(str(path), 30, 20, 1)

@@ -190,6 +190,7 @@ def test_what_is_not_measured_takes_neither_time_nor_room(tmp_path: Path, mosaic
     assert band.GetOverviewCount() == 7
     for level in range(7):
         overview, factor = band.GetOverview(level), 2 ** (level + 1)
+        assert overview.XSize == overview.YSize == -(-31_250 // factor)
         row, column = (300 * 64 + 20) // factor, (400 * 64 + 40) // factor
         assert overview.ReadAsArray(column, row, 1, 1) == 2
         pixels = overview.ReadAsArray(*(0, 0) if level > 3 else (column - 90, row - 90), 181, 181)
