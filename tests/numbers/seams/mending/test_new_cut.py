@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.mending.new_cut import CELL_PX, fit_along
+from seam_inspector.plugin.seams.measure.mending.new_cut import CELL_PX, cheapest_way, fit_along
 
 from tests.numbers.synthetic import texture
 
@@ -44,3 +44,34 @@ def test_a_roof_beside_the_way_is_no_misfit() -> None:
     misfit, reason, _ = fit_along(WAY, *planes, np.ones((ROWS, COLUMNS), bool))
     assert misfit == pytest.approx(0, abs=0.3)
     assert reason is None
+
+
+# --- the way itself ---------------------------------------------------------------------------------------------
+
+
+def test_the_way_follows_a_valley_in_any_direction() -> None:
+    """Diagonally as well, and from end to end where these are barred themselves."""
+    side = 24
+    cost = np.full((side, side), 50.0)
+    allowed = np.ones((side, side), bool)
+    valley = [*((9, column) for column in range(2, 9)), *((row, row) for row in range(9, 21))]
+    for row, column in valley:
+        cost[row - 1 : row + 2, column - 1 : column + 2] = 0.0
+    start, end = valley[0], valley[-1]
+    allowed[start], allowed[end] = False, False
+    for turn in (np.asarray, np.fliplr, np.flipud, np.transpose):
+        numbers = turn(np.arange(side**2).reshape(side, side))
+        place = {int(number): (row, column) for (row, column), number in np.ndenumerate(numbers)}
+        first, last = (place[row * side + column] for row, column in (start, end))
+        way = cheapest_way(turn(cost), turn(allowed), first, last)
+        assert way is not None
+        assert [int(numbers[row, column]) for row, column in way.tolist()] == [
+            row * side + column for row, column in valley
+        ]
+
+
+def test_where_a_wall_lies_between_there_is_no_way() -> None:
+    allowed = np.ones((9, 9), bool)
+    allowed[:, 4] = False
+    assert cheapest_way(np.ones((9, 9)), allowed, (4, 0), (4, 8)) is None
+    assert cheapest_way(np.ones((9, 9)), ~np.ones((9, 9), bool), (4, 0), (4, 8)) is None
