@@ -58,7 +58,6 @@ FOUND = (
     "predictloss/width/WINDOWS/an_address/387873611",
     "scanmosaic/given/SOURCES/values/245008460",
     "interiororientation/table/PHOTO/vrts_in_each_other/977363352",
-    "measureresolution/bars/RASTER/bands/922443218",
     "checkradiometry/windows/RASTERS/bands/41286105",
     "fitsensormodel/bias/IMAGE_RPC/one_endless_line/599400605",
     "scanmosaic/lone/MOSAIC/sparse/555636332",
