@@ -183,7 +183,7 @@ def read_many(requests: Sequence[WindowRequest], count: int, threads: int) -> No
 
 def run_threads(ground: Ground, quick: bool) -> list[Goal]:
     """Print windows per second on one and on two threads."""
-    count, rounds = (8, 1) if quick else (12, 3)
+    count, rounds = (8, 1) if quick else (12, 2)
     rows, goals = [], []
     for tile_format in ("DEFLATE", "JPEG 75"):
         say(f"{count} windows in one thread and in two, {rounds} times, {tile_format}")
