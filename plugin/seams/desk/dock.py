@@ -13,16 +13,12 @@ from qgis.PyQt.QtCore import QObject, Qt
 from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
-    QBoxLayout,
     QComboBox,
     QGridLayout,
     QHBoxLayout,
     QMessageBox,
     QProgressBar,
-    QSplitter,
-    QToolBar,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -37,8 +33,8 @@ from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from .accepting import open_form
 from .desk_keys import DeskKeys
+from .dock_body import DockBody
 from .inputs.inputs_panel import InputsPanel
-from .judge_bar import JudgeBar
 from .judging_desk import JudgingDesk
 from .judging_layout import JudgingLayout
 from .map.lost_detail import LostDetail
@@ -335,88 +331,6 @@ def _triggered(action: QAction) -> Callable[[], bool]:
         return True
 
     return trigger
-
-
-_HIGH_LINES = 44  # of text: from this height on there is room for more windows, and for a long sentence
-_FEWEST_ROWS = {False: 3, True: 4}  # of windows, on low screens and there
-_SHARES = [2000, 3000]  # of the windows and the tabs; Qt fits them to the room there is
-
-
-class DockBody(QWidget):
-    """Inputs, toolbar, windows and tabs, which scroll on a low screen; judgement and progress, always in sight."""
-
-    def __init__(
-        self, inputs: QWidget, toolbar: QToolBar, windows: WindowsPanel, tabs: QWidget, judge: JudgeBar,
-        progress: QWidget,
-    ) -> None:
-        super().__init__()
-        self._head = QBoxLayout(QBoxLayout.Direction.TopToBottom)
-        self._head.setSpacing(3)
-        self._head.addWidget(inputs, 1)
-        self._head.addWidget(toolbar)
-        self._head.setAlignment(toolbar, Qt.AlignmentFlag.AlignTop)
-        self._splitter = QSplitter(Qt.Orientation.Vertical)
-        side = QWidget()
-        self._side = QVBoxLayout(side)
-        self._side.setContentsMargins(0, 0, 0, 0)
-        self._side.setSpacing(3)
-        self._side.addWidget(windows, 1)
-        for widget, share in ((side, 2), (tabs, 3)):
-            self._splitter.addWidget(widget)
-            self._splitter.setStretchFactor(self._splitter.count() - 1, share)
-        self._splitter.setChildrenCollapsible(False)
-        upper = QWidget()
-        layout = QVBoxLayout(upper)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(3)
-        layout.addLayout(self._head)
-        layout.addWidget(self._splitter, 1)
-        self.scrolled = ScrollBody(upper)
-        self._windows, self._judge, self._whole = windows, judge, QVBoxLayout(self)
-        self._whole.setContentsMargins(4, 2, 4, 4)
-        self._whole.setSpacing(3)
-        self._whole.addWidget(self.scrolled, 1)
-        self._judging = QBoxLayout(QBoxLayout.Direction.TopToBottom)
-        self._whole.addLayout(self._judging)
-        self._whole.addWidget(progress)
-        self._is_wide = self._is_high = self._is_folded = False
-        self._place_judge()
-
-    def fold(self, is_folded: bool, panel: QWidget | None) -> None:
-        """Leave judgement alone, below a panel or in a wide dock beside it; or show all of the desk."""
-        self._is_folded = is_folded
-        self.scrolled.setVisible(not is_folded)
-        self._whole.setStretchFactor(self._judging, int(is_folded))
-        if panel is not None:
-            self._judging.insertWidget(0, panel, 1)
-            panel.show()
-        at_bottom = Qt.AlignmentFlag.AlignBottom if is_folded and panel is None else Qt.AlignmentFlag(0)
-        self._judge.set_large(is_folded, self._is_high)
-        self._place_judge()
-        self._judging.setAlignment(self._judge, at_bottom)
-
-    def _place_judge(self) -> None:
-        direction = QBoxLayout.Direction
-        self._judging.setDirection(direction.LeftToRight if self._is_wide else direction.TopToBottom)
-        if self._is_wide and not self._is_folded:
-            self._side.addWidget(self._judge)
-        else:
-            self._judging.addWidget(self._judge)
-
-    def arrange(self, is_wide: bool) -> None:
-        """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
-        self._is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
-        self._windows.table.set_fewest_rows(0 if is_wide else _FEWEST_ROWS[self._is_high])
-        self._judge.set_high(self._is_high)
-        orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
-        if orientation == self._splitter.orientation():
-            return
-        self._splitter.setOrientation(orientation)
-        self._splitter.setSizes(_SHARES)
-        direction = QBoxLayout.Direction
-        self._head.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
-        self._is_wide = is_wide
-        self._place_judge()
 
 
 class MosaicQuestion(QObject):

@@ -41,12 +41,12 @@ def terms_2d(scaled: np.ndarray, order: int) -> np.ndarray:
 
 
 @cache
-def _factors(order: int, axes: int) -> list[tuple[int, ...]]:
+def _factors(order: int, axes: int) -> tuple[tuple[int, ...], ...]:
     """Term by term the axes whose coordinates are multiplied, each as often as its power says."""
-    return [
+    return tuple(
         tuple(axis for axis, power in enumerate(powers) for _ in range(power))
         for powers in EXPONENTS_3D if sum(powers) <= order and not any(powers[axes:])
-    ]
+    )
 
 
 @np.errstate(over="ignore", invalid="ignore")  # what is not finite is told by the fit, or where the model is inverted

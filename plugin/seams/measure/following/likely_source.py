@@ -171,38 +171,39 @@ def _unexplained(
     # Where the mosaic shows nothing of a source's texture it was clipped, or blurred away.
     textured = (wide > _MIN_TEXTURED * least) & (wide >= MIN_TEXTURE * energy)
     left = np.maximum(wide - np.maximum(product, 0) ** 2 / energy, 0)
+    if _is_explained(wide, left, textured):
+        return np.zeros_like(textured)
     # A step of tones leaves over much along a line, and nothing beside it.
     even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
     sharp = textured & (wide >= _AS_STRONG * energy)  # a seam that was brushed soft is followed all the same
     cells = _Cells(wide, left, textured, sharp, even, labels, sampling is FINE, is_compressed)
-    if cells.are_explained():
-        return np.zeros_like(textured)
-    everyone = frozenset(sources)
+    everyone = (frozenset(sources),)
     if alike is None and cells.differ():
         alike = learn_alike()
-    found = cells.strange(alike or (everyone,))
+    found = cells.strange(alike or everyone)
     if len(sources) == 1 or not found.any():
         return found
-    if alike is None and (alike := learn_alike()) and not (found := cells.strange(alike)).any():
-        return found
+    if alike is None:
+        alike = learn_alike()
+        if alike and not cells.strange(alike).any():
+            return np.zeros_like(found)
     near, *with_mosaic = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *(products[i] for i in sources)))
     shared = dict(zip(sources, with_mosaic))
     common = {
         (i, j): box_means(energies[i] if i == j else square_sums(sources[i], sources[j], CELL_PX), (NEAR_CELLS,))[0]
         for i, j in combinations_with_replacement(sources, 2)
     }
-    alone = left.copy()
+    mixed = left.copy()
     for count in (2, 3):  # a mixture of some that are given is nothing strange
         for some in combinations(sources, count):
             pairs = combinations_with_replacement(some, 2)
             by_some = _left_by(near, [shared[i] for i in some], [common[pair] for pair in pairs])
-            np.minimum(left, by_some, out=left)
-    # What weights that change within a square leave over of a mixture is as much as of one that stands in.
-    cells = replace(cells, left=left, sharp=sharp & (left > _MIXED_LEFT * alone))
-    if cells.are_explained():
+            np.minimum(mixed, by_some, out=mixed)
+    if _is_explained(wide, mixed, textured):
         return np.zeros_like(found)
-    same, *anew = alike or (everyone,)
-    return cells.strange((same, *anew), interpolated)
+    # What weights that change within a square leave over of a mixture is as much as of one that stands in.
+    cells = replace(cells, left=mixed, sharp=sharp & (mixed > _MIXED_LEFT * left))
+    return cells.strange(alike or everyone, interpolated)
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,14 +225,6 @@ class _Cells:
     is_window: bool
     """A part of a block has too little ground to say that it is of no given source."""
     is_compressed: Callable[[], bool]
-
-    def are_explained(self) -> bool:
-        """Whether nothing could be strange, whatever true sources leave over: the usual window, in a tenth of the
-        time."""
-        much = (self.textured & (self.left > least * self.wide) for least in (MIN_STRANGE, MIN_STAND_IN_STRANGE))
-        if any(opened(one, side).any() for one, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
-            return False
-        return not self._is_much_left(self.textured)
 
     def differ(self) -> bool:
         """Whether one source leaves over many times as much as another: compression may have taken them differently."""
@@ -286,7 +279,7 @@ class _Cells:
         could_be = opened(seen & (left > MIN_STRANGE * wide), _STRIP_CELLS).any()
         if stand_ins is not None and not could_be:
             could_be = opened(certain | (seen & (left > MIN_ALIKE_STRANGE * wide)), _ALIKE_CELLS).any()
-        if not could_be and not (self.is_window and self._is_much_left(textured)):
+        if not could_be and not (self.is_window and _is_much_left(wide, left, textured)):
             return np.zeros_like(seen)  # whatever true sources leave over
         ground = learn_best_ground(wide[textured], left[textured])
         if ground is None:
@@ -305,11 +298,6 @@ class _Cells:
         found = _to_borders(found, strange) | narrowed(inside, WIDE_CELLS // 2 + 1)
         return without_islands(found.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
 
-    def _is_much_left(self, textured: np.ndarray) -> bool:
-        """Whether not even the best ground may be of a given source."""
-        much = textured & (self.left > MIN_EVEN_LEFT / 2 * self.wide)
-        return np.count_nonzero(much) * 2 >= np.count_nonzero(textured)
-
 
 def _is_nowhere_true(expected: np.ndarray, others: BestGround, own: np.ndarray, left: np.ndarray) -> bool:
     """Whether a source stands in for another wherever it is followed, by the mosaic's energy there, what is left and
@@ -320,6 +308,19 @@ def _is_nowhere_true(expected: np.ndarray, others: BestGround, own: np.ndarray, 
     is_more = expected >= np.maximum(MIN_STAND_IN_STRANGE, _NOWHERE_FACTOR * of_others)
     low, high = np.quantile(left / (expected * own), (0.25, 0.75))
     return bool(is_more.mean() >= 0.5 and high >= _NOWHERE_SPREAD * low)
+
+
+def _is_explained(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> bool:
+    """Whether nothing could be strange, whatever true sources leave over: the usual window, in a tenth of the time."""
+    much = (textured & (left > least * wide) for least in (MIN_STRANGE, MIN_STAND_IN_STRANGE))
+    if any(opened(one, side).any() for one, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
+        return False
+    return not _is_much_left(wide, left, textured)
+
+
+def _is_much_left(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> bool:
+    """Whether not even the best ground may be of a given source."""
+    return np.count_nonzero(textured & (left > MIN_EVEN_LEFT / 2 * wide)) * 2 >= np.count_nonzero(textured)
 
 
 def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:

@@ -121,7 +121,7 @@ class _Sums:
     most: float = -np.inf
 
     def add(self, values: np.ndarray) -> None:
-        """Some more of them."""
+        """Some more of them, float64."""
         self.count += values.size
         self.total += float(values.sum())
         self.squares += float(values @ values)
