@@ -57,12 +57,13 @@ test: link ## Check style and types, then run all tests
 test-numbers: link ## Run the tests of the numbers, without QGIS
 	$(ONE_THREAD) $(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/numbers
 
-test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what draws without QGIS
+test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what draws without QGIS; against the newest scipy
 	@tools/install_qt6.sh
 	$(PYTHON_QT6) -m tools.qt6.check_names
 	$(PYTHON_QT6) -m tools.qt6.check_types
 	QT_QPA_PLATFORM=offscreen PYTHONPATH=$(PYTHONPATH):$(CURDIR) $(PYTHON_QT6) -m pytest -q -p tests.qt6.under_qt6 \
 		--confcutdir tests/qgis/seams tests/qt6 $(ALSO_UNDER_QT6)
+	$(ONE_THREAD) $(PYTHON_QT6) -m pytest -q tests/numbers/test_called_in_threads.py  # with the newest scipy
 
 test-in-qgis: link ## Run what test-qgis and test-desktop run, side by side but for what measures stalls
 	@rm -rf .qgis-settings

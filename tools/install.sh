@@ -65,14 +65,18 @@ if [ "${1:-}" = package ]; then
     exit 0
 fi
 
+# What is measured is measured with the system's own packages, as in QGIS there; another numpy would break GDAL's arrays.
+constraints=$("$PYTHON" -c '
+from importlib.metadata import version
+for name in ("numpy", "scipy", "PyWavelets"):
+    print(f"{name}=={version(name)}")')
 # The stamp tells what .venv was made from: a changed requirement or a new system Python makes it anew.
-stamp=$(cat requirements*.txt && "$PYTHON" -c 'import numpy, sys; print(sys.version, numpy.__version__)')
+stamp=$(cat requirements*.txt && echo "$constraints" && "$PYTHON" -c 'import sys; print(sys.version)')
 if [ "$(cat .venv/stamp 2>/dev/null || true)" != "$stamp" ]; then
     echo "Installing Python packages into .venv"
     rm -rf .venv
     "$PYTHON" -m venv --system-site-packages .venv
-    # Another numpy than the system's would break GDAL's arrays.
-    "$PYTHON" -c 'import numpy; print(f"numpy=={numpy.__version__}")' >.venv/constraints.txt
+    echo "$constraints" >.venv/constraints.txt
     .venv/bin/python -m pip install --quiet --disable-pip-version-check -c .venv/constraints.txt -r requirements-dev.txt
     echo "$stamp" >.venv/stamp
 fi

@@ -35,6 +35,22 @@ JUDGING_FIELDS = {
 """The fields of both and their kinds. A window layer has those that were used, the first one's word always."""
 
 NORMAL_95 = 1.959964  # standard errors either side of a normal value that hold 95 %
+_MOST_FREEDOM = 1e7  # degrees of freedom: beyond, Student's t is normal to 2e-7
+
+
+def critical_t(confidence: float, freedom: np.ndarray | float) -> np.ndarray:
+    """Two-sided critical values of Student's t: an interval of that confidence reaches so many standard errors to
+    either side.
+
+    ``scipy.special.stdtrit`` of scipy 1.10, as in Debian 12, computes in memory that all threads share: two that call
+    it at once get wrong values or never end. t^2 / (n + t^2) has a beta distribution, whose quantiles are safe.
+    """
+    import numpy as np  # not when QGIS starts
+    from scipy.special import betaincinv
+
+    n = np.minimum(freedom, _MOST_FREEDOM)
+    share = betaincinv(0.5, n / 2, confidence)
+    return np.asarray(np.sqrt(n * share / (1 - share)))
 
 
 @dataclass(frozen=True)

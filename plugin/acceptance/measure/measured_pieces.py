@@ -9,7 +9,7 @@ import numpy as np
 from scipy import stats
 
 from ...imagery.seam_totals import PieceState, failing_chance, holds, piece_state
-from ...imagery.statistics import DECIDED, INVISIBLE, NORMAL_95, VISIBLE, Interval, agreement
+from ...imagery.statistics import DECIDED, INVISIBLE, NORMAL_95, VISIBLE, Interval, agreement, critical_t
 from .decision import DecidedPiece, FailureRun, MetreFigures, Observers
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .sampling_risks import cluster_members
@@ -194,7 +194,7 @@ def _effective_count(
     if variance <= 0:
         return clusters
     freedom = float(np.clip(squares.sum() ** 2 / (squares**2).sum(), 1.0, count - 1))
-    fewer = (stats.norm.ppf((1 + CONFIDENCE) / 2) / stats.t.ppf((1 + CONFIDENCE) / 2, freedom)) ** 2
+    fewer = (stats.norm.ppf((1 + CONFIDENCE) / 2) / float(critical_t(CONFIDENCE, freedom))) ** 2
     return float(np.clip(share * (1 - share) / variance * fewer, clusters, pieces))
 
 

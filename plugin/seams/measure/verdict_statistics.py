@@ -13,9 +13,8 @@ from collections.abc import Iterable
 
 import numpy as np
 from scipy.special import ndtr
-from scipy.stats import t as student
 
-from ...imagery.statistics import NORMAL_95, Interval
+from ...imagery.statistics import NORMAL_95, Interval, critical_t
 from .neighbourhoods import Neighbourhoods
 
 MIN_VERDICTS = 5  # of either kind: below it one verdict moves the sensitivity by more than 20 %
@@ -130,7 +129,7 @@ def smoothed_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhood
     drawn = [scale.best(*weights)[0] for weights in neighbourhoods.resamples(THRESHOLD_RESAMPLES)]
     spread = _powered(np.concatenate(drawn), power).std(ddof=1)
     count = max(neighbourhoods.fewest, 1.5)
-    reach = spread * student.ppf(0.975, max(DEGREES_OF_FREEDOM * (count - 1), 1))
+    reach = spread * float(critical_t(0.95, max(DEGREES_OF_FREEDOM * (count - 1), 1)))
     middle = _powered(value, power)
     low, high = (scale.back(_unpowered(end, power)) for end in (middle - reach, middle + reach))
     return Interval(scale.back(value), max(low, min(0.0, float(values.min()))), high)

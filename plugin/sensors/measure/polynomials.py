@@ -8,8 +8,8 @@ from typing import Callable, ClassVar
 
 import numpy as np
 from numpy.linalg import norm
-from scipy import special
 
+from ...imagery.statistics import critical_t
 from .sensor_model import FittedModel, Scaling, SensorModel, least_squares, newton
 
 EXPONENTS_3D = (
@@ -164,7 +164,7 @@ def _significant_terms(design: np.ndarray, wanted: np.ndarray) -> list[int]:
         spare = len(wanted) - len(chosen)
         chance = FALSE_ALARM / (np.count_nonzero(offered) * steps)
         # F with 1 and so many degrees of freedom is the square of Student's t.
-        if gain[best] > special.stdtrit(spare, chance / 2) ** 2 * (left @ left) / spare:
+        if gain[best] > critical_t(1 - chance, spare) ** 2 * (left @ left) / spare:
             kept = len(chosen)
     return chosen[:kept]
 

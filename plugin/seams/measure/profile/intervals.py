@@ -4,7 +4,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import stdtrit
+
+from ....imagery.statistics import critical_t
 
 CONFIDENCE = 0.95
 MOST_LEFT = 0.15
@@ -34,7 +35,7 @@ class Kept:
     @classmethod
     def of(cls, value: np.ndarray, error: np.ndarray, freedom: np.ndarray) -> Kept:
         """By the standard deviation of its logarithm and the degrees of freedom that this has."""
-        ends = stdtrit(np.maximum(freedom, 1), (1 + CONFIDENCE) / 2) * error
+        ends = critical_t(CONFIDENCE, np.maximum(freedom, 1)) * error
         factor = np.exp(np.minimum(ends, _WIDEST))
         return cls(value, value / factor, value * factor)
 

@@ -11,10 +11,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import stdtrit
 
 from ....imagery.errors import Message
 from ....imagery.seam_totals import MOST_SPREAD
+from ....imagery.statistics import critical_t
 from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
 from ..verdicts import Verdict
@@ -232,7 +232,7 @@ def _runs(seam: np.ndarray) -> np.ndarray:
 
 def _quantile(freedom: float) -> float:
     """How many standard errors the interval reaches to either side."""
-    return float(stdtrit(freedom, (1 + _CONFIDENCE) / 2))
+    return float(critical_t(_CONFIDENCE, freedom))
 
 
 RUNS_LENGTHS = (1.0, 2.0, 4.0)
