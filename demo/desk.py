@@ -2,7 +2,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -189,6 +190,24 @@ class Desk:
         self.wait(lambda: QApplication.focusWidget() is self.dock.windows.table, 5, "focus in the table")
         QTest.keyClick(self.dock.windows.table, key)
         self.pause(0.3)
+
+    def press_on_map(self, key: Qt.Key) -> None:
+        """Press a key where the map has the focus, and wait until it is up."""
+        self.window.activateWindow()
+        self.canvas.setFocus()
+        self.wait(self.canvas.hasFocus, 5, "focus on the map")
+        QTest.keyClick(self.canvas, key)
+        self.pause(0.1)
+
+    @contextmanager
+    def judging(self) -> Iterator[None]:
+        """J, and at the end all of the desk again."""
+        layout = self.dock.layout_of_judging
+        self.press_on_map(Qt.Key.Key_J)
+        self.wait(lambda: layout.is_on, 5, "judging")
+        yield
+        self.press_on_map(Qt.Key.Key_J)
+        self.wait(lambda: not layout.is_on, 5, "all of the desk again")
 
     def rest_mouse(self) -> None:
         """Away from the map, so that no draft is on the screenshots; nor a message."""

@@ -22,8 +22,8 @@ def test_where_detail_was_lost_is_seen_on_a_small_screen(
     say(mosaic, run.seconds, run.report)
     check(run)
     report, is_feathered = run.report, "feather" in mosaic
-    assert report["shown_by_key"]
-    assert report["hidden_by_key"]
+    assert report["shown_by_button"]
+    assert report["hidden_by_button"]
     for turned in ("north up", "turned", "in degrees"):
         on_seam, beside = report[turned]
         # At the corner of a third source its few pixels may be followed wrong.

@@ -5,28 +5,30 @@ where they arrive, at the widget that has the focus, before anybody makes a shor
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 
-from qgis.gui import QgsLayerTreeView, QgsMapCanvas, QgsMapTool
+from qgis.gui import QgsMapCanvas, QgsMapTool
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
-from qgis.PyQt.QtWidgets import QApplication, QDockWidget, QToolBar, QWidget
+from qgis.PyQt.QtWidgets import QAbstractItemView, QApplication, QDockWidget, QWidget
 
-from ...toolkit.desk.keyboard import FocusFilter, is_keyboard_free
-from .keys import KEYS
+from ...toolkit.desk.keyboard import FocusFilter, HeldKeys, is_keyboard_free
+from .keys import JUDGING, KEYS, MAP, MAP_AND_TABLE
 from .windows.undo_actions import UndoActions
+from .windows.windows_table import WindowsTable
 
 _EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
-_OURS = (QgsMapCanvas, QgsLayerTreeView, QToolBar)  # beside the desk and the main window itself
+_PLACES = {MAP: ("map",), MAP_AND_TABLE: ("map", "table")}  # of the focus; other keys work in the rest of the desk too
 _MODIFIERS = {"Ctrl": Qt.KeyboardModifier.ControlModifier, "Shift": Qt.KeyboardModifier.ShiftModifier}
 
 
 class DeskKeys(QObject):
-    """Listens while the desk is in sight. All keys stay with a text field that has the focus, with menus and dialogs.
+    """Listens while the desk is open. Keys stay with what takes them itself: text fields, menus, dialogs, a tool of
+    QGIS that is editing on the map.
 
-    Those that judge stay with other docks too, whose lists find a row by its letter, with other windows than QGIS's
-    main one and the desk's, and with a tool of QGIS that is editing on the map. Those of undo are for windows in the
-    desk and on the map while windows are drawn; elsewhere they are QGIS's own as long as the active layer has something
-    to undo.
+    Single keys work while the map or the desk has the focus, those of judging only while windows are judged. Then all
+    stay with the desk: QGIS would remove a window by Backspace, and Tab would lead to its toolbars. Those of undo are
+    for windows in the desk and on the map while windows are drawn; elsewhere they are QGIS's own as long as the active
+    layer has something to undo.
     """
 
     def __init__(
@@ -38,23 +40,30 @@ class DeskKeys(QObject):
         self._desk, self._main_window, self._canvas, self._tool, self._steps = desk, main_window, canvas, tool, steps
         self._meant = {_pressed(key): (name, key) for line in KEYS for name, keys in line.keys.items() for key in keys}
         self._repeating = {name for line in KEYS if line.is_repeating for name in line.keys}
-        self._of_map = {name for line in KEYS if line.is_map for name in line.keys}
-        self._actions: Mapping[str, Callable[[], bool]] = {}
-        self._released: Mapping[str, Callable[[], None]] = {}
-        self._held: set[str] = set()
+        self._where = {name: line.where for line in KEYS for name in line.keys}
+        self._actions: Mapping[str, Callable[[], object]] = {}
+        self._released: Mapping[str, Callable[[float], None]] = {}
+        self._modes: Mapping[str, Callable[[], bool]] = {}
         self._keyboard = FocusFilter(self)
+        self._held = HeldKeys(self)
+        self._held.released.connect(self._let_go)
         desk.installEventFilter(self)
 
     def set_actions(
-        self, actions: Mapping[str, Callable[[], bool]], released: Mapping[str, Callable[[], None]] | None = None
+        self, actions: Mapping[str, Callable[[], object]], released: Mapping[str, Callable[[float], None]],
+        modes: Mapping[str, Callable[[], bool]],
     ) -> None:
         """What single keys do, by their names; one that has nothing to do says so by False, and the key is somebody
-        else's then. ``released``: what letting go of one does."""
-        self._actions, self._released = actions, released or {}
+        else's then, unless windows are judged. ``released``: what letting go of one does, with the seconds that it was
+        held; ``modes``: whether that is on which keys are for, by where these work.
+        """
+        self._actions, self._released, self._modes = actions, released, modes
 
     def listen(self, listening: bool) -> None:
-        """While the desk is in sight."""
+        """While the desk is open."""
         self._keyboard.listen(listening)
+        if not listening:
+            self._held.close()
 
     def close(self) -> None:
         """Listen no more."""
@@ -66,52 +75,62 @@ class DeskKeys(QObject):
         if event is None:
             return False
         if receiver is self._desk and event.type() in (QEvent.Type.Show, QEvent.Type.Hide):
-            self.listen(event.type() == QEvent.Type.Show)
-        if event.type() not in _EVENTS or not is_keyboard_free():
+            self.listen(not self._desk.isHidden())  # also behind another dock
+        if event.type() not in _EVENTS:
+            return False
+        if event.type() == QEvent.Type.KeyRelease:
+            return self._held.release(event)
+        if not is_keyboard_free():
             return False
         name, key = self._meant.get((event.key(), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier), ("", ""))
-        if event.type() == QEvent.Type.KeyRelease:
-            return self._let_go(name, event.isAutoRepeat())
         act = self._action(name, key) if name else None
         if act is None:
             return False
         if event.type() == QEvent.Type.ShortcutOverride:
             event.accept()  # so that it comes as a key press and not as somebody's shortcut
             return True
-        if event.isAutoRepeat() and name not in self._repeating:
+        if not self._held.press(event) and name not in self._repeating:
             return True
-        is_done = act() is not False
-        if is_done and name in self._released:
-            self._held.add(name)
-        return is_done
+        is_taken = act() is not False or self._modes[JUDGING]()
+        if not is_taken:
+            self._held.forget(event.key())
+        return is_taken
 
-    def _let_go(self, name: str, is_repeated: bool) -> bool:
-        """Whether it is of a key that was pressed here."""
-        if name not in self._held:
-            return False
-        if not is_repeated:
-            self._held.discard(name)
-            self._released[name]()
-        return True
+    def _let_go(self, key: int, seconds: float) -> None:
+        name, _ = self._meant.get((key, Qt.KeyboardModifier.NoModifier), ("", ""))
+        if name in self._released:
+            self._released[name](seconds)
 
     def _action(self, name: str, key: str) -> Callable[[], object] | None:
         """What a key does here; None where it is somebody else's."""
         focus = QApplication.focusWidget()
         window = focus.window() if focus is not None else QApplication.activeWindow()
-        around = list(_around(focus))
         if self._steps is not None and name in self._steps.actions:
             if window is not self._main_window and not isinstance(window, QDockWidget):
                 return None
             is_drawing = self._tool is not None and self._canvas.mapTool() is self._tool
-            is_ours = self._desk in around or self._steps.is_active(self._canvas.currentLayer())
-            action = self._steps.meant(name, key, is_ours or (is_drawing and self._canvas in around))
+            is_ours = _holds(self._desk, focus) or self._steps.is_active(self._canvas.currentLayer())
+            action = self._steps.meant(name, key, is_ours or (is_drawing and _holds(self._canvas, focus)))
             return action.trigger if action is not None else None
-        if window not in (self._main_window, self._desk.window()) or self._is_editing():
+        where = self._where[name]
+        is_on = self._modes.get(where, lambda: True)
+        is_here = self._place(focus, window) in _PLACES.get(where, ("map", "table", "desk"))
+        if not is_here or self._is_editing() or not is_on():
             return None
-        is_free = focus in (None, self._main_window, self._desk, self._canvas) or (
-            name not in self._of_map and any(widget is self._desk or isinstance(widget, _OURS) for widget in around)
-        )
-        return self._actions.get(name) if is_free else None
+        return self._actions.get(name)
+
+    def _place(self, focus: QWidget | None, window: QWidget | None) -> str:
+        """Where the focus is; empty where keys are somebody else's. Without one in a window of ours they are the map's.
+        """
+        if focus is None:
+            return "map" if window in (self._main_window, self._desk.window()) else ""
+        if focus is self._main_window or _holds(self._canvas, focus):
+            return "map"
+        if not _holds(self._desk, focus):
+            return ""
+        if isinstance(focus, WindowsTable):
+            return "table"
+        return "" if isinstance(focus, QAbstractItemView) else "desk"  # whose rows are looked for by their letters
 
     def _is_editing(self) -> bool:
         """Whether a tool of QGIS is editing on the map: letters are its then."""
@@ -119,11 +138,9 @@ class DeskKeys(QObject):
         return tool is not None and bool(tool.flags() & QgsMapTool.Flag.EditTool)
 
 
-def _around(widget: QWidget | None) -> Iterator[QWidget]:
-    """A widget and those that it is in."""
-    while widget is not None:
-        yield widget
-        widget = widget.parentWidget()
+def _holds(widget: QWidget, focus: QWidget | None) -> bool:
+    """Whether the focus is in a widget, and not in a dialog of it."""
+    return focus is not None and (focus is widget or widget.isAncestorOf(focus))
 
 
 def _pressed(key: str) -> tuple[int, Qt.KeyboardModifier]:

@@ -37,6 +37,7 @@ from .dock_body import DockBody
 from .inputs.inputs_panel import InputsPanel
 from .judging_desk import JudgingDesk
 from .judging_layout import JudgingLayout
+from .keys import JUDGING, SWIPING
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .map.window_view import SelectedWindows, WindowView
@@ -87,6 +88,7 @@ class InspectionDock(ToolDock):
         self.flicker.told.connect(self._show_message)
         self.layout_of_judging = JudgingLayout(iface, self, self.session, self._fold)
         self.layout_of_judging.action.toggled.connect(self._begin_judging)
+        self.layout_of_judging.action.toggled.connect(self.flicker.hide)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
         self.scans.found.connect(lambda done: self._findings.show(done, self.scans.notes))
         self._worst_inspector = single_shot(self, self._inspect_worst)  # apart, as adding fields takes some 30 ms
@@ -94,9 +96,10 @@ class InspectionDock(ToolDock):
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
             {**self.judging.key_actions(), "layout": _triggered(self.layout_of_judging.action),
-             "lost detail": _triggered(self.lost.action), "flicker": self._kept(self.flicker.press),
-             "next place": self._kept(self._view.show_next_place)},
+             "lost detail": _triggered(self.lost.action), "flicker": self.flicker.press,
+             "next place": self._view.show_next_place, **self.swiping.key_actions()},
             {"flicker": self.flicker.release},
+            {JUDGING: lambda: self.layout_of_judging.is_on, SWIPING: lambda: self.swiping.swipe.is_on},
         )
         self._make_actions()
         self._lay_out()
@@ -115,6 +118,7 @@ class InspectionDock(ToolDock):
         self.windows.zoomRequested.connect(self.zoom_to)
         self.windows.told.connect(self._show_message)
         self.judging.model.stepped.connect(self.zoom_to)
+        self.visibilityChanged.connect(self._clear_map)
         self.judging.model.changed.connect(self._hide_findings)
         self._hide_findings()
         self._enable_actions()
@@ -122,6 +126,7 @@ class InspectionDock(ToolDock):
     def close_desk(self) -> None:
         super().close_desk()
         self._worst_inspector.stop()
+        self.visibilityChanged.disconnect(self._clear_map)
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
             self.layout_of_judging, self._keys, self.steps, self.reports, self.swiping, self.flicker, self._findings,
@@ -217,11 +222,6 @@ class InspectionDock(ToolDock):
         self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
         self.setWidget(self._body)
 
-    def _kept(self, act: Callable[[], bool]) -> Callable[[], bool]:
-        """A key of the map that stays with it while judging, also where it has nothing to do: Tab would lead to QGIS's
-        toolbars, and Space would press what it led to."""
-        return lambda: act() or self.layout_of_judging.is_on
-
     def _fold(self, is_folded: bool) -> None:
         """Leave what judging takes: what was found, the profile with it unless that is hidden, and the buttons."""
         curves, is_blind = self.panels.get("curves"), self.judging.model.is_blind
@@ -236,6 +236,13 @@ class InspectionDock(ToolDock):
             self.zoom_to(selected[0])
         elif is_on:
             self.judging.model.go_on()
+
+    def _clear_map(self, *_: object) -> None:
+        """What lies on the map goes with the desk, whose keys and buttons would take it off."""
+        if self.isHidden():  # and not only behind another dock
+            self.swiping.swipe.stop()
+            self.flicker.hide()
+            self.session.loss_view.show(False)
 
     def _hide_findings(self) -> None:
         """While the tool's verdict is hidden, so are the tabs that tell it, lost detail, QGIS's words on the selected

@@ -7,6 +7,9 @@ from typing import NamedTuple
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 
 _SURE = {f"sure {10 * digit or 100}": (str(digit),) for digit in range(10)}
+MAP, MAP_AND_TABLE, DESK = "map", "map, table", "map, desk"
+JUDGING, SWIPING = "while judging: map, desk", "while swiping: map, desk"
+"""Where the focus is for keys to work, and what is on: the words of the guide, by which ``DeskKeys`` goes."""
 
 
 class KeyLine(NamedTuple):
@@ -19,30 +22,28 @@ class KeyLine(NamedTuple):
     """By what they do, as ``DeskKeys`` and the actions call it; empty where a widget of Qt's or QGIS's has them."""
     is_repeating: bool = False
     """Whether they go on while they are held."""
-    is_map: bool = False
-    """Whether they are somebody else's but where the map, or nothing that takes keys, has the focus."""
 
 
 KEYS = (
-    KeyLine("V, I, U", "everywhere", "judges: visible, invisible, not sure; then the next window",
+    KeyLine("V, I, U", JUDGING, "judges: visible, invisible, not sure; then the next window",
             {VISIBLE: ("V",), INVISIBLE: ("I",), UNSURE: ("U",)}),
-    KeyLine("N, P", "everywhere", "the next window to judge, the one before", {"next": ("N",), "before": ("P",)}, True),
-    KeyLine("Backspace", "everywhere", "takes a judgement back", {"take back": ("Backspace",)}),
-    KeyLine("1 to 9, 0", "everywhere", "how sure you are, 10 to 100 %", _SURE),
-    KeyLine("R", "everywhere", "a remark", {"remark": ("R",)}),
-    KeyLine("S", "everywhere", "takes seamlines and a scan's layers off the map, and puts them back",
+    KeyLine("N, P", JUDGING, "the next window to judge, the one before", {"next": ("N",), "before": ("P",)}, True),
+    KeyLine("Backspace", JUDGING, "takes a judgement back", {"take back": ("Backspace",)}),
+    KeyLine("1 to 9, 0", JUDGING, "how sure you are, 10 to 100 %", _SURE),
+    KeyLine("R", JUDGING, "a remark", {"remark": ("R",)}),
+    KeyLine("S", JUDGING, "takes seamlines and a scan's layers off the map, and puts them back",
             {"seamlines": ("S",)}),
-    KeyLine("L", "everywhere", "shows or hides where detail was lost", {"lost detail": ("L",)}),
-    KeyLine("J", "everywhere", "judging: the map and what judging takes alone; again: all of the desk",
+    KeyLine("L", JUDGING, "shows or hides where detail was lost", {"lost detail": ("L",)}),
+    KeyLine("J", DESK, "judging: the map and what judging takes alone; again: all of the desk",
             {"layout": ("J",)}),
-    KeyLine("Space", "map", "held: the hard cut in place of the mosaic; tapped: until the next tap",
-            {"flicker": ("Space",)}, is_map=True),
-    KeyLine("Tab", "map", "the next of the window's places that lost most", {"next place": ("Tab",)}, True, True),
+    KeyLine("Space", MAP_AND_TABLE, "held: the hard cut in place of the mosaic; tapped: until the next tap",
+            {"flicker": ("Space",)}),
+    KeyLine("Tab", MAP, "the next of the window's places that lost most", {"next place": ("Tab",)}, True),
     KeyLine("Ctrl+Z; Ctrl+Shift+Z, Ctrl+Y", "everywhere", "undo; redo",
             {"undo": ("Ctrl+Z",), "redo": ("Ctrl+Shift+Z", "Ctrl+Y")}, True),
     KeyLine("Space", "images, mouse over a picture", "held: the composite or the chosen source in place of the mosaic"),
     KeyLine("+, -, arrows", "images", "zoom, move"),
-    KeyLine("X, Esc", "map, while swiping", "exchanges the sides; ends it"),
+    KeyLine("X, Esc", SWIPING, "exchanges the sides; ends it", {"exchange": ("X",), "end": ("Escape",)}),
     KeyLine("Shift, Ctrl", "map, while drawing",
             "a square, or one more window selected; a new window here, whatever is there"),
     KeyLine("Esc, right click", "map, while drawing", "drops the rectangle; ends drawing"),

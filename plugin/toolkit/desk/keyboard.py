@@ -1,9 +1,16 @@
-"""Single keys that mean something in the desk: whether the keyboard is free for them, and Space held over a view."""
+"""Single keys that mean something in the desk: whether the keyboard is free for them, which are held, and Space held
+over a view."""
 from __future__ import annotations
 
+import time
+from functools import partial
+
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QEvent, QObject, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QObject, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit, QPlainTextEdit, QTextEdit, QWidget
+
+from .widgets import single_shot
 
 _TYPED_IN = (QLineEdit, QTextEdit, QPlainTextEdit, QAbstractSpinBox, QComboBox)
 
@@ -45,6 +52,73 @@ class FocusFilter:
             widget.installEventFilter(self._listener)
 
 
+_REPEATED_MS = 50  # longer than a key that repeats is up, shorter than one that is tapped twice
+
+
+class HeldKeys(QObject):
+    """Which keys are down. X repeats a held key by releasing and pressing it within 3 ms, and Qt does not always say
+    so: a release that a press follows within 50 ms is none.
+    """
+
+    released = pyqtSignal(int, float)
+    """A key, and for how many seconds it was held."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._pressed: dict[int, float] = {}  # when each that is down was pressed
+        self._up: dict[int, tuple[float, QTimer]] = {}  # when each was released that may be down again at once
+
+    def press(self, event: QKeyEvent) -> bool:
+        """Whether the key went down now, and is not repeated."""
+        key = event.key()
+        is_repeated = event.isAutoRepeat() or key in self._up
+        self._stop(key)
+        if not is_repeated:
+            if not self._pressed:
+                QApplication.instance().applicationStateChanged.connect(self._leave)
+            self._pressed[key] = time.monotonic()
+        return not is_repeated
+
+    def release(self, event: QKeyEvent) -> bool:
+        """Whether it is a key that was pressed here."""
+        key = event.key()
+        if key in self._pressed and not event.isAutoRepeat():
+            self._stop(key)
+            timer = single_shot(self, partial(self._let_go, key), _REPEATED_MS)
+            timer.setTimerType(Qt.TimerType.PreciseTimer)
+            self._up[key] = time.monotonic(), timer
+            timer.start()
+        return key in self._pressed
+
+    def forget(self, key: int) -> None:
+        """The key is somebody else's, or of no more interest."""
+        self._stop(key)
+        if self._pressed.pop(key, None) is not None and not self._pressed:
+            QApplication.instance().applicationStateChanged.disconnect(self._leave)
+
+    def close(self) -> None:
+        """No key is down any more, and nobody is told so."""
+        for key in list(self._pressed):
+            self.forget(key)
+
+    def _stop(self, key: int) -> None:
+        if key in self._up:
+            _, timer = self._up.pop(key)
+            timer.stop()
+            timer.deleteLater()
+
+    def _let_go(self, key: int) -> None:
+        until = self._up[key][0] if key in self._up else time.monotonic()
+        seconds = until - self._pressed[key]
+        self.forget(key)
+        self.released.emit(key, seconds)
+
+    def _leave(self, state: Qt.ApplicationState) -> None:
+        if state != Qt.ApplicationState.ApplicationActive:  # the keys' release goes to somebody else
+            for key in list(self._pressed):
+                self._let_go(key)
+
+
 _KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
 
 
@@ -65,6 +139,8 @@ class SpaceKey(QObject):
         self._is_held = False
         self._is_watching = False
         self._keyboard = FocusFilter(self)
+        self._keys = HeldKeys(self)
+        self._keys.released.connect(lambda *_: self._hold(False))
 
     @property
     def view(self) -> QWidget | None:
@@ -87,6 +163,7 @@ class SpaceKey(QObject):
         """Forget the key and the views: they go out of sight."""
         self._hovered = self._focused = None
         self._is_held = False
+        self._keys.close()
         self._update()
 
     def _update(self) -> None:
@@ -94,15 +171,7 @@ class SpaceKey(QObject):
         if watching != self._is_watching:
             self._is_watching = watching
             self._keyboard.listen(watching)
-            if watching:
-                QApplication.instance().applicationStateChanged.connect(self._leave)
-            else:
-                QApplication.instance().applicationStateChanged.disconnect(self._leave)
         self.changed.emit()
-
-    def _leave(self, state: Qt.ApplicationState) -> None:
-        if state != Qt.ApplicationState.ApplicationActive:  # the key's release goes to somebody else
-            self._hold(False)
 
     def _hold(self, is_held: bool) -> None:
         if is_held != self._is_held:
@@ -120,7 +189,8 @@ class SpaceKey(QObject):
         if kind == QEvent.Type.ShortcutOverride:
             event.accept()  # so that it comes as a key press and not as somebody's shortcut
         elif kind == QEvent.Type.KeyPress:
+            self._keys.press(event)
             self._hold(True)
-        elif not event.isAutoRepeat():
-            self._hold(False)
+        else:
+            self._keys.release(event)
         return True

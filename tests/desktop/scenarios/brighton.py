@@ -83,7 +83,8 @@ def judge(desk: Desk) -> None:
     desk.dock.zoom_to(fid)
     desk.wait(lambda: desk.curves_of(fid), 20, "curve of the window to judge")
     desk.report["sentence"] = desk.dock.judge.sentence()
-    desk.press(Qt.Key.Key_V)
+    with desk.judging():
+        desk.press_on_map(Qt.Key.Key_V)
     assert session.row(fid).observer == "visible"
     assert session.selected() != [fid], "the next window"
     session.select([fid])

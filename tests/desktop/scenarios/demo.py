@@ -65,13 +65,14 @@ def place_and_inspect(desk: Desk) -> None:
 
 
 def judge(desk: Desk) -> None:
-    """The first window, by the key V, with the focus in the table."""
+    """The first window, by the key V."""
     session = desk.session
     first = session.windows()[0]
     desk.dock.zoom_to(first.fid)
     desk.pause(0.5)
     desk.report["sentence"], desk.report["why"] = desk.dock.judge.sentence(), desk.dock.judge.why()
-    desk.press(Qt.Key.Key_V)
+    with desk.judging():
+        desk.press_on_map(Qt.Key.Key_V)
     assert session.row(first.fid).observer == "visible"
     session.select([first.fid])
     desk.report["table"] = desk.table()

@@ -75,7 +75,7 @@ def inspect(desk: Desk) -> None:
 
 
 def read(desk: Desk) -> None:
-    """Worst first; a click on the second row; View > Zoom to Selection; L: where detail was lost."""
+    """Worst first; a click on the second row; View > Zoom to Selection; Lost detail: where detail was lost."""
     order = next(box for box in desk.dock.findChildren(QComboBox) if box.findText("worst first") >= 0)
     order.setCurrentIndex(order.findText("worst first"))
     order.activated.emit(order.currentIndex())
@@ -90,20 +90,21 @@ def read(desk: Desk) -> None:
     desk.wait(lambda: desk.curves_of(fid), 30, "chart drawn")
     iface.actionZoomToSelected().trigger()
     desk.wait_for_map()
-    desk.press(Qt.Key.Key_L)
+    click_button(desk, desk.dock.lost.action)
     desk.report["sentence"] = desk.dock.judge.sentence()
     desk.rest_mouse()
     desk.wait_for_map()
 
 
 def judge(desk: Desk, picture: Path) -> None:
-    """Enter: the window at 2x; V: visible, and on to the next."""
+    """Enter: the window at 2x; J: judging; V: visible, and on to the next."""
     first = desk.session.selected()[0]
-    desk.press(Qt.Key.Key_L)
+    click_button(desk, desk.dock.lost.action)
     desk.press(Qt.Key.Key_Return)
     desk.wait_for_map()
     desk.screenshot(picture)
-    desk.press(Qt.Key.Key_V)
+    with desk.judging():
+        desk.press_on_map(Qt.Key.Key_V)
     desk.wait(lambda: desk.session.row(first).observer == "visible", 10, "judged")
     desk.wait_for_map()
 

@@ -35,24 +35,25 @@ def play(desk: Desk) -> None:
     desk.dock.inspect.trigger()
     desk.wait(lambda: all(row.verdict for row in session.windows()), 60, "all windows inspected")
     desk.wait_for_work()
-    judge_by_keys(desk, shots)
-    annotate(desk, shots)
-    judge_blind(desk, shots)
+    desk.dock.judging.model.change(order="worst")
+    desk.session.select([])
+    with desk.judging():  # begins with the worst
+        judge_by_keys(desk, shots)
+    leave_keys(desk)
+    with desk.judging():
+        annotate(desk, shots)
+        judge_blind(desk, shots)
+    compare(desk, shots)
     look_at_the_table(desk, shots)
     keep_in_project(desk, shots)
 
 
 def judge_by_keys(desk: Desk, shots: Path) -> None:
-    """One key a window, from wherever the focus is; the map follows at 2x."""
+    """One key a window, from the map and the desk; the map follows at 2x."""
     from seam_inspector.plugin.seams.desk.windows.filter_boxes import worst_first
 
     session, keys = desk.session, 0
-    desk.dock.judging.model.change(order="worst")
-    press(desk, desk.canvas, Qt.Key.Key_N)
-    everywhere = [
-        desk.dock.windows.table, desk.canvas, desk.dock.judge, iface.layerTreeView(), iface.mainWindow(),
-        *desk.dock.panels.values(),
-    ]  # fmt: skip
+    everywhere = [desk.canvas, desk.dock.judge, iface.mainWindow(), desk.dock]
     seen, wrong, key_times = [], [], []
     with Gaps() as gaps:
         for number in range(JUDGED):
@@ -80,6 +81,17 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
     desk.report["taken back"] = desk.dock.judge._progress.text()
     press(desk, desk.canvas, Qt.Key.Key_V)
     assert session.selected() == before
+
+
+def leave_keys(desk: Desk) -> None:
+    """What is typed into the desk, into QGIS's Layers panel, or while nothing is judged, judges nothing."""
+    session = desk.session
+    before, judged = session.selected(), [row.observer for row in session.windows()]
+    for widget in (desk.dock.windows.table, desk.canvas, iface.layerTreeView()):
+        for key, _ in WORDS:
+            press(desk, widget, key)
+    assert [row.observer for row in session.windows()] == judged
+    session.select(before)
     line = desk.dock.windows._search
     line.setFocus()
     QTest.keyClicks(line, "vin1")
@@ -89,7 +101,7 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
     choice = next(box for box in desk.dock.findChildren(QComboBox) if box.isVisible())
     QTest.mouseClick(choice, Qt.MouseButton.LeftButton)
     choice.hidePopup()
-    assert QApplication.focusWidget() is not choice, "after a click on a choice letters judge"
+    assert QApplication.focusWidget() is not choice, "a click on a choice leaves it the keys"
     desk.pause(0.7)
 
 
@@ -129,6 +141,11 @@ def judge_blind(desk: Desk, shots: Path) -> None:
     desk.report["second"] = sum(bool(row.observer_2) for row in session.windows())
     desk.report["blind_columns"] = [column.title() for column in desk.dock.windows.table.visible_columns()]
     model.change(operator=1, is_blind=False)
+
+
+def compare(desk: Desk, shots: Path) -> None:
+    """How well both agree, and where they do not."""
+    session = desk.session
     for row in session.windows():  # the first one judges the same, but for a few
         if row.observer_2:
             other = "invisible" if row.window_id % 6 == 0 else row.observer_2
@@ -191,7 +208,7 @@ def press(desk: Desk, widget: QWidget, key: Qt.Key) -> float:
     start = time.perf_counter()
     QTest.keyClick(QApplication.focusWidget(), key)
     taken = time.perf_counter() - start
-    desk.pause(0.05)
+    desk.pause(0.1)  # until it is up
     return taken
 
 

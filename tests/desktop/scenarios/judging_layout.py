@@ -92,6 +92,7 @@ def flicker(desk: Desk) -> None:
     desk.screenshot(picture(desk, "hard_cut"))
     shown = [swipe.is_shown]
     QTest.keyRelease(QApplication.focusWidget(), Qt.Key.Key_Space)
+    desk.pause(0.1)
     shown.append(swipe.is_shown)
     for _ in range(2):
         key(desk, Qt.Key.Key_Space)
@@ -145,7 +146,7 @@ def looks(desk: Desk) -> dict:
 def key(desk: Desk, pressed: Qt.Key) -> None:
     """Where the focus is."""
     QTest.keyClick(QApplication.focusWidget() or desk.canvas, pressed)
-    desk.pause(0.05)
+    desk.pause(0.1)  # until it is up
 
 
 def picture(desk: Desk, step: str) -> Path:

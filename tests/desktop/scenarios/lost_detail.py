@@ -1,4 +1,4 @@
-"""Where detail was lost: one key, a turned map, another project system, chart and map side by side.
+"""Where detail was lost: one button, a turned map, another project system, chart and map side by side.
 
 Parameters: ``brighton`` (folder), ``mosaic``, ``screenshots`` (folder).
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsGeometry, QgsPointXY, QgsRectangle
-from qgis.PyQt.QtCore import QPoint, Qt
+from qgis.PyQt.QtCore import QPoint
 from qgis.PyQt.QtTest import QTest
 
 from demo.desk import Desk
@@ -32,8 +32,8 @@ def play(desk: Desk) -> None:
     dock.zoom_to(fid)
     desk.wait_for_map()
     desk.rest_mouse()
-    press_l(desk)
-    desk.report["shown_by_key"] = session.loss_view.is_shown
+    toggle_loss(desk)
+    desk.report["shown_by_button"] = session.loss_view.is_shown
     along = places(desk, fid)
     for name, crs, rotation in (
         ("north up", "EPSG:32615", 0), ("turned", "EPSG:32615", 30), ("in degrees", "EPSG:4326", 0),
@@ -57,16 +57,13 @@ def play(desk: Desk) -> None:
     desk.pause(0.3)
     desk.report["pointed"] = profile.pointed_bin is not None
     desk.screenshot(shots / f"lost_detail_{mosaic}_pointed.png")
-    press_l(desk)
-    desk.report["hidden_by_key"] = not session.loss_view.is_shown
+    toggle_loss(desk)
+    desk.report["hidden_by_button"] = not session.loss_view.is_shown
 
 
-def press_l(desk: Desk) -> None:
-    """While the map has the focus."""
-    desk.window.activateWindow()
-    desk.canvas.setFocus()
-    desk.wait(lambda: desk.canvas.hasFocus(), 5, "focus on the map")
-    QTest.keyClick(desk.canvas, Qt.Key.Key_L)
+def toggle_loss(desk: Desk) -> None:
+    """By the button beside the tabs."""
+    desk.dock.lost.action.trigger()
     desk.pause(0.3)
 
 

@@ -166,8 +166,9 @@ def swipe(desk: Desk, shots: Path) -> None:
 def judge(desk: Desk, shots: Path) -> None:
     """The worst windows, by keys alone."""
     desk.dock.zoom_to(worst(desk))
-    for key in JUDGED:
-        press(desk, desk.canvas, key)
+    with desk.judging():
+        for key in JUDGED:
+            desk.press_on_map(key)
     desk.rest_mouse()
     desk.wait_for_map()
     desk.wait(lambda: desk.curves_of(desk.session.selected()[0]), 30, "chart drawn")

@@ -93,10 +93,11 @@ def judge_worst(desk: Desk) -> None:
     desk.report["judge_gaps"] = gaps.long_ones
     desk.report["first"] = [desk.session.row(fid).window_id for fid in desk.session.selected()]
     walked = []
-    for _ in range(min(3, len(desk.session.windows()) - 1)):
-        desk.press(Qt.Key.Key_V)
-        walked += [desk.session.row(fid).window_id for fid in desk.session.selected()]
-        desk.report.setdefault("in_view", []).append(in_view(desk))
+    with desk.judging():
+        for _ in range(min(3, len(desk.session.windows()) - 1)):
+            desk.press_on_map(Qt.Key.Key_V)
+            walked += [desk.session.row(fid).window_id for fid in desk.session.selected()]
+            desk.report.setdefault("in_view", []).append(in_view(desk))
     desk.report["walked"] = walked
 
 

@@ -49,12 +49,12 @@ def flip(desk: Desk, fid: int, shots: Path) -> None:
     desk.report["flipped_to"] = panel.large.shown.raster
     desk.screenshot(shots / "see_composite.png")
     send_space(panel.large, QEvent.Type.KeyRelease)
+    desk.pause(0.1)
     desk.report["flipped_back"] = panel.large.shown.is_mosaic
-    desk.canvas.setFocus()
-    QTest.keyClick(desk.canvas, Qt.Key.Key_L)
+    desk.dock.lost.action.trigger()
     desk.report["loss_shown"] = desk.session.loss_view.is_shown
     desk.screenshot(shots / "see_loss.png")
-    QTest.keyClick(desk.canvas, Qt.Key.Key_L)
+    desk.dock.lost.action.trigger()
 
 
 def swipe(desk: Desk, fid: int, shots: Path) -> None:

@@ -118,9 +118,13 @@ def inspect(desk: Desk, count: int, told: dict[str, Any]) -> None:
 
 def judge(desk: Desk, count: int, told: dict[str, Any]) -> None:
     """By one key each; the map follows."""
-    desk.window.activateWindow()
-    press(desk, Qt.Key.Key_N)
-    desk.wait(lambda: desk.session.selected(), 10, "a window to judge")
+    with desk.judging():
+        desk.wait(lambda: desk.session.selected(), 10, "a window to judge")
+        judge_by_keys(desk, count, told)
+
+
+def judge_by_keys(desk: Desk, count: int, told: dict[str, Any]) -> None:
+    """What they take is counted."""
     with timed(told, "key"):
         for number in range(count):
             before = desk.session.selected()
@@ -141,7 +145,8 @@ def look_around(desk: Desk, told: dict[str, Any]) -> None:
                 desk.show_tab(tab)
             desk.wait(lambda fid=fid: desk.curves_of(fid), 30, "curves")
         for _ in range(2):
-            press(desk, Qt.Key.Key_L)
+            dock.lost.action.trigger()
+            desk.pause(0.05)
         dock.swiping.action.trigger()
         settle(desk)
         press(desk, Qt.Key.Key_X)

@@ -41,7 +41,7 @@ class LostDetail(QObject):
         self.profile = ProfileOnMap(iface.mapCanvas(), session, self)
         self.action = QAction(QIcon(icon_path("loss")), tr("Lost detail"), parent)
         self.action.setToolTip(
-            tr("Show where detail was lost, over the map and the images (L). One scale for all windows")
+            tr("Show where detail was lost, over the map and the images (L while judging). One scale for all windows")
         )
         self.action.setCheckable(True)
         self.action.toggled.connect(session.loss_view.show)
@@ -204,7 +204,7 @@ class LossLegend(QWidget):
     def lines(self) -> list[str]:
         """Title and entries."""
         words = [tr("No picture yet: inspect windows")] if self._is_empty else [one for one, _ in loss_legend()]
-        return [tr("Detail kept (L hides it)"), *words]
+        return [tr("Detail kept"), *words]
 
     def sizeHint(self) -> QSize:
         line = self.fontMetrics().height()

@@ -1,13 +1,13 @@
 """The hard cut in place of the mosaic, on the map itself: as long as a key is held, or from one tap to the next."""
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING
 
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import Message
+from ....toolkit.connections import Connections
 from ....toolkit.desk.message_bar import bar_level
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import sentence, tr
@@ -32,13 +32,12 @@ class Flicker(QObject):
         self._session = session
         self.swipe = Swipe(canvas, self, has_handle=False)
         self.swipe.failed.connect(self._tell)
-        self._since: float | None = None  # when the key that shows it now was pressed
         self._preparer = single_shot(self, self._prepare, _REST_MS)
-        session.selectionChanged.connect(self._follow)
+        self._connections = Connections((session.selectionChanged, self.hide), (session.inputsChanged, self._renew))
 
     def close(self) -> None:
         """Leave nothing on the map."""
-        self._session.selectionChanged.disconnect(self._follow)
+        self._connections.close()
         self._preparer.stop()
         self.swipe.close()
 
@@ -46,24 +45,25 @@ class Flicker(QObject):
         """Show it, or take it off where it stayed. Whether there is a window whose hard cut can be shown."""
         if self.swipe.is_shown:
             self.swipe.show(False)
-            self._since = None
             return True
-        self._since = time.monotonic()
         self.swipe.show(True)
         return self._prepare()
 
-    def release(self) -> None:
+    def release(self, seconds: float) -> None:
         """It stays where the key was but tapped."""
-        since, self._since = self._since, None
-        if since is not None and time.monotonic() - since >= _HELD_S:
+        if seconds >= _HELD_S:
             self.swipe.show(False)
 
-    def _follow(self) -> None:
+    def hide(self, *_: object) -> None:
         """What is judged is the mosaic: another window begins with it."""
         self.swipe.show(False)
-        self._since = None
         if self.swipe.is_on:
             self._preparer.start()
+
+    def _renew(self) -> None:
+        """There may be another mosaic, or none any more, as in a new project."""
+        if self.swipe.is_on:
+            self._prepare()
 
     def _prepare(self) -> bool:
         selected = self._session.selected()

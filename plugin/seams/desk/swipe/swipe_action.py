@@ -1,6 +1,7 @@
 """The mosaic against one of its sources, on the map, either side of a handle; the dock's button and menu for it."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 from uuid import uuid4
@@ -8,9 +9,9 @@ from uuid import uuid4
 from qgis.core import QgsMapLayer, QgsProject, QgsRasterLayer
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QEvent, QObject, QPointF, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QIcon, QKeySequence
-from qgis.PyQt.QtWidgets import QAction, QActionGroup, QMenu, QShortcut, QWidget
+from qgis.PyQt.QtCore import QEvent, QObject, QPointF, pyqtSignal
+from qgis.PyQt.QtGui import QIcon
+from qgis.PyQt.QtWidgets import QAction, QActionGroup, QMenu, QWidget
 
 from ....imagery.errors import Message
 from ....imagery.gdal_calls import drop_from_memory
@@ -41,8 +42,6 @@ from .swiped_layer import (
 if TYPE_CHECKING:
     from ..session import Session
 
-_FLIP_KEY, _END_KEY = Qt.Key.Key_X, Qt.Key.Key_Escape
-
 
 class Swipe(QObject):
     """The one owner of all that lies on the canvas; ``stop`` takes it off, and nothing is left."""
@@ -69,7 +68,6 @@ class Swipe(QObject):
         self._other = MapPicture(self)
         self._item: SwipeItem | None = None
         self._handle: SwipeHandle | None = None
-        self._keys: list[QShortcut] = []
         self._connections = Connections()
         self.divider = Divider() if has_handle else Divider(share=0.0)
         self.is_shown = has_handle
@@ -117,16 +115,14 @@ class Swipe(QObject):
         self._other.close()
         self._forget_file()
         item, handle, self._item, self._handle = self._item, self._handle, None, None
-        keys, self._keys = self._keys, []
         if not sip.isdeleted(self._canvas):  # it owns them all
             self._connections.close()
             self._canvas.viewport().removeEventFilter(self)
             if item is not None:
                 self._canvas.scene().removeItem(item)
-            for widget in (handle, *keys):
-                if widget is not None:
-                    widget.setParent(None)
-                    widget.deleteLater()
+            if handle is not None:
+                handle.setParent(None)
+                handle.deleteLater()
         self.changed.emit()
 
     def close(self) -> None:
@@ -180,10 +176,6 @@ class Swipe(QObject):
     def _lay_handle(self, canvas: QgsMapCanvas) -> None:
         self._handle = SwipeHandle(canvas, self.divider)
         self._handle.moved.connect(self.move)
-        for key, slot in ((_FLIP_KEY, self.flip), (_END_KEY, self.stop)):
-            shortcut = QShortcut(QKeySequence(key), canvas.window())
-            shortcut.activated.connect(slot)
-            self._keys.append(shortcut)
         self._handle.show()
 
     def eventFilter(self, _watched: QObject | None, event: QEvent | None) -> bool:
@@ -301,6 +293,10 @@ class SwipeAction(QObject):
         while self._followed:
             self._followed.pop().disconnect(self._follow)
         self.swipe.close()
+
+    def key_actions(self) -> dict[str, Callable[[], object]]:
+        """What the keys of swiping do, by their names."""
+        return {"exchange": self.swipe.flip, "end": self.swipe.stop}
 
     def choices(self) -> list[SwipeChoice]:
         """The sources over the selected window, those that cover most of it first; without one, those on the map. Then

@@ -88,7 +88,8 @@ class WindowWatch(QObject):
                 self._left[self._layer.id()] = self._known, self._first_state, self.state
         self._layer = layer if window_layer.holds_windows(layer) else None
         had_windows = bool(self._rows)
-        self._told = None if self._told else set()  # of equal ids others are meant now
+        if self._told:
+            self._told = None  # of equal ids others are meant now
         self._forget()
         if self._layer is not None and self._layer.id() in self._left:
             self._known, self._first_state, self.state = self._left[self._layer.id()]

@@ -257,3 +257,11 @@ def test_another_data_source_is_taken_in_any_order(reordered: Desk, tmp_path: Pa
     assert listener.take("windowsChanged") == [([], [])]
     assert desk.session.windows() == []
     assert listener.outdated == []
+
+
+def test_a_new_project_tells_that_nothing_is_selected_any_more(desk: Desk) -> None:
+    desk.session.select([desk.add()])
+    listener = Listener(desk.session)
+    desk.project.clear()
+    assert listener.take("selectionChanged") == [([], [])]
+    assert listener.outdated == []

@@ -127,7 +127,10 @@ def press(receiver: QWidget, repeated: bool = False) -> None:
 
 
 def release(receiver: QWidget, repeated: bool = False) -> None:
+    """A key is up once it is not pressed again."""
     send_key(receiver, QEvent.Type.KeyRelease, repeated)
+    if not repeated:
+        QTest.qWait(80)
 
 
 def names(panel: ImagesPanel) -> list[str]:

@@ -19,6 +19,7 @@ from tests.qgis.seams.desk.images.images_desk import (
     painted,
     press,
     release,
+    send_key,
     text,
 )
 
@@ -166,6 +167,22 @@ def test_space_flips_the_view_under_the_mouse(panel: ImagesPanel, desk: QWidget)
     assert names(panel) == ["mosaic.tif", "strip_1.tif", "strip_2.tif"]
     assert clicks == []
     assert QApplication.focusWidget() is button
+
+
+def test_held_space_does_not_flicker_where_x_repeats_it(panel: ImagesPanel, desk: QWidget) -> None:
+    shown: list[str] = []
+    hover(panel.views[1])
+    press(desk)
+    for _ in range(5):
+        send_key(desk, QEvent.Type.KeyRelease)
+        shown.append(names(panel)[1])
+        QTest.qWait(3)
+        press(desk)
+        QTest.qWait(25)
+    QTest.qWait(80)
+    assert {*shown, names(panel)[1]} == {"mosaic.tif"}
+    release(desk)
+    assert names(panel)[1] == "strip_1.tif"
 
 
 def test_space_elsewhere_is_left_alone(panel: ImagesPanel, desk: QWidget) -> None:

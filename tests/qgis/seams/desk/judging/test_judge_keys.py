@@ -1,12 +1,14 @@
-"""The keys that judge: wherever the focus is, but not where somebody types or edits the map."""
+"""The desk's keys: on the map and in the desk, those that judge only while windows are judged; none where somebody
+types or edits the map."""
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
+from qgis.core import QgsLayerTreeModel, QgsProject
 from qgis.gui import QgsLayerTreeView, QgsMapCanvas, QgsMapTool
-from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QKeySequence
+from qgis.PyQt.QtCore import QEvent, Qt
+from qgis.PyQt.QtGui import QKeyEvent, QKeySequence
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import (
     QAction,
@@ -27,8 +29,18 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 from seam_inspector.plugin.seams.desk.desk_keys import DeskKeys
+from seam_inspector.plugin.seams.desk.keys import JUDGING, SWIPING
+from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
-from tests.qgis.seams.desk.windows_session import Show
+from tests.qgis.seams.desk.windows_session import Show, WindowsSession, window
+
+UP_MS = 80
+"""A key that is not pressed again in this time is up."""
+
+
+class _Editing(QgsMapTool):
+    def flags(self) -> QgsMapTool.Flag:
+        return QgsMapTool.Flag.EditTool
 
 
 class _Desk:
@@ -39,47 +51,49 @@ class _Desk:
         self.body = body = QWidget()
         layout = QVBoxLayout(body)
         self.line, self.text, self.number, self.choice = QLineEdit(), QTextEdit(), QSpinBox(), QComboBox()
-        self.button, self.tree = QPushButton("next"), QTreeWidget()
-        for widget in (self.line, self.text, self.number, self.choice, self.button, self.tree):
+        self.button, self.tree, self.chart = QPushButton("next"), QTreeWidget(), QWidget()
+        self.chart.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.panel = WindowsPanel(WindowsSession([window(1)]))  # type: ignore[arg-type]
+        self.table = self.panel.table
+        for widget in (
+            self.line, self.text, self.number, self.choice, self.button, self.tree, self.chart, self.panel,
+        ):  # fmt: skip
             layout.addWidget(widget)
-        self.window.setCentralWidget(body)
+        self.canvas = QgsMapCanvas()
+        self.window.setCentralWidget(self.canvas)
+        dock = QDockWidget("the desk")
+        dock.setWidget(body)
+        self.window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
         self.shortcut = QAction("of QGIS", self.window)
         self.shortcut.setShortcut(QKeySequence(Qt.Key.Key_V))
         self.shortcut.triggered.connect(lambda: self.taken.append("QGIS"))
         self.window.addAction(self.shortcut)
         self.taken: list[str] = []
-        self.editing = False
-        self.has_windows = True
-        self.keys = DeskKeys(body, self.window, self)  # type: ignore[arg-type]  # which has the map's tool
+        self.is_judging = self.has_windows = True
+        self.keys = DeskKeys(body, self.window, self.canvas)
         self.keys.set_actions(
-            {"visible": self._judge, "next": self._next, "flicker": self._hold}, {"flicker": self._let_go}
+            {
+                name: self._say(word) for name, word in (
+                    ("visible", "V"), ("next", "N"), ("flicker", "held"), ("take back", "Backspace"), ("layout", "J"),
+                    ("exchange", "X"),
+                )
+            },
+            {"flicker": self._let_go},
+            {JUDGING: lambda: self.is_judging, SWIPING: lambda: True},
         )
         self.keys.listen(True)
 
-    def mapTool(self) -> _Desk:
-        return self
+    def _say(self, word: str) -> Callable[[], bool]:
+        def say() -> bool:
+            if self.has_windows:
+                self.taken.append(word)
+            return self.has_windows
 
-    def flags(self) -> _Desk:
-        return self
+        return say
 
-    def __and__(self, flag: object) -> bool:
-        return self.editing and flag == QgsMapTool.Flag.EditTool
-
-    def _judge(self) -> bool:
-        if self.has_windows:
-            self.taken.append("V")
-        return self.has_windows
-
-    def _hold(self) -> bool:
-        self.taken.append("held")
-        return True
-
-    def _let_go(self) -> None:
+    def _let_go(self, seconds: float) -> None:
         self.taken.append("let go")
-
-    def _next(self) -> bool:
-        self.taken.append("N")
-        return True
+        self.held_s = seconds
 
     def press(self, widget: QWidget, key: Qt.Key = Qt.Key.Key_V) -> list[str]:
         """What takes a key where a widget has the focus."""
@@ -87,6 +101,7 @@ class _Desk:
         assert QApplication.focusWidget() is widget
         self.taken.clear()
         QTest.keyClick(widget, key)
+        QTest.qWait(UP_MS)
         return list(self.taken)
 
 
@@ -98,28 +113,73 @@ def desk(show: Show) -> Iterator[_Desk]:
     QTest.qWaitForWindowActive(made.window)
     yield made
     made.keys.close()
+    made.panel.close()
 
 
-def test_keys_work_wherever_the_focus_is_and_no_shortcut_is_ambiguous(desk: _Desk) -> None:
-    for widget in (desk.button, desk.tree):
+def test_letters_judge_on_the_map_and_in_the_desk_and_no_shortcut_is_ambiguous(desk: _Desk) -> None:
+    for widget in (desk.canvas, desk.table, desk.button, desk.chart):
         assert desk.press(widget) == ["V"]
         assert desk.press(widget, Qt.Key.Key_N) == ["N"]
+        assert desk.press(widget, Qt.Key.Key_Backspace) == ["Backspace"]
 
 
-def test_keys_of_the_map_are_a_button_s_where_that_has_the_focus(desk: _Desk) -> None:
+def test_letters_judge_nothing_while_the_desk_is_merely_open(desk: _Desk) -> None:
+    desk.is_judging = False
+    for widget in (desk.canvas, desk.table, desk.button, desk.chart):
+        for key in (Qt.Key.Key_N, Qt.Key.Key_Backspace):
+            assert desk.press(widget, key) == []
+        assert desk.press(widget) == ["QGIS"]  # whose shortcut it is
+        assert desk.press(widget, Qt.Key.Key_J) == ["J"]  # which begins it
+
+
+def test_space_works_on_the_map_and_in_the_table_and_presses_buttons(desk: _Desk) -> None:
+    desk.is_judging = False
     pressed: list[bool] = []
     desk.button.clicked.connect(pressed.append)
     assert desk.press(desk.button, Qt.Key.Key_Space) == []
     assert pressed
     assert desk.press(desk.tree, Qt.Key.Key_Space) == []
-    desk.tree.clearFocus()
-    desk.window.setFocus()
+    for widget in (desk.canvas, desk.table):
+        assert desk.press(widget, Qt.Key.Key_Space) == ["held", "let go"]
     desk.taken.clear()
-    QTest.keyPress(desk.window, Qt.Key.Key_Space)
-    assert desk.taken == ["held"]
-    QTest.keyRelease(desk.window, Qt.Key.Key_Space)
-    assert desk.taken == ["held", "let go"]
-    QTest.keyRelease(desk.window, Qt.Key.Key_Space)
+    QTest.keyRelease(desk.table, Qt.Key.Key_Space)
+    QTest.qWait(UP_MS)
+    assert desk.taken == []
+
+
+@pytest.mark.parametrize("is_told", [False, True])
+def test_a_held_key_that_repeats_as_pairs_is_held(desk: _Desk, is_told: bool) -> None:
+    """As X has it: releases and presses within 3 ms, which Qt calls repetitions or does not."""
+    desk.canvas.setFocus()
+    for key, taken in ((Qt.Key.Key_Space, ["held"]), (Qt.Key.Key_V, ["V"])):
+        desk.taken.clear()
+        QTest.keyPress(desk.canvas, key)
+        for _ in range(6):
+            for kind in (QEvent.Type.KeyRelease, QEvent.Type.KeyPress):
+                nothing = Qt.KeyboardModifier.NoModifier
+                QApplication.sendEvent(desk.canvas, QKeyEvent(kind, key, nothing, "", is_told))
+                QTest.qWait(2)
+            QTest.qWait(25)
+        QTest.qWait(UP_MS)
+        assert desk.taken == taken
+        QTest.keyRelease(desk.canvas, key)
+        QTest.qWait(UP_MS)
+    assert desk.press(desk.canvas) == ["V"]
+
+
+def test_how_long_a_key_was_held_is_told(desk: _Desk) -> None:
+    desk.canvas.setFocus()
+    QTest.keyPress(desk.canvas, Qt.Key.Key_Space)
+    QTest.qWait(120)
+    QTest.keyRelease(desk.canvas, Qt.Key.Key_Space)
+    QTest.qWait(UP_MS)
+    assert 0.1 < desk.held_s < 0.12 + UP_MS / 1000  # and not until the timer ends
+
+
+def test_a_held_key_is_let_go_of_when_another_application_is_used(desk: _Desk) -> None:
+    desk.canvas.setFocus()
+    QTest.keyPress(desk.canvas, Qt.Key.Key_Space)
+    QApplication.instance().applicationStateChanged.emit(Qt.ApplicationState.ApplicationInactive)
     assert desk.taken == ["held", "let go"]
 
 
@@ -130,8 +190,9 @@ def test_text_fields_keep_their_letters(desk: _Desk) -> None:
 
 
 def test_a_tool_that_edits_the_map_keeps_its_keys(desk: _Desk) -> None:
-    desk.editing = True
-    assert "V" not in desk.press(desk.tree)
+    tool = _Editing(desk.canvas)
+    desk.canvas.setMapTool(tool)
+    assert "V" not in desk.press(desk.table)
 
 
 def test_another_window_keeps_its_keys(desk: _Desk, show: Show) -> None:
@@ -143,49 +204,62 @@ def test_another_window_keeps_its_keys(desk: _Desk, show: Show) -> None:
     assert desk.press(button) == []
 
 
-def test_with_nothing_to_judge_the_key_is_somebody_else_s(desk: _Desk) -> None:
+def test_with_nothing_to_judge_the_key_stays_with_the_desk_and_does_nothing(desk: _Desk) -> None:
+    """Backspace would go to QGIS, which removes the window."""
     desk.has_windows = False
-    assert "V" not in desk.press(desk.tree)
+    reached: list[int] = []
+    desk.canvas.keyPressed.connect(lambda event: reached.append(event.key()))
+    for key in (Qt.Key.Key_V, Qt.Key.Key_Backspace):
+        assert desk.press(desk.canvas, key) == []
+    assert reached == []
+
+
+def test_a_key_that_has_nothing_to_do_is_the_map_s_while_nothing_is_judged(desk: _Desk) -> None:
+    desk.has_windows = desk.is_judging = False
+    reached: list[int] = []
+    for signal in (desk.canvas.keyPressed, desk.canvas.keyReleased):
+        signal.connect(lambda event: reached.append(event.key()))
+    for key in (Qt.Key.Key_Space, Qt.Key.Key_Backspace):
+        desk.press(desk.canvas, key)
+        assert reached == [key, key]  # pressed and released
+        reached.clear()
 
 
 def test_other_keys_are_left_alone(desk: _Desk) -> None:
-    desk.tree.setFocus()
-    QTest.keyClick(desk.tree, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
-    QTest.keyClick(desk.tree, Qt.Key.Key_X)
+    desk.table.setFocus()
+    QTest.keyClick(desk.table, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    QTest.keyClick(desk.table, Qt.Key.Key_Q)
     assert desk.taken == []
 
 
 def test_out_of_sight_it_takes_nothing(desk: _Desk) -> None:
     desk.keys.listen(False)
-    assert "V" not in desk.press(desk.tree)
+    assert "V" not in desk.press(desk.table)
 
 
-@pytest.mark.parametrize("of_another", [QListWidget, QTableWidget])
-def test_lists_of_other_docks_keep_the_letters_that_find_a_row(desk: _Desk, of_another: type[QWidget]) -> None:
-    dock, found = QDockWidget("of another plugin"), of_another()
-    dock.setWidget(found)
+@pytest.mark.parametrize("kind", [QListWidget, QTableWidget, QTreeWidget, QgsLayerTreeView, QWidget])
+def test_other_docks_keep_the_letters_that_find_a_row(desk: _Desk, kind: type[QWidget]) -> None:
+    dock, widget = QDockWidget("of another plugin, or of QGIS"), kind()
+    widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    if kind is QgsLayerTreeView:
+        widget.setModel(QgsLayerTreeModel(QgsProject.instance().layerTreeRoot(), widget))
+    dock.setWidget(widget)
     desk.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, dock)
-    assert "V" not in desk.press(found)
+    for key in (Qt.Key.Key_V, Qt.Key.Key_J, Qt.Key.Key_X, Qt.Key.Key_Space, Qt.Key.Key_Backspace):
+        assert not {"V", "J", "X", "held", "Backspace"} & {*desk.press(widget, key)}
 
 
-@pytest.mark.parametrize("kind", [QgsMapCanvas, QgsLayerTreeView, QListWidget])
-def test_keys_work_on_the_map_in_the_layer_tree_and_the_desk_s_own_lists(desk: _Desk, kind: type[QWidget]) -> None:
-    dock, found = QDockWidget("of QGIS"), kind()
-    if kind is QListWidget:
-        desk.body.layout().addWidget(found)
-        found.show()
-    else:
-        dock.setWidget(found)
-        desk.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, dock)
-    assert desk.press(found) == ["V"]
+def test_trees_and_lists_of_the_desk_keep_their_letters(desk: _Desk) -> None:
+    for key in (Qt.Key.Key_V, Qt.Key.Key_J, Qt.Key.Key_X):
+        assert not {"V", "J", "X"} & {*desk.press(desk.tree, key)}
 
 
-def test_keys_work_where_a_toolbar_or_the_main_window_has_the_focus(desk: _Desk) -> None:
+def test_toolbars_keep_their_letters_and_the_main_window_has_none(desk: _Desk) -> None:
     bar, button = QToolBar(), QPushButton("of a toolbar")
     bar.addWidget(button)
     desk.window.addToolBar(bar)
     bar.show()
     QApplication.processEvents()
     desk.window.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-    for widget in (button, desk.window):
-        assert desk.press(widget) == ["V"]
+    assert "V" not in desk.press(button)
+    assert desk.press(desk.window) == ["V"]
