@@ -1,6 +1,7 @@
 """Judging by keys in the real QGIS desktop. Figures are printed: `pytest -s`."""
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -62,3 +63,22 @@ def test_judging_has_the_screen_and_gives_it_back(small_block: Path, tmp_path: P
     assert before.keys() == after.keys()
     assert all(abs(before[name] - after[name]) <= 2 for name in before)
     assert report["left_by_project"]
+
+
+@pytest.mark.skipif(shutil.which("xdotool") is None, reason="xdotool, which presses keys, is not installed")
+def test_a_held_key_does_not_flicker_and_letters_elsewhere_judge_nothing(
+    small_block: Path, tmp_path: Path, screenshots: Path
+) -> None:
+    """As the X server repeats keys."""
+    parameters = {"block": str(small_block), "screenshots": str(screenshots), "holds": 20}
+    run = play(SCENARIOS / "held_keys.py", tmp_path, parameters, seconds=400)
+    say("Held keys", run.seconds, run.report)
+    check(run)
+    report = run.report
+    assert report["judged_elsewhere"] == []
+    assert not report["on_elsewhere"]
+    shown_and_hidden = [True, True, False]  # by the key, still so at the end of the hold, and by letting go
+    assert report["holds_table"] == report["holds_map"] == [shown_and_hidden] * 20
+    assert report["judged_by_v"] == 1
+    assert not report["after_judging"]
+    assert not report["in_new_project"]
