@@ -9,7 +9,6 @@ from pathlib import Path
 from qgis.core import QgsCoordinateReferenceSystem
 from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, Qt
 from qgis.PyQt.QtGui import QKeyEvent, QMouseEvent
-from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QWidget
 
 from demo.desk import Desk
@@ -71,7 +70,7 @@ def swipe(desk: Desk, fid: int, shots: Path) -> None:
         wait_for_swipe(desk)
         desk.report["swiped"].append(swiped.choice.title)
         drag_handle(desk, -200)
-        QTest.keyClick(desk.canvas, Qt.Key.Key_X)
+        desk.press_on_map(Qt.Key.Key_X)
         desk.pause(0.3)
     desk.report["swipe_work_ms"], desk.report["swipe_gap_ms"] = 1000 * gaps.longest_work_s, 1000 * gaps.longest_s
     desk.screenshot(shots / "see_swipe.png")
@@ -82,7 +81,7 @@ def swipe(desk: Desk, fid: int, shots: Path) -> None:
     desk.project.setCrs(QgsCoordinateReferenceSystem("EPSG:3857"))
     wait_for_swipe(desk)
     desk.screenshot(shots / "see_swipe_mercator.png")
-    QTest.keyClick(desk.canvas, Qt.Key.Key_Escape)
+    desk.press_on_map(Qt.Key.Key_Escape)
     desk.pause(0.3)
     desk.report["ended"] = not swiped.is_on and not action.action.isChecked()
     desk.report["left_items"] = len(desk.canvas.scene().items()) - before
