@@ -13,13 +13,14 @@ from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import column_features, column_fields
 from ..toolkit.translation import sentence
 from .measure.delivered_files import CheckedSheet
-from .sheet_index import COMPLETE, FINDINGS, LOCATION
+from .sheet_index import COMPLETE, FINDINGS, LOCATION, STATE
 
 _COLUMNS: tuple[Column[CheckedSheet], ...] = (
     Column("sheet", "text", lambda one: one.sheet.name),
     Column(LOCATION, "text", lambda one: one.sheet.path or None),
     Column(COMPLETE, "integer", lambda one: int(not one.findings)),
     Column(FINDINGS, "text", lambda one: "; ".join(map(sentence, one.findings)) or None),
+    Column(STATE, "text", lambda one: one.state.value),
     Column("missing", "real", lambda one: None if one.missing is None else round(100 * one.missing, 4)),
     Column("pixel", "real", lambda one: None if one.raster is None else one.raster.ground_sample_distance),
     Column("bands", "integer", lambda one: None if one.raster is None else len(one.raster.band_names)),

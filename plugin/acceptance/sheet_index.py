@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from .measure.delivery import DeliveredPiece, Delivery, SheetOutline, SheetPart
 
 SHEETS = "SHEETS"
-COMPLETE, FINDINGS, LOCATION = "complete", "findings", "location"
-"""Fields of 'Check a delivery': whether nothing was found at a sheet, what was, and its file."""
+COMPLETE, FINDINGS, LOCATION, STATE = "complete", "findings", "location", "state"
+"""Fields of 'Check a delivery': whether nothing was found at a sheet, what was, its file, and its ``SheetState``."""
 _SHORTEST = 1e-6  # of a piece: shorter parts are rounding
 _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
 """The first that a layer has says what its sheets are called; of a file's path its name."""
@@ -84,12 +84,15 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
 
     Raises SettingsError where the polygons have no names or no numbers for coordinates, or none holds a piece.
     """
+    from .measure.delivery import SheetState
+
     if not run.parameters.get(SHEETS):
         return delivery
     rows, is_checked = _sheet_rows(run, SHEETS)
     transform = run.transform(run.source(SHEETS), reference_system(delivery.wkt))
     sheets = _Sheets()
     findings: dict[str, tuple[str, ...]] = {}
+    states: dict[str, str] = {}
     for name, row in rows:
         outline = QgsGeometry(row.feature.geometry())
         try:
@@ -98,7 +101,9 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
             raise SettingsError(messages.NOT_TRANSFORMED(name=run.source(SHEETS).sourceName())) from None
         sheets.add(name, outline)
         if is_checked and (words := text(row[FINDINGS])):
-            findings[name] = (words,)
+            findings[name] = (*findings.get(name, ()), words)
+            if states.get(name) in (None, SheetState.NOT_ORDERED.value):  # a file more of that name
+                states[name] = text(row[STATE])
     found = [next(sheets.at(piece.middle), None) for piece in delivery.pieces]
     cut = [_sheet_parts(sheets, piece, sheet or piece.sheet) for piece, sheet in zip(delivery.pieces, found)]
     outside = sum(sheet is None for sheet in found)
@@ -110,7 +115,10 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
         replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0], sheet_parts=parts)
         for piece, sheet, parts in zip(delivery.pieces, found, cut)
     )
-    made = tuple(replace(one, findings=findings.get(one.name, ())) for one in _sheet_outlines(sheets.outlines))
+    made = tuple(
+        replace(one, findings=findings.get(one.name, ()), state=SheetState.of_word(states.get(one.name, "")))
+        for one in _sheet_outlines(sheets.outlines)
+    )
     return replace(delivery, pieces=pieces, outlines=made, is_checked=is_checked)
 
 

@@ -364,11 +364,9 @@ def describe_mosaic(ref: RasterRef) -> Raster:
     return _with_grid(describe_placed(ref))
 
 
-def check_readable(ref: RasterRef) -> None:
-    """Raise RasterError for a VRT whose files are gone: it opens, but not one of nine pixels all over it is there."""
-    opened = OpenRaster(ref)
-    if opened.dataset.GetDriver().ShortName != "VRT":
-        return
+def check_readable(opened: OpenRaster) -> None:
+    """Raise RasterError for a raster that opens though its pixels are gone, as those of a truncated file or of a VRT
+    whose files were moved: not one of nine all over it can be read."""
     thirds = (1, 3, 5)
     places = [(opened.columns * x // 6, opened.rows * y // 6) for y in thirds for x in thirds]
     for column, row in places[:-1]:

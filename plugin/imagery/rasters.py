@@ -33,6 +33,11 @@ class RasterRef:
     parts: tuple[str, ...] = ()
     """Further files on the same pixel grid that are parts of the same image."""
 
+    def __post_init__(self) -> None:
+        # Whoever opens it may have another working folder: a worker, or this process later on.
+        object.__setattr__(self, "path", _from_anywhere(self.path))
+        object.__setattr__(self, "parts", tuple(map(_from_anywhere, self.parts)))
+
     @property
     def name(self) -> str:
         """File name without its folder; of an image in parts that of its first one."""
@@ -51,6 +56,11 @@ class RasterRef:
 
 def _file_name(path: str) -> str:
     return os.path.basename(path) or path
+
+
+def _from_anywhere(path: str) -> str:
+    """A file's absolute path; what is no file is left as it is."""
+    return os.path.abspath(path) if not os.path.isabs(path) and os.path.exists(path) else path
 
 
 @dataclass(frozen=True)

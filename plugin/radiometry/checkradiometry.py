@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 READY_RULES, RULES, VALUE_RANGE, GREY_AREAS = "READY_RULES", "RULES", "VALUE_RANGE", "GREY_AREAS"
 SHEETS, SEAMLINES, OUTPUT, MAYBE_GREY = "SHEETS", "SEAMLINES", "OUTPUT", "MAYBE_GREY"
+_STATE, _NOT_ORDERED = "state", "not_ordered"  # of a file that is no part of the delivery for 'Check a delivery'
 _LOCATION = "location"  # the field of a sheet's file, as gdaltindex and 'Check a delivery' write it
 PASSED_COUNT, FAILED_COUNT, NOT_MEASURABLE_COUNT = "PASSED_COUNT", "FAILED_COUNT", "NOT_MEASURABLE_COUNT"
 DECISION, REASONS = "DECISION", "REASONS"
@@ -163,16 +164,21 @@ class CheckRadiometry(RasterListAlgorithm):
         }  # fmt: skip
 
     def _indexed(self, run: Run) -> list[RasterRef]:
-        """The files of SHEETS; sheets without one are left out. Raises SettingsError for another layer."""
+        """The files of SHEETS; sheets without one, and files that nobody ordered, are left out.
+
+        Raises SettingsError for another layer.
+        """
         from ..imagery.rasters import RasterRef
         from ..toolkit.layers import features
 
         if not run.parameters.get(SHEETS):
             return []
         source = run.source(SHEETS)
-        if _LOCATION not in source.fields().names():
+        names = source.fields().names()
+        if _LOCATION not in names:
             raise SettingsError(messages.SHEETS_WITHOUT_FILES(name=source.sourceName(), field=_LOCATION))
-        paths = (text(row[_LOCATION]) for row in features(source))
+        ordered = (row for row in features(source) if _STATE not in names or text(row[_STATE]) != _NOT_ORDERED)
+        paths = (text(row[_LOCATION]) for row in ordered)
         return [RasterRef(str(self._home / path)) for path in paths if path]
 
     def _rules(self, run: Run) -> RuleSet:

@@ -6,7 +6,7 @@ What decides are sums of whole pieces. A rule is kept or broken where nothing th
   is too large only where it would be so with all else sound, and kept where it would be with all else lost.
 - Pieces count by what they kept, also those whose interval holds the limit, and failures by whole pieces, though they
   end inside of these. Where the limit of a sum lies within what that leaves open, it can't be told.
-- Layers that lack seams that their scan had can't be accepted.
+- Layers that lack seams that their scan had can't be accepted, nor sheets that nobody has looked at.
 """
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ...imagery.statistics import Interval
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, Observers, RuleOutcome
-from .delivery import DeliveredLayer, Delivery
+from .delivery import DeliveredLayer, Delivery, SheetState
 from .failure_runs import crossing_count, cut_failures, failure_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
@@ -83,7 +83,8 @@ def decide(
     if lot is not None:
         outcomes.insert(0, lot.rule_outcome)
     outcome = outcome_of(outcomes)
-    lacking = [*_lacking(delivery, whole, rules)]
+    unseen = [*_unseen(delivery, sheets if lot is None else (), rules)]
+    lacking = [*_lacking(delivery, whole, rules), *unseen]
     if lacking and outcome is AcceptanceOutcome.ACCEPTED:
         outcome = AcceptanceOutcome.UNDECIDED
     if delivery.doubled_m > MOST_DOUBLED * sum(piece.length_m for piece in delivery.pieces):
@@ -92,6 +93,7 @@ def decide(
     sentences = (
         _headline(rules, outcomes, outcome, by_observer, lacking, _changed(delivery)),
         *(_would_decide(whole, pieces, outcomes, delivery, rules) if outcome is AcceptanceOutcome.UNDECIDED else ()),
+        *((messages.WOULD_SEE_SHEETS(),) if unseen and outcome is AcceptanceOutcome.UNDECIDED else ()),
         *_layers(delivery),
         *_figures(whole, interval, runs, rules),
         *_borders(delivery, pieces, runs, rules),
@@ -127,6 +129,31 @@ def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) ->
     for layer in delivery.layers:
         if least is not None and layer.unexplained > 1 - least:
             yield messages.MOSAIC_LACKS(name=layer.name, share=layer.unexplained, limit=1 - least)
+
+
+def _unseen(
+    delivery: Delivery, sheets: Sequence[MetreFigures], rules: AcceptanceRules
+) -> Iterator[Message]:
+    """What of the delivery nobody has looked at, so that it can't be accepted; ``sheets``: that were to be measured."""
+    for layer in delivery.layers:
+        if layer.unread:
+            place = layer.settings.get("unread_at", "")
+            yield messages.MOSAIC_UNREAD(name=layer.name, share=layer.unread, place=place)
+    # One scan of many sheets may leave a corner of one: what may be lost without a break.
+    most = (rules.limit(LONGEST_FAILURE) or 0.0) if delivery.outlines else 0.0
+    blank = [layer.name for layer in delivery.layers if layer.is_blank]
+    if not delivery.is_part:
+        blank += [one.name for one in sheets if one.judged_m > most and not one.measured_m]
+    of_state = {state: [one.name for one in delivery.outlines if one.state is state] for state in _SHEET_SENTENCES}
+    for sentence, names in ((messages.SHEETS_NOT_MEASURED, blank), *zip(_SHEET_SENTENCES.values(), of_state.values())):
+        if names:
+            yield sentence(count=len(names), names=_first_names(names))
+
+
+_SHEET_SENTENCES = {
+    SheetState.LEFT_OUT: messages.SHEETS_LEFT_OUT, SheetState.DAMAGED: messages.SHEETS_DAMAGED,
+    SheetState.OVERLAPS: messages.SHEETS_OVERLAP,
+}  # fmt: skip
 
 
 def _sheet_outcomes(

@@ -4,24 +4,31 @@ from __future__ import annotations
 import fnmatch
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Callable, TypeVar
 
 import numpy as np
 from osgeo import gdal, ogr
 
-from ...imagery.errors import Message, RasterError
-from ...imagery.gdal_calls import gdal_writing
+from ...imagery.errors import CancelledError, Message, RasterError
+from ...imagery.gdal_calls import gdal_silenced, gdal_writing
 from ...imagery.grids import PixelWindow
 from ...imagery.limits import MAX_PIXEL_SIZE_DIFFERENCE
 from ...imagery.lines import burnt
 from ...imagery.open_raster import OpenRaster
+from ...imagery.raster_pool import RasterPool
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import geometry_on, same_system
 from . import messages
+from .delivery import SheetState
+from .overlapping_files import otherwise
 
 _AT_ONCE = 1 << 22  # pixels
 _LEAST_MISSING = 1e-9  # of an outline: less is rounding
+_READ = 0.9  # of the time: the rest is to compare sheets where they overlap
+_MOSTLY = 0.5  # of an outline
 _EDGE_PX = 1.0  # a sheet that ends so near to its outline covers it: outlines are drawn on the ground, not on pixels
 
 Value = TypeVar("Value", str, float, int)
@@ -67,30 +74,73 @@ class CheckedSheet:
     """Share of the outline without data, 0 to 1; None where that can't be told."""
     findings: tuple[Message, ...]
     """All that is not as it was ordered."""
+    state: SheetState = SheetState.SHOWN
+    """What it is to the mosaic of all sheets."""
 
 
 def checked_sheets(
     sheets: Sequence[OrderedSheet], form: OrderedForm, goes_on: Callable[[float], bool]
 ) -> list[CheckedSheet] | None:
-    """In the order given; None when it is not wanted any more. ``goes_on``: told the share that is done."""
+    """In the order given; None when it is not wanted any more. ``goes_on``: told the share that is done.
+
+    All pixels of every file are read once, as whoever measures it needs them; a file that has hardly any is not read.
+    """
     opened = [_opened(sheet) for sheet in sheets]
-    form = _as_most([raster for raster, _ in opened if raster is not None], form)
+    ordered = [raster for (raster, _), sheet in zip(opened, sheets) if raster is not None and sheet.is_ordered]
+    form = _as_most(ordered or [raster for raster, _ in opened if raster is not None], form)
     found = []
-    for done, (sheet, (raster, trouble)) in enumerate(zip(sheets, opened)):
-        if not goes_on(done / len(sheets)):
-            return None
-        missing = None if raster is None else _missing(sheet, raster)
-        findings = (*trouble, *_findings(sheet, raster, form, missing))
-        found.append(CheckedSheet(sheet, raster, missing, findings))
-    return found
+
+    def tell(share: float) -> None:
+        if not goes_on(share):
+            raise CancelledError(messages.CHECK_STOPPED())
+
+    try:
+        for done, (sheet, (raster, trouble)) in enumerate(zip(sheets, opened)):
+            tell(_READ * done / len(sheets))
+            part = partial(_part_done, tell, _READ * done / len(sheets), _READ / len(sheets))
+            found.append(_checked(sheet, raster, trouble, form, part))
+        return with_states(found, partial(_part_done, tell, _READ, 1 - _READ))
+    except CancelledError:
+        return None
+
+
+def _part_done(tell: Callable[[float], None], before: float, part: float, share: float) -> None:
+    tell(before + part * share)
 
 
 def fitting(sheets: Sequence[CheckedSheet]) -> list[CheckedSheet]:
-    """Those that one mosaic can be made of: of the first one's system, pixels, bands and type."""
-    found: list[CheckedSheet] = []
+    """Those that one mosaic can be made of: the ordered ones of most sheets' system, pixels, bands and type."""
+    groups: list[list[CheckedSheet]] = []
     for one in sheets:
-        if one.raster is not None and one.raster.is_north_up and (not found or _is_like(one.raster, found[0].raster)):
-            found.append(one)
+        if one.raster is None or not one.raster.is_north_up or not one.sheet.is_ordered:
+            continue
+        alike = next((group for group in groups if _is_like(one.raster, group[0].raster)), None)
+        if alike is None:
+            groups.append([one])
+        else:
+            alike.append(one)
+    return max(groups, key=len, default=[])
+
+
+def with_states(sheets: Sequence[CheckedSheet], tell: Callable[[float], None]) -> list[CheckedSheet]:
+    """The sheets with what they are to the mosaic of all of them; those that hide each other with other pixels say so.
+
+    ``tell``: is told the share that is done; what it raises ends the look.
+    """
+    shown = fitting(sheets)
+    others = otherwise([one.raster for one in shown if one.raster is not None], tell)
+    names = {id(one): [shown[other].sheet.name for other in others[number]] for number, one in enumerate(shown)}
+    found = []
+    for one in sheets:
+        if not one.sheet.is_ordered:
+            one = replace(one, state=SheetState.NOT_ORDERED)
+        elif id(one) not in names:
+            findings = one.findings or (messages.NOT_IN_MOSAIC(),)
+            one = replace(one, findings=findings, state=SheetState.LEFT_OUT)
+        elif hidden := names[id(one)]:
+            finding = messages.SHOWS_OTHERWISE(names=", ".join(hidden))
+            one = replace(one, findings=(*one.findings, finding), state=SheetState.OVERLAPS)
+        found.append(one)
     return found
 
 
@@ -130,7 +180,7 @@ def _most(values: Sequence[Value]) -> Value:
 
 
 def _findings(
-    sheet: OrderedSheet, raster: Raster | None, form: OrderedForm, missing: float | None
+    sheet: OrderedSheet, raster: Raster | None, form: OrderedForm, missing: float | None, state: SheetState
 ) -> Iterator[Message]:
     if not sheet.is_ordered:
         yield messages.FILE_NOT_ORDERED()
@@ -148,30 +198,54 @@ def _findings(
     if form.data_type and raster.data_type != form.data_type:
         yield messages.TYPE_OTHER(kind=raster.data_type, wanted=form.data_type)
     if missing is None:
-        yield messages.MISSING_UNKNOWN()
+        yield from () if state is SheetState.DAMAGED else (messages.MISSING_UNKNOWN(),)
     elif missing > form.most_missing + _LEAST_MISSING:
         yield messages.DATA_MISSING(share=missing)
 
 
-def _missing(sheet: OrderedSheet, raster: Raster) -> float | None:
-    """The share of a sheet's outline where its file has no data, or none of its pixels; None where it can't be told."""
-    try:
-        opened = OpenRaster(raster.ref)
+def _checked(
+    sheet: OrderedSheet, raster: Raster | None, trouble: tuple[Message, ...], form: OrderedForm,
+    tell: Callable[[float], None],
+) -> CheckedSheet:
+    """One sheet by itself."""
+    missing, state = None, SheetState.SHOWN
+    if raster is not None:
+        try:
+            missing = _missing(sheet, raster, tell)
+        except RasterError as error:
+            trouble, state = (*trouble, error.message), SheetState.DAMAGED
+    return CheckedSheet(sheet, raster, missing, (*trouble, *_findings(sheet, raster, form, missing, state)), state)
+
+
+def _missing(sheet: OrderedSheet, raster: Raster, tell: Callable[[float], None]) -> float | None:
+    """The share of a sheet's outline where its file has no data, or none of its pixels; None where it can't be told.
+    Raises RasterError where pixels can't be read."""
+    with RasterPool(most=1) as pool:
+        opened, pixels = pool.open(raster.ref), raster.columns * raster.rows
         if sheet.outline is None:
-            invalid, pixels = _invalid_pixels(opened, raster, None), raster.columns * raster.rows
-            return invalid / pixels
-        outline = ogr.CreateGeometryFromWkb(sheet.outline)
-        if outline is None:  # QGIS keeps rings that GDAL has none of
+            return _invalid_pixels(opened, None, pixels, tell) / pixels
+        try:
+            outline = _placed_outline(sheet, raster)
+            pixel_area = abs(raster.grid.pixel_width) * abs(raster.grid.pixel_height)
+            area_px = outline.Area() / pixel_area
+            near, exact = (_area_beyond(outline, _reach(raster, by)) for by in (_EDGE_PX, 0.0))
+        except (RasterError, RuntimeError):
+            _invalid_pixels(opened, None, pixels, tell)
             return None
-        if sheet.wkt and not same_system(sheet.wkt, raster.wkt):
-            outline = geometry_on(outline, sheet.wkt, raster.wkt)
-        grid = raster.grid
-        area_px = outline.Area() / (abs(grid.pixel_width) * abs(grid.pixel_height))
-        near, exact = (_area_beyond(outline, _reach(raster, by)) for by in (_EDGE_PX, 0.0))
-        beyond = exact / (abs(grid.pixel_width) * abs(grid.pixel_height)) if near else 0.0
-        return (beyond + _invalid_pixels(opened, raster, outline)) / area_px if area_px else None
-    except (RasterError, RuntimeError):
-        return None
+        beyond = exact / pixel_area if near else 0.0
+        invalid = _invalid_pixels(opened, outline, area_px - exact / pixel_area, tell)
+        return (beyond + invalid) / area_px if area_px else None
+
+
+def _placed_outline(sheet: OrderedSheet, raster: Raster) -> ogr.Geometry:
+    """The outline in the raster's reference system. Raises RuntimeError for rings that QGIS keeps and GDAL has none
+    of."""
+    outline = ogr.CreateGeometryFromWkb(sheet.outline)
+    if outline is None:
+        raise RuntimeError(gdal.GetLastErrorMsg())
+    return outline if not sheet.wkt or same_system(sheet.wkt, raster.wkt) else geometry_on(
+        outline, sheet.wkt, raster.wkt
+    )
 
 
 def _area_beyond(outline: ogr.Geometry, reach: ogr.Geometry) -> float:
@@ -192,18 +266,56 @@ def _reach(raster: Raster, more_px: float) -> ogr.Geometry:
     )
 
 
-def _invalid_pixels(opened: OpenRaster, raster: Raster, outline: ogr.Geometry | None) -> int:
-    """Pixels without data whose middles lie within an outline; None: all of them. Nothing is read where the file says
-    nothing of such pixels."""
-    if opened.is_all_valid:
-        return 0
+def _invalid_pixels(
+    opened: OpenRaster, outline: ogr.Geometry | None, inside: float, tell: Callable[[float], None]
+) -> float:
+    """Pixels without data whose middles lie within an outline, of ``inside`` pixels; None: all of them.
+
+    What the file has no blocks for is no data and not read. Where that is most of what lies inside it is all that is
+    counted. Raises RasterError where pixels can't be read.
+    """
+    raster = opened.raster
+    whole = raster.whole
+    surely = (1 - _filled(opened, whole)) * whole.width * whole.height - (whole.width * whole.height - inside)
+    if surely > _MOSTLY * inside:
+        return surely
     count = 0
-    for window in opened.blocks(PixelWindow(0, 0, raster.columns, raster.rows), _AT_ONCE):
-        invalid = ~opened.read(window).valid
+    for window in opened.blocks(whole, _AT_ONCE):
+        tell((window.row * whole.width + window.column) / (whole.width * whole.height))
+        absent = _absent(opened, window)
+        invalid = absent if absent is not None and absent.all() else opened.read(window).invalid
+        found = [one for one in (absent, invalid) if one is not None]
+        if not found:
+            continue
+        invalid = np.logical_or.reduce(found)
         if outline is not None and invalid.any():
-            invalid &= burnt([(outline, 1)], raster.grid, window, 0) == 1
+            invalid = invalid & (burnt([(outline, 1)], raster.grid, window, 0) == 1)
         count += int(np.count_nonzero(invalid))
     return count
+
+
+def _absent(opened: OpenRaster, window: PixelWindow) -> np.ndarray | None:
+    """(rows, columns) bool of a window: what the file has no blocks for; None where it has all of them."""
+    share = _filled(opened, window)
+    if share == 1:
+        return None
+    absent = np.full((window.height, window.width), share == 0)
+    for part in opened.blocks(window, 1) if share else ():
+        top, left = part.row - window.row, part.column - window.column
+        absent[top : top + part.height, left : left + part.width] = _filled(opened, part) == 0
+    return absent
+
+
+def _filled(opened: OpenRaster, window: PixelWindow) -> float:
+    """Share of a window that a file has blocks for, 0 to 1; 1 where it does not say."""
+    least = 1.0
+    for index in opened.roles.indices:
+        band = opened.dataset.GetRasterBand(index + 1)
+        with gdal_silenced(), suppress(RuntimeError):
+            flags, share = band.GetDataCoverageStatus(window.column, window.row, window.width, window.height)
+            if flags & gdal.GDAL_DATA_COVERAGE_STATUS_EMPTY:
+                least = min(least, share / 100)
+    return least
 
 
 def _is_like(raster: Raster, other: Raster | None) -> bool:

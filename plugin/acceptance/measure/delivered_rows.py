@@ -44,6 +44,8 @@ class LayerDoubts:
     sheet: str
     rows: int = 0
     """That were looked at."""
+    pieces: int = 0
+    """That they made."""
     without_line: int = 0
     without_line_m: float = 0.0
     """What the field says of these, metres."""
@@ -107,6 +109,7 @@ class LayerDoubts:
             right, left_date, right_date, has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
             visibility=_number(row.get("visibility")),
         )  # fmt: skip
+        self.pieces += 1
         self.failed_m += length * (state_of(found, STANDARD_LEAST_KEPT) is PieceState.FAILED)
         return found
 
@@ -117,9 +120,10 @@ class LayerDoubts:
         lacking = self.without_line_m + (sum(self._gaps()) if scanned is None else scanned.metres - own.metres)
         lacking = lacking if lacking > _LACKING_M else 0.0
         hidden = 0.0 if scanned is None else scanned.failed_metres - self.failed_m - lacking
+        is_sealed = None if scanned is None else own.digest == scanned.digest
         return DeliveredLayer(
-            self.sheet, None if scanned is None else own.digest == scanned.digest, lacking, settings, own.digest,
-            hidden if hidden > _LACKING_M else 0.0,
+            self.sheet, is_sealed, lacking, settings, own.digest, hidden if hidden > _LACKING_M else 0.0,
+            not self.pieces and not is_sealed,
         )  # fmt: skip
 
     def _gaps(self) -> Iterator[float]:
@@ -228,6 +232,8 @@ def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery
     with ``kept_1``, ``kept_low``, ``kept_high``, ``length`` (m), ``verdict`` and so on, and ``geometry``, the line as
     WKT. None, NaN and fields that lack mean that nothing is known. ``wkt``: the reference system of all lines; those
     in degrees are moved to their UTM zone.
+
+    A sheet without rows leaves the decision open: leave one without seams out.
 
     What is left out or doubtful is told by a SeamInspectorWarning each. Raises SettingsError where there is no piece, a
     sheet has no ``kept_1``, or values there are no shares.

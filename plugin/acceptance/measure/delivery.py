@@ -4,6 +4,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from enum import Enum
 from functools import lru_cache
 
 import numpy as np
@@ -136,6 +137,26 @@ class SeenWindow:
     remark_2: str = ""
 
 
+class SheetState(Enum):
+    """What a sheet is to the mosaic of all sheets. The values are words of the checked layer."""
+
+    SHOWN = "shown"
+    """The mosaic shows all of it."""
+    DAMAGED = "damaged"
+    """Some of its pixels can't be read."""
+    OVERLAPS = "overlaps"
+    """It and another sheet show different things where they overlap, and the mosaic shows one of them."""
+    LEFT_OUT = "left_out"
+    """It was ordered, and is no part of the mosaic."""
+    NOT_ORDERED = "not_ordered"
+    """It was not ordered, and is no part of the mosaic."""
+
+    @classmethod
+    def of_word(cls, word: str) -> SheetState:
+        """By its word; layers without a word of ours say nothing against a sheet."""
+        return next((one for one in cls if one.value == word), cls.SHOWN)
+
+
 @dataclass(frozen=True, eq=False)
 class SheetOutline:
     """Where a sheet lies, of which there may be no seam."""
@@ -145,6 +166,8 @@ class SheetOutline:
     """(n, 2) x and y each, in the delivery's reference system."""
     findings: tuple[str, ...] = ()
     """What 'Check a delivery' found wrong with its file, in words."""
+    state: SheetState = SheetState.SHOWN
+    """What the same check says of its part in the mosaic of all sheets."""
 
 
 @dataclass(frozen=True)
@@ -162,6 +185,8 @@ class DeliveredLayer:
     """SHA-256 of its rows, as ``SeamTotals`` has it."""
     hidden_m: float = 0.0
     """Metres that the scan failed, and that its rows don't fail any more."""
+    is_blank: bool = False
+    """Whether it has no piece of seam, and not as a scan that found none left it."""
 
     @property
     def unexplained(self) -> float:
@@ -172,6 +197,11 @@ class DeliveredLayer:
     def unseen_m(self) -> float:
         """Metres of border around that: as much seam may be in no figure; 0 where nothing says."""
         return self._number("unexplained_border")
+
+    @property
+    def unread(self) -> float:
+        """Share of its mosaic that its scan could not read; 0 where nothing says."""
+        return self._number("unread")
 
     def _number(self, setting: str) -> float:
         try:

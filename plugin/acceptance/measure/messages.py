@@ -104,6 +104,13 @@ MEASURED_TOO_LITTLE = Message(
 )
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
 MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may", INFO)
+MOSAIC_UNREAD = Message("{share:.2%} of the mosaic of {name} could not be read, such as around {place}", INFO)
+SHEETS_NOT_MEASURED = Message("sheets of which nothing was measured: {count} ({names})", INFO)
+SHEETS_LEFT_OUT = Message("sheets that are missing in the mosaic that was scanned: {count} ({names})", INFO)
+SHEETS_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names})", INFO)
+SHEETS_OVERLAP = Message(
+    "sheets that overlap others and show something else there, which nobody has looked at: {count} ({names})", INFO
+)
 LAYERS_WERE_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
 SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
 SEAMS_HIDDEN = Message("rows of {name} were changed so that {metres:.0f} m which its scan failed pass", INFO)
@@ -179,6 +186,10 @@ WOULD_GIVE_ORTHOIMAGES = Message(
 )
 WOULD_GIVE_LAYER = Message(
     "What would decide it: the layers of seams as their scans wrote them, without features taken away.", WARNING
+)
+WOULD_SEE_SHEETS = Message(
+    "What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; "
+    "leave out the layer of a sheet without seams.", WARNING
 )
 # the layers that are decided on
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
@@ -351,4 +362,6 @@ SYSTEM_OTHER = Message("its reference system is another one", INFO)
 BANDS_OTHER = Message("it has {bands} bands instead of {wanted}", INFO)
 TYPE_OTHER = Message("its pixels are {kind} instead of {wanted}", INFO)
 DATA_MISSING = Message("{share:.2%} of its outline has no data", INFO)
+SHOWS_OTHERWISE = Message("it does not show the same as {names} where they overlap", INFO)
+NOT_IN_MOSAIC = Message("it is no part of the mosaic of all sheets", INFO)
 MISSING_UNKNOWN = Message("whether it has data everywhere can't be told", INFO)

@@ -10,13 +10,14 @@ from dataclasses import dataclass, replace
 from typing import Callable, TypeVar, Union
 
 from ...imagery import limits as imagery_limits
-from ...imagery.errors import Message, SeamInspectorWarning, WindowError, WorkersLostError
+from ...imagery.errors import Message, SeamInspectorWarning, SettingsError, WindowError, WorkersLostError
 from ...imagery.grids import Extent, PixelWindow, snap_window, standard_side_px, standard_window
 from ...imagery.open_raster import describe_mosaic
 from ...imagery.raster_pool import own_threads
 from ...imagery.rasters import Raster, RasterRef
 from . import messages
 from .inputs.mosaic_copies import leave_out_copies
+from .scan import messages as scan_messages
 from .scan.lines.seam_features import read_cells
 from .seam_cells import Cell, cells_over, source_stem
 from .source_images import Source, gather_sources, sources_in
@@ -80,7 +81,8 @@ def open_block(mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLi
     has several layers.
 
     What is left out (sources that can't be opened, copies of the mosaic) is told by a SeamInspectorWarning each. Raises
-    RasterError when the mosaic can't be used, SeamlineError when the cells can't.
+    RasterError when the mosaic can't be used, SettingsError when none of the sources can, SeamlineError when the cells
+    can't.
     """
     raster = describe_mosaic(RasterRef(os.fspath(mosaic)))
     refs = [RasterRef(os.fspath(source)) for source in sources]
@@ -91,6 +93,8 @@ def open_block(mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLi
     block, of_copies = without_copies(block)
     for notice in (*notices, *of_copies):
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
+    if not block.sources:
+        raise SettingsError(scan_messages.NO_SOURCE_USABLE())
     return block
 
 

@@ -10,7 +10,14 @@ from hypothesis import strategies as st
 from seam_inspector.plugin.acceptance.measure.acceptance_rules import SamplingRule
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
-from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, DeliveredPiece, SeenWindow
+from seam_inspector.plugin.acceptance.measure.delivery import (
+    DeliveredLayer,
+    DeliveredPiece,
+    Delivery,
+    SeenWindow,
+    SheetOutline,
+    SheetState,
+)
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.seam_totals import PieceState
 
@@ -167,9 +174,9 @@ def test_layers_that_lack_seams_are_not_accepted() -> None:
 
 
 def test_sheets_are_decided_by_the_same_limits() -> None:
-    sound, lost = seam([0.95] * 60), seam([0.4] * 2, sheet="b", start=(0, 99), number=60)
-    rest = seam([0.95] * 38, sheet="b", seam_id="2", start=(0, 200), number=62)
-    unknown = seam([None] * 9, sheet="c", start=(0, 300), number=100)
+    sound, lost = seam([0.95] * 59), seam([0.4] * 2, sheet="b", start=(0, 99), number=59)
+    rest = seam([0.95] * 38, sheet="b", seam_id="2", start=(0, 200), number=61)
+    unknown = seam([0.95] + [None] * 9, sheet="c", start=(0, 300), number=99)
     found = decide(delivery(sound, lost, rest, unknown), rules(share=0.02))
     assert found.sheet_outcomes == (ACCEPTED, REJECTED, UNDECIDED)
     assert found.whole.failed_share == pytest.approx(0.02)
@@ -327,3 +334,42 @@ def test_two_scans_of_one_mosaic_decide_nothing(kept: float) -> None:
     found = decide(replace(given, doubled_m=0.5 * metres), rules())
     assert found.outcome is UNDECIDED
     assert "lie on others" in str(found.sentences[0])
+
+
+def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
+    """A scan that could not read all, sheets out of the mosaic or hidden in it, sheets of which nothing is known."""
+    sound = delivery(seam([0.95] * 100))
+    assert decide(sound, rules()).outcome is ACCEPTED
+    read = DeliveredLayer("a", True, 0.0, {"unread": "0.004", "unread_at": "10 20"})
+    blank = replace(read, name="b", settings={}, is_blank=True)
+    unknown = seam([None], sheet="b", start=(0, 99), number=100)
+    for told, one in (
+        ("0.40% of the mosaic of a could not be read, such as around 10 20", replace(sound, layers=(read,))),
+        ("sheets of which nothing was measured: 1 (b)", replace(sound, layers=(blank,))),
+        ("sheets of which nothing was measured: 1 (b)", delivery(seam([0.95] * 100), unknown)),
+        ("missing in the mosaic that was scanned: 1 (x)", with_sheet(sound, SheetState.LEFT_OUT)),
+        ("whose pixels can't all be read: 1 (x)", with_sheet(sound, SheetState.DAMAGED)),
+        ("which nobody has looked at: 1 (x)", with_sheet(sound, SheetState.OVERLAPS)),
+    ):  # fmt: skip
+        found = decide(one, rules())
+        assert found.outcome is UNDECIDED
+        assert told in str(found.sentences[0])
+        assert "What would decide it: a scan of all sheets" in str(found.sentences[1])
+    for state in (SheetState.SHOWN, SheetState.NOT_ORDERED):
+        assert decide(with_sheet(sound, state), rules()).outcome is ACCEPTED
+
+
+def test_what_fails_is_rejected_whatever_else_is_unknown() -> None:
+    assert decide(with_sheet(delivery(seam([0.4] * 100)), SheetState.LEFT_OUT), rules()).outcome is REJECTED
+
+
+def with_sheet(made: Delivery, state: SheetState) -> Delivery:
+    return replace(made, outlines=(SheetOutline("a", ()), SheetOutline("x", (), state=state)))
+
+
+def test_a_corner_of_a_sheet_in_one_scan_of_many_is_no_sheet_by_itself() -> None:
+    """40 m that could not be measured, less than may fail without a break; with 60 m nobody knows the sheet."""
+    for count, outcome in ((4, ACCEPTED), (6, UNDECIDED)):
+        corner = seam([None] * count, sheet="b", start=(0, 99), number=100)
+        made = replace(delivery(seam([0.95] * 100), corner), outlines=(SheetOutline("a", ()), SheetOutline("b", ())))
+        assert decide(made, rules(measured=0.5)).outcome is outcome

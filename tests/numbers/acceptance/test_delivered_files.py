@@ -1,6 +1,7 @@
 """Files of a delivery with planted faults: each is found, and nothing else."""
 from __future__ import annotations
 
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from seam_inspector.plugin.acceptance.measure.delivered_files import (
     fitting,
 )
 
-from tests.numbers.synthetic import write_raster
+from tests.numbers.synthetic import orthoimage, write_raster
 
 LEFT, TOP, SIDE = 500_000.0, 5_400_000.0, 60
 HOLE = (slice(10, 20), slice(20, 50))  # 300 of 3600 pixels
@@ -122,3 +123,134 @@ def test_a_mosaic_is_made_of_the_sheets_that_fit(tmp_path: Path, sound: list[Ord
 
 def test_it_can_be_stopped(sound: list[OrderedSheet]) -> None:
     assert checked_sheets(sound, OrderedForm(), lambda share: share < 0.5) is None
+
+
+def states(sheets: list[OrderedSheet]) -> dict[str, str]:
+    found = checked_sheets(sheets, OrderedForm(), lambda share: True)
+    assert found is not None
+    return {one.sheet.name: one.state.value for one in found}
+
+
+def extra(one: OrderedSheet) -> OrderedSheet:
+    return replace(one, outline=None, is_ordered=False)
+
+
+def test_what_was_not_ordered_is_no_part_of_the_mosaic(tmp_path: Path, sound: list[OrderedSheet]) -> None:
+    """However large its picture, and however many such files there are."""
+    overview = pixels(side=4 * SIDE)
+    others = [extra(sheet(tmp_path, f"zz_{number}", 0, overview.astype("uint16"))) for number in range(6)]
+    others.append(extra(sheet(tmp_path, "zz_overview", 0, overview // 2)))
+    found = checked_sheets([*others, *sound], OrderedForm(), lambda share: True)
+    assert found is not None
+    assert [one.sheet.name for one in fitting(found)] == [one.name for one in sound]
+    assert {str(one.findings[0]) for one in found[: len(others)]} == {"it was not ordered"}
+    assert not any(one.findings for one in found[len(others) :])
+    assert states([*others, *sound]) == {
+        **{one.name: "not_ordered" for one in others}, **{one.name: "shown" for one in sound}
+    }
+
+
+def test_the_form_of_most_sheets_makes_the_mosaic_whatever_comes_first(
+    tmp_path: Path, sound: list[OrderedSheet]
+) -> None:
+    odd = sheet(tmp_path, "a_first", 4, pixels(kind="uint16"))
+    found = checked_sheets([odd, *sound], OrderedForm(), lambda share: True)
+    assert found is not None
+    assert [one.sheet.name for one in fitting(found)] == [one.name for one in sound]
+    assert states([odd, *sound, OrderedSheet("gone", "", outline(5), system())]) == {
+        "a_first": "left_out", "gone": "left_out", **{one.name: "shown" for one in sound}
+    }
+
+
+def wide(folder: Path, name: str, column: int, scene: np.ndarray, **more: object) -> OrderedSheet:
+    """70 columns of a scene, of which the next sheet shows 10 as well."""
+    path = write_raster(folder / f"{name}.tif", scene[:, :, column : column + 70], 1.0, (LEFT + column, TOP), **more)
+    return OrderedSheet(name, path, None, system())
+
+
+@pytest.mark.parametrize("options", [["COMPRESS=DEFLATE"], ["COMPRESS=JPEG", "JPEG_QUALITY=75", "TILED=YES"]])
+def test_sheets_that_hide_each_other_are_named(tmp_path: Path, options: list[str]) -> None:
+    scene, other = (orthoimage((64, 256), seed=seed) for seed in (1, 2))
+    more = {"system": 32633, "options": options}
+    alike = [wide(tmp_path, f"s{column}", column, scene, **more) for column in (0, 60, 120)]
+    assert not any(findings(alike).values())
+    assert set(states(alike).values()) == {"shown"}
+    odd = [*alike, wide(tmp_path, "t180", 180, other, **more)]
+    assert findings(odd) == {
+        "s0": [], "s60": [], "s120": ["it does not show the same as t180 where they overlap"],
+        "t180": ["it does not show the same as s120 where they overlap"],
+    }
+    assert states(odd) == {"s0": "shown", "s60": "shown", "s120": "overlaps", "t180": "overlaps"}
+
+
+def test_pixels_without_data_hide_nothing(tmp_path: Path) -> None:
+    scene = orthoimage((64, 256), seed=1)
+    holed = scene.copy()
+    holed[:, :, 60:70] = 0
+    more = {"system": 32633, "nodata": 0}
+    pair = [wide(tmp_path, "s0", 0, scene, **more), wide(tmp_path, "s60", 60, holed, **more)]
+    assert states(pair) == {"s0": "shown", "s60": "shown"}
+
+
+def test_sheets_on_other_pixels_that_overlap_are_named(tmp_path: Path) -> None:
+    scene = orthoimage((64, 256), seed=1)
+    first = wide(tmp_path, "s0", 0, scene, system=32633)
+    path = write_raster(tmp_path / "aside.tif", scene[:, :, 60:130], 1.0, (LEFT + 60.5, TOP), system=32633)
+    beside = write_raster(tmp_path / "beside.tif", scene[:, :, 60:130], 1.0, (LEFT + 69.5, TOP + 300), system=32633)
+    sheets = [first, *(OrderedSheet(Path(one).stem, one, None, system()) for one in (path, beside))]
+    assert states(sheets) == {"s0": "overlaps", "aside": "overlaps", "beside": "shown"}
+
+
+@pytest.mark.parametrize("compression", ["JPEG", "DEFLATE", "NONE"])
+def test_a_truncated_sheet_is_a_finding(tmp_path: Path, compression: str) -> None:
+    options = [f"COMPRESS={compression}", "TILED=YES", "BLOCKXSIZE=64", "BLOCKYSIZE=64"]
+    path = Path(write_raster(tmp_path / "cut.tif", orthoimage((256, 256)), 1.0, (LEFT, TOP), options=options))
+    one = OrderedSheet("cut", str(path), outline(0, 256), system())
+    assert findings([one]) == {"cut": []}
+    held = path.read_bytes()
+    path.write_bytes(held[: len(held) * 2 // 3])
+    (told,) = findings([one])["cut"]
+    assert "cut.tif" in told
+    assert states([one]) == {"cut": "damaged"}
+
+
+def test_a_damaged_tile_is_a_finding(tmp_path: Path) -> None:
+    """Of the same length: the file says nothing of it."""
+    options = ["COMPRESS=JPEG", "TILED=YES", "BLOCKXSIZE=64", "BLOCKYSIZE=64"]
+    path = Path(write_raster(tmp_path / "cut.tif", orthoimage((256, 256)), 1.0, (LEFT, TOP), options=options))
+    held = bytearray(path.read_bytes())
+    dataset = gdal.Open(str(path))
+    offset = int(dataset.GetRasterBand(1).GetMetadataItem("BLOCK_OFFSET_2_2", "TIFF"))
+    del dataset
+    held[offset + 200 : offset + 900] = bytes(700)
+    path.write_bytes(held)
+    one = OrderedSheet("cut", str(path), outline(0, 256), system())
+    assert "cut.tif is damaged in columns" in findings([one])["cut"][0]
+
+
+def sparse(path: Path, side: int, filled: int) -> str:
+    """A TIFF with blocks in its upper left corner only, and no word of nodata."""
+    options = ["TILED=YES", "COMPRESS=JPEG", "SPARSE_OK=TRUE", "BIGTIFF=YES"]
+    made = gdal.GetDriverByName("GTiff").Create(str(path), side, side, 3, gdal.GDT_Byte, options)
+    made.SetGeoTransform((LEFT, 1.0, 0, TOP, 0, -1.0))
+    made.SetProjection(system())
+    made.WriteArray(np.full((3, filled, filled), 100, np.uint8), 0, 0)
+    return str(path)
+
+
+def test_a_sheet_that_is_mostly_empty_is_a_finding_in_a_second(tmp_path: Path) -> None:
+    path = sparse(tmp_path / "vast.tif", 400_000, 512)
+    begin = time.monotonic()
+    found = findings([OrderedSheet("vast", path, None, "")])
+    assert time.monotonic() - begin < 3  # on a busy machine
+    assert found == {"vast": ["100.00% of its outline has no data"]}
+
+
+def test_blocks_that_a_file_does_not_have_are_no_data(tmp_path: Path) -> None:
+    """Outside of the outline they do no harm."""
+    path = sparse(tmp_path / "corner.tif", 1024, 512)
+    assert findings([OrderedSheet("corner", path, outline(0, 512), system())]) == {"corner": []}
+    assert findings([OrderedSheet("corner", path, outline(0, 640), system())]) == {
+        "corner": ["36.00% of its outline has no data"]
+    }
+    assert findings([OrderedSheet("corner", path, None, system())]) == {"corner": ["75.00% of its outline has no data"]}

@@ -196,3 +196,13 @@ def test_a_sheet_without_a_name_is_refused() -> None:
     sheets = layer("Polygon", [QgsGeometry.fromWkt(box)], UTM33, sheet=("string", [None]))
     refused = decide(seams([P] * 4), SHEETS=sheets)
     assert str(refused.complaint) == "The sheet no. 1 has no name in the field sheet; write it there."
+
+
+def test_a_sheet_of_which_nothing_was_measured_is_not_passed_over(tmp_path: Path) -> None:
+    """Its layer is empty, as that of a scan that could read nothing was."""
+    good, broken = seams([0.97] * 100, name="good"), seams([], name="broken")
+    assert run("acceptmosaic", SEAMS=[good]).results["DECISION"] == "accepted"
+    found = run("acceptmosaic", SEAMS=[good, broken])
+    assert found.results["DECISION"] == "undecided"
+    told = found.log.infos + found.log.warnings
+    assert any("sheets of which nothing was measured: 1 (broken)" in one for one in told)

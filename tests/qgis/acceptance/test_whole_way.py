@@ -1,6 +1,7 @@
 """From the files of a delivery to its decision: checkdelivery, the model of three steps, the desk's entry."""
 from __future__ import annotations
 
+import re
 import shutil
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -15,7 +16,7 @@ from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
 from tests.qgis.runs import Log, algorithm, assert_refused, run
 from tests.qgis.scenes import layer
-from tests.qgis.seams.scan_scenes import Files, write_scene
+from tests.qgis.seams.scan_scenes import Files, drawn_seam, write_scene
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -94,6 +95,74 @@ def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files,
     measures = {one.get("id"): "".join(one.itertext()) for one in ET.fromstring(text).iterfind(".//*[@id]")}
     assert "sheet_z: the file is missing." in measures["files"]
     assert "sheet_a.tif: Rejected" in measures["radiometry"]
+
+
+def decided(folder: Path, sheets: object, files: Files, out: Path) -> str:
+    """The decision's headline, by the model."""
+    out.mkdir()
+    made = run(
+        "accept_delivery", folder=str(folder), sheets=sheets, sources=files.sources, seamlines=drawn_seam(), piece=20.0,
+        **{"check:mosaic": str(out / "all.vrt"), "check:checked_sheets": str(out / "sheets.gpkg"),
+           "scan:seams": str(out / "seams.gpkg")},
+    )  # fmt: skip
+    assert made.complaint is None
+    told = (*made.log.infos, *made.log.warnings)
+    return next(one for one in told if re.match("(Accepted|Rejected|Undecided) by", one))
+
+
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory: pytest.TempPathFactory) -> tuple[Files, Path]:
+    """A hard cut, and it in two sheets."""
+    made = write_scene(tmp_path_factory.mktemp("sound"))
+    folder = tmp_path_factory.mktemp("delivered_sound")
+    for name, column, width in (("sheet_a", 0, 350), ("sheet_b", 350, 350)):
+        gdal.Translate(str(folder / f"{name}.tif"), made.mosaic, srcWin=[column, 0, width, 520])
+    return made, folder
+
+
+def test_what_nobody_ordered_hides_nothing(sound: tuple[Files, Path], scene: Files, tmp_path: Path) -> None:
+    """A feathered delivery under a hard cut of all of it."""
+    cut, _ = sound
+    feathered = tmp_path / "feathered"
+    feathered.mkdir()
+    for name, column in (("sheet_a", 0), ("sheet_b", 350)):
+        gdal.Translate(str(feathered / f"{name}.tif"), scene.mosaic, srcWin=[column, 0, 350, 520])
+    index = ordered(feathered)
+    alone = decided(feathered, index, scene, tmp_path / "alone")
+    assert alone.startswith("Rejected")
+    shutil.copy(cut.mosaic, feathered / "zz_overview.tif")
+    assert decided(feathered, index, scene, tmp_path / "hidden") == alone
+    mosaic = gdal.Open(str(tmp_path / "hidden" / "all.vrt"))
+    assert (mosaic.ReadAsArray() == gdal.Open(scene.mosaic).ReadAsArray()).all()
+
+
+def test_sheets_that_hide_others_leave_it_open(sound: tuple[Files, Path], scene: Files, tmp_path: Path) -> None:
+    """An ordered sheet that reaches over all seams of another one, which are the same there or worse."""
+    files, folder = sound
+    for name, hidden, outcome in (("same", files.mosaic, "Accepted"), ("other", scene.mosaic, "Undecided")):
+        (tmp_path / name).mkdir()
+        gdal.Translate(str(tmp_path / name / "sheet_a.tif"), hidden, srcWin=[0, 0, 350, 520])
+        gdal.Translate(str(tmp_path / name / "sheet_b.tif"), files.mosaic, srcWin=[150, 0, 550, 520])
+        headline = decided(tmp_path / name, ordered(folder), files, tmp_path / f"{name} out")
+        assert headline.startswith(outcome)
+        assert ("show something else there" in headline) == ("sheet_a, sheet_b" in headline) == (name == "other")
+
+
+def test_sheets_that_are_missing_or_damaged_leave_it_open(sound: tuple[Files, Path], tmp_path: Path) -> None:
+    files, folder = sound
+    headline = decided(folder, ordered(folder, "sheet_z"), files, tmp_path / "missing")
+    assert headline.startswith("Undecided")
+    assert "missing in the mosaic that was scanned: 1 (sheet_z)" in headline
+    shutil.copytree(folder, tmp_path / "damaged")
+    gdal.Translate(
+        str(tmp_path / "damaged" / "sheet_b.tif"), str(folder / "sheet_b.tif"),
+        creationOptions=["TILED=YES", "COMPRESS=JPEG", "JPEG_QUALITY=95", "BLOCKXSIZE=64", "BLOCKYSIZE=64"],
+    )
+    held = (tmp_path / "damaged" / "sheet_b.tif").read_bytes()
+    (tmp_path / "damaged" / "sheet_b.tif").write_bytes(held[:-2000])
+    headline = decided(tmp_path / "damaged", ordered(folder), files, tmp_path / "out")
+    assert headline.startswith("Undecided")
+    assert "whose pixels can't all be read: 1 (sheet_b)" in headline
 
 
 def test_what_a_step_needs_of_another_has_not_to_be_asked_for(

@@ -281,6 +281,25 @@ def test_the_mosaic_among_its_sources_is_left_out(
     assert set(found.column("source", "CELLS")) == {"west.tif", "east.tif"}
 
 
+@pytest.mark.parametrize("kind", ["VRT", "tif"])
+def test_a_mosaic_that_can_not_be_read_is_refused(tmp_path: Path, feathered: Files, kind: str) -> None:
+    """A VRT whose files are gone, a file without its end."""
+    options = ["TILED=YES", "COMPRESS=DEFLATE"]
+    gdal.Translate(str(tmp_path / "sheet.tif"), feathered.mosaic, creationOptions=options)
+    if kind == "VRT":
+        gdal.BuildVRT(str(tmp_path / "sheet.vrt"), [str(tmp_path / "sheet.tif")]).FlushCache()
+        (tmp_path / "sheet.tif").unlink()
+    else:
+        dataset = gdal.Open(str(tmp_path / "sheet.tif"))
+        first = int(dataset.GetRasterBand(1).GetMetadataItem("BLOCK_OFFSET_0_0", "TIFF"))
+        del dataset
+        (tmp_path / "sheet.tif").write_bytes((tmp_path / "sheet.tif").read_bytes()[: first + 100])
+    seams = str(tmp_path / "seams.gpkg")
+    found = run("scanmosaic", **feathered.given(MOSAIC=str(tmp_path / f"sheet.{kind.lower()}"), SEAMS=seams))
+    assert f"Nothing of the mosaic sheet.{kind.lower()} could be read" in str(found.complaint)
+    assert not Path(seams).exists()
+
+
 def test_a_truncated_source_costs_its_own_ground_only(tmp_path: Path, feathered: Files) -> None:
     whole = Path(write_raster(tmp_path / "west.tif", images()[0], options=["TILED=YES"]))
     broken = tmp_path / "broken.tif"

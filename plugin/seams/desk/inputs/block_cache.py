@@ -24,7 +24,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import WARNING, Message, RasterError, SeamInspectorError, SettingsError, WindowError
 from ....imagery.grids import PixelWindow
-from ....imagery.open_raster import check_readable, describe_mosaic
+from ....imagery.open_raster import OpenRaster, check_readable, describe_mosaic
 from ....imagery.rasters import Raster, RasterRef
 from ....toolkit import layers
 from ....toolkit import messages as toolkit_messages
@@ -377,7 +377,7 @@ def opening_job(project: QgsProject, inputs: Inputs, files: InputFiles) -> Job:
 
     def opened() -> OpenedFiles:
         mosaic = describe_mosaic(files.mosaic)
-        check_readable(files.mosaic)
+        check_readable(OpenRaster(files.mosaic))
         crs = layers.mosaic_crs(mosaic)
         indexed: list[Source] = []
         known: list[Cell] = []

@@ -11,6 +11,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice
+from operator import attrgetter
 from typing import Any, Callable, TypeVar
 
 import numpy as np
@@ -27,6 +28,7 @@ from . import messages
 from .block_files import BlockFiles
 from .blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
 from .blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
+from .mosaic_reading import ALL_READ, BlockReading
 from .scan_journal import INCOMPLETE, ScanJournal
 from .scan_request import ScanRequest
 
@@ -50,6 +52,10 @@ def _nothing(_scan: Scan) -> None:
     return None
 
 
+def _all_read(_scan: Scan) -> BlockReading:
+    return ALL_READ
+
+
 @dataclass(frozen=True)
 class BlockLook:
     """One kind of measurement of blocks."""
@@ -66,6 +72,8 @@ class BlockLook:
     """Whether what an earlier run has kept of a block is what is asked for."""
     brief: Callable[[Scan], Any] = _nothing
     """What has to be known of it to hand out more blocks."""
+    reading: Callable[[Scan], BlockReading] = _all_read
+    """What could be read, as long as it is not held."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,6 +89,7 @@ class LookedAt:
     """All of it, where who measured it doesn't see the folder to keep it in."""
     trouble: Message | str = ""
     """Why it could not be kept."""
+    reading: BlockReading = ALL_READ
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,6 +104,7 @@ class ScanStep:
     brief: Any = None
     notices: tuple[Message, ...] = ()
     """What could not be read in it; a later run measures the block anew."""
+    reading: BlockReading = ALL_READ
 
 
 class JournaledBlocks:
@@ -134,7 +144,7 @@ class JournaledBlocks:
         left = None
         if self._timed >= _FEWEST_TIMED:
             left = (time.monotonic() - self._started) / self._timed * self._missing
-        return ScanStep(self._done / self._total, left, one.key, one.brief, one.notices)
+        return ScanStep(self._done / self._total, left, one.key, one.brief, one.notices, one.reading)
 
 
 _One = TypeVar("_One")
@@ -179,7 +189,8 @@ def _kept_before(look: BlockLook, files: BlockFiles, request: Request) -> Scan |
 
 
 def _kept(look: BlockLook, files: BlockFiles, scan: Scan) -> LookedAt:
-    record, told = look.record_of(scan), LookedAt(scan.key, look.brief(scan), scan.notices)
+    record = look.record_of(scan)
+    told = LookedAt(scan.key, look.brief(scan), scan.notices, reading=look.reading(scan))
     try:
         files.save(_name(look, scan.key, scan.notices), record)
     except FileNotFoundError:
@@ -368,8 +379,10 @@ def _is_of_its_sources(scan: BlockScan, request: BlockRequest) -> bool:
     return scan.sources == tuple(one.ref.path for one in request.sources)
 
 
-FIRST_LOOK = BlockLook("block", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources, BlockBrief.of)
-SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources)
+SECOND_LOOK = BlockLook(
+    "border", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources, reading=attrgetter("reading")
+)
+FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=BlockBrief.of)
 
 
 def whole_block(files: BlockFiles, key: BlockKey) -> BlockScan | None:

@@ -36,6 +36,7 @@ from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
 from .lines.seam_tracing import SourceBorder, SourcePolygon, polygons_of, seams_of, trace_borders
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
+from .mosaic_reading import MosaicReading
 from .piece_sums import REACH_PX, MeasuredPieces, PiecesRequest, around_pieces, measure_pieces, visibilities
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
@@ -73,8 +74,8 @@ class _Lacking:
 class Gathering:
     """Puts together what a journal holds."""
 
-    def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
-        self._request, self._journal = request, journal
+    def __init__(self, request: ScanRequest, journal: ScanJournal, reading: MosaicReading) -> None:
+        self._request, self._journal, self._reading = request, journal, reading
         self._blocks = request.blocks
         self._units = np.zeros((self._blocks.rows * UNITS, self._blocks.columns * UNITS), np.uint8)
 
@@ -214,6 +215,9 @@ class Gathering:
         To be asked when all blocks are accounted for."""
         if self._request.seam_squares is not None:
             return None
+        for one in self._reading.unread:
+            first, last = (one.row, one.column), (one.row + one.height, one.column + one.width)
+            self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = 0
         parts, _ = ndimage.label(self._units == LACKING)
         sizes = np.bincount(parts.ravel())
         total = np.count_nonzero(self._units)
@@ -233,7 +237,7 @@ class Gathering:
     @property
     def _told(self) -> dict[str, str]:
         """What the layers and the picture say beside the settings."""
-        told = {"seams": "given" if self._request.seams else "found"}
+        told = {"seams": "given" if self._request.seams else "found", **self._reading.told}
         if names := self._request.not_given:
             told["not_given"] = ", ".join(names)
         if self._lacking is not None:
@@ -252,8 +256,9 @@ class Gathering:
     def _notices(self) -> tuple[Message, ...]:
         one = self._lacking
         if one is None or one.place is None or one.share < LEAST_UNEXPLAINED:
-            return ()
-        return (messages.MOSAIC_UNEXPLAINED(share=100 * one.share, x=one.place[0], y=one.place[1]),)
+            return self._reading.notices
+        unexplained = messages.MOSAIC_UNEXPLAINED(share=100 * one.share, x=one.place[0], y=one.place[1])
+        return (*self._reading.notices, unexplained)
 
 
 NOTHING = StripProfile(None, 0.0, 0.0, 0.0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from operator import attrgetter
 
 import numpy as np
 from scipy import ndimage
@@ -21,6 +22,7 @@ from .block_runs import BlockLook
 from .blocks.block_grid import BlockKey, rectangles
 from .blocks.scan_block import BlockRequest
 from .lines.piece_index import PieceIndex
+from .mosaic_reading import ALL_READ, BlockReading
 
 REACH_PX = 128.0
 """Cells whose middle lies farther than this from any seam are left out."""
@@ -163,19 +165,24 @@ class LoneScan:
     table: LoneTable
     notices: tuple[Message, ...] = ()
     """What could not be read; the block then lacks it."""
+    reading: BlockReading = ALL_READ
+    """What could be read."""
 
     @classmethod
     def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> LoneScan:
         """A block of which nothing could be measured."""
-        return cls(request.key, LoneTable.empty(), notices)
+        return cls(request.key, LoneTable.empty(), notices, BlockReading((request.window,), False))
 
 
 @measuring()
 def scan_lone_block(request: BlockRequest) -> LoneScan:
     """The cells along the seams of a block, which are its ``sides``. What can't be read is told in its notices."""
     assert request.wanted is not None
-    tables, notices = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)], []
-    for part in rectangles(request.wanted):
+    tables = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)]
+    notices: list[Message] = []
+    unread: list[PixelWindow] = []
+    parts = rectangles(request.wanted)
+    for part in parts:
         window = part.moved_by(request.window.column, request.window.row)
         try:
             tables.append(_cells(request, window))
@@ -183,7 +190,9 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
             continue
         except RasterError as error:
             notices.append(error.message.as_warning())
-    return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)))
+            unread.append(window)
+    reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))
+    return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)
 
 
 def _cells(request: BlockRequest, window: PixelWindow) -> LoneTable:
@@ -210,4 +219,6 @@ def lone_scan_of(record: bytes) -> LoneScan:
         return LoneScan((row, column), LoneTable(**{one.name: kept[one.name] for one in fields(LoneTable)}))
 
 
-LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, lone_record_of, lone_scan_of)
+LONE_LOOK = BlockLook(
+    "lone", scan_lone_block, LoneScan.nothing, lone_record_of, lone_scan_of, reading=attrgetter("reading")
+)

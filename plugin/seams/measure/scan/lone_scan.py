@@ -23,6 +23,7 @@ from .lone_blocks import LONE_LOOK, MARGIN_PX, REACH_PX, LoneTable
 from .lone_kept import LoneJudgement, LoneSeams, judge_pieces, judge_stretches
 from .lone_stretches import STRIP_PX, LoneStretches, lone_stretches
 from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
+from .mosaic_reading import MosaicReading
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, ScanResult, state_by, without_verdict, worst_windows
@@ -34,7 +35,8 @@ _CELLS_BESIDE_PX = 12  # what a cell whose middle is within reach sticks out
 class LoneScanning:
     """Measures blocks, then reads them one by one from the journal, so that memory grows with the seams only."""
 
-    def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
+    def __init__(self, request: ScanRequest, journal: ScanJournal, reading: MosaicReading) -> None:
+        self._reading = reading
         self._request, self._mosaic, self._pieces = request, request.mosaic, request.pieces
         self._index = PieceIndex(request.pieces, request.mosaic.grid)
         self._journal, self._blocks = journal, request.blocks
@@ -94,8 +96,9 @@ class LoneScanning:
                 self._draw(raster, pieces, settings.cell_px)
                 raster.close([])
         worst = worst_windows(pieces, mosaic, settings.worst_count, settings.levels)
-        notices += without_verdict(pieces)
-        found = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), {"orthoimages": "none"})
+        notices += (*self._reading.notices, *without_verdict(pieces))
+        said = {"orthoimages": "none", **self._reading.told}
+        found = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), said)
         return found if goes_on(1.0) else None
 
     def _draw(self, raster: LossRaster, judged: Sequence[JudgedPiece], cell_px: int) -> None:

@@ -29,6 +29,11 @@ NO_SOURCE_USABLE = Message(
     "None of the orthoimages can be used, for the reasons in the log; mend that, or leave them all out to scan the "
     "mosaic along its seamlines alone."
 )
+MOSAIC_NOT_READ = Message("Nothing of the mosaic {name} could be read, so nothing was measured: {why}")
+SOURCES_NOT_READ = Message(
+    "No orthoimage could be read, so nothing was measured; mend that, or leave them all out to scan the mosaic along "
+    "its seamlines alone: {why}"
+)
 SOURCES_CROWDED = Message(
     "More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} "
     "that cover most of a block are taken.", WARNING
@@ -158,6 +163,10 @@ MOSAIC_UNEXPLAINED = Message(
     "{share:.0f} % of the mosaic follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is "
     "measured there. Give those that it was made from there; ground without any texture, such as water, is counted as "
     "well.", WARNING
+)
+MOSAIC_UNREAD = Message(
+    "{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy "
+    "its files anew and scan again.", WARNING
 )
 # seams of a mosaic whose orthoimages are not given
 TOO_LITTLE_BESIDE_SEAM = Message(

@@ -3,14 +3,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
+from typing import Callable
 
 import numpy as np
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import Message, SettingsError
+from ....imagery.errors import Message, RasterError, SettingsError
 from ....imagery.grids import PixelWindow
-from ....imagery.rasters import Raster
+from ....imagery.open_raster import check_readable
+from ....imagery.raster_pool import RasterPool
+from ....imagery.rasters import Raster, RasterRef
 from ..inputs.grey_values import grey_factor
 from ..inputs.mosaic_copies import leave_out_copies
 from ..inputs.whole_images import whole_images
@@ -184,13 +187,28 @@ def largest(sources: tuple[Source, ...], mosaic: Raster, window: PixelWindow) ->
     return tuple(sources[number] for number in np.sort(chosen).tolist())
 
 
+def _check_readable(refs: Iterable[RasterRef], failure: Callable[..., Message]) -> None:
+    """Raises RasterError where not one of some rasters can be read; ``failure`` makes its sentence of ``why``."""
+    why: Message | None = None
+    with RasterPool(most=1) as pool:
+        for ref in refs:
+            try:
+                check_readable(pool.open(ref))
+            except RasterError as error:
+                why = why or error.message
+            else:
+                return
+    if why is not None:
+        raise RasterError(failure(why=why))
+
+
 def scan_request(
     mosaic: Raster, sources: Sequence[Source], settings: ScanSettings, given: GivenSeams | None = None
 ) -> tuple[ScanRequest, list[Message]]:
     """A mosaic with the sources that can tell something of it, and what to tell of the others and of the seams.
 
     Raises SettingsError when a setting is out of its range, there are neither sources nor seams, no source lies on
-    the mosaic, or that is too small.
+    the mosaic, or that is too small; RasterError when nothing of the mosaic or no source can be read.
     """
     settings.check()
     if not sources and given is None:
@@ -199,6 +217,7 @@ def scan_request(
         raise SettingsError(messages.SCAN_MOSAIC_TOO_SMALL(
             width=mosaic.columns, height=mosaic.rows, fewest=imagery_limits.MIN_SIDE_PX
         ))
+    _check_readable([mosaic.ref], partial(messages.MOSAIC_NOT_READ, name=mosaic.ref.name))
     kept, notices = leave_out_copies(mosaic, sources)
     kept, in_parts = whole_images(mosaic, kept)
     notices += in_parts
@@ -209,8 +228,10 @@ def scan_request(
     if settings.corridor_m and given is None:
         notices.append(messages.CORRIDOR_WITHOUT_SEAMS())
     request = ScanRequest(mosaic, tuple(kept), settings, given)
-    if kept and not request.footprints.meeting(mosaic.extent):
+    meeting = [request.sources[number].ref for number in request.footprints.meeting(mosaic.extent)]
+    if kept and not meeting:
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
+    _check_readable(meeting, messages.SOURCES_NOT_READ)
     if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * request.seams_m:
         notices.append(messages.SOURCES_TOO_FEW(between=between, all=request.seams_m))
         request = replace(request, sources=())

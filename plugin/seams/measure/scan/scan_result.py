@@ -235,8 +235,8 @@ class ScanResult:
     """What was left out, assumed or could not be judged."""
     told: Mapping[str, str] = field(default_factory=dict)
     """What its layers and its picture say of it beside the settings: whether ``seams`` were ``given`` or ``found``, and
-    which share of the mosaic is ``unexplained``, ``unexplained_at`` where most of that lies together, and the
-    metres of ``unexplained_border`` around it."""
+    which share of the mosaic is ``unread``, ``unread_at`` a place in it, which share is ``unexplained``,
+    ``unexplained_at`` where most of that lies together, and the metres of ``unexplained_border`` around it."""
 
     @property
     def features(self) -> tuple[JudgedPiece, ...]:

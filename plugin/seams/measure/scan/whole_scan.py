@@ -22,6 +22,7 @@ from .gathering import Gathering
 from .lines.given_seams import GivenSeams, given_seams
 from .lines.seam_features import read_seam_features
 from .lone_scan import LoneScanning
+from .mosaic_reading import MosaicReading
 from .scan_journal import ScanJournal, journal_beside, local_states
 from .scan_request import ScanRequest, scan_request
 from .scan_result import ScanResult, dated
@@ -47,11 +48,12 @@ class WholeScan:
         self.request, self._read = request, read or {}
         self.notice = notice
         """What became of an earlier run: goes on, or starts anew and why."""
-        self._journal = journal
+        self._journal, self._reading = journal, MosaicReading(request.mosaic)
         if request.sources:
-            self._steps, self._result = BlockRun(request, journal).steps, Gathering(request, journal).result
+            self._steps = BlockRun(request, journal).steps
+            self._result = Gathering(request, journal, self._reading).result
         else:
-            alone = LoneScanning(request, journal)
+            alone = LoneScanning(request, journal, self._reading)
             self._steps, self._result = alone.steps, lambda path, goes_on, *_crew: alone.result(path, goes_on)
 
     def steps(
@@ -59,7 +61,9 @@ class WholeScan:
     ) -> Iterator[ScanStep]:
         """Scans all blocks, as many of them ``ahead`` as an executor should have under way."""
         with rasters_kept(), measuring():  # memory is kept from one block to the next
-            yield from self._steps(executor, ahead, cancelled)
+            for step in self._steps(executor, ahead, cancelled):
+                self._reading.add(step.reading, step.notices)
+                yield step
 
     def block(self, key: BlockKey) -> BlockScan | None:
         """What was measured of one block so far, None where nothing was. Raises SettingsError where that can't be read
@@ -73,12 +77,14 @@ class WholeScan:
         """What all blocks together tell, the picture of losses as a file where a path is given; None when ``goes_on``,
         which is asked with the share that is done, says no. ``executor``: a thread per core where None.
 
-        Raises SettingsError where a raster has changed since the scan began.
+        Raises SettingsError where a raster has changed since the scan began, RasterError where nothing of the mosaic or
+        no orthoimage could be read.
         """
         now = local_states(_paths(self.request))
         for path, state in self._read.items():
             if now.get(path, state) != state:  # of one that is gone blocks have told
                 raise SettingsError(messages.SCAN_INPUT_CHANGED(name=Path(path).name))
+        self._reading.check()
         with rasters_kept(), measuring(), own_threads(executor, ahead) as crew:
             found = self._result(loss_path, goes_on, *crew)
         dates = self.request.dates

@@ -80,6 +80,8 @@ class BlockPixels:
         """
         self.window = window
         self.notices: list[Message] = []
+        self.has_sources: bool | None = None
+        """Whether any orthoimage was read; None where none has pixels here."""
         self.mosaic, self._refs, self._band = mosaic, refs, mosaic.judged_band
         self._absent: set[int] = set()
         self._factors: dict[int, float] = {}
@@ -178,7 +180,9 @@ class BlockPixels:
                 continue
             except RasterError as error:
                 self.notices.append(error.message.as_warning())
+                self.has_sources = bool(self.has_sources)
                 continue
+            self.has_sources = True
             if self._band not in measured_bands(clip.raster.band_names):
                 self.notices.append(messages.SOURCE_WITHOUT_BAND(name=clip.raster.ref.name, band=self._band))
                 continue

@@ -18,6 +18,7 @@ from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
 from ...while_measuring import measuring
+from ..mosaic_reading import ALL_READ, BlockReading
 from ..scan_settings import ScanSettings
 from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey, rectangles
 from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
@@ -90,11 +91,15 @@ class BlockScan:
     """What its patches tell of what came over the mosaic."""
     notices: tuple[Message, ...] = ()
     """What could not be read; the block then lacks it."""
+    reading: BlockReading = ALL_READ
+    """What could be read."""
 
     @classmethod
     def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> BlockScan:
-        """A block of which nothing could be measured."""
-        return _Block(request).result(notices)
+        """A block of which nothing could be measured; without notices the mosaic has no pixels there."""
+        made, window = _Block(request), request.window
+        made.leave_out(None if notices else np.zeros((window.height, window.width), bool))
+        return replace(made.result(notices), reading=BlockReading((window,), False) if notices else ALL_READ)
 
 
 @measuring()
@@ -130,15 +135,20 @@ def _scanned(request: BlockRequest) -> BlockScan:
         if is_full:
             made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
     waiting = deque(rectangles(wanted))
+    unread: list[PixelWindow] = []
+    has_mosaic = look is not None or not waiting
     while waiting:
         window = waiting.popleft()
         try:
             part = _measured(pixels, look, window, request)
         except NotCoveredError:
+            has_mosaic = True
             continue
         except RasterError as error:
             pixels.notices.append(error.message.as_warning())
+            unread.append(window.moved_by(request.window.column, request.window.row))
             continue
+        has_mosaic = True
         if part is None:
             waiting.extendleft(reversed(_halves(window)))
         else:
@@ -146,7 +156,8 @@ def _scanned(request: BlockRequest) -> BlockScan:
     made.leave_out(pixels.valid)
     if every > 1:
         made.take_outside(thin_valid(request.mosaic, request.window))
-    found = made.result(tuple(dict.fromkeys(pixels.notices)))
+    reading = BlockReading(tuple(unread), has_mosaic, pixels.has_sources)
+    found = replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
     return replace(found, labels=filled(found)) if every > 1 else found
 
 
