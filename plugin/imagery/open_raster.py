@@ -14,7 +14,7 @@ from osgeo import gdal, gdal_array
 
 from . import limits, messages
 from .errors import Message, RasterError
-from .gdal_calls import gdal_call, gdal_pixels, read_metadata, whole_jpeg_tiles
+from .gdal_calls import gdal_call, gdal_pixels, gdal_silenced, read_metadata, whole_jpeg_tiles
 from .gdal_paths import RASTERS, check_raster_path, open_dataset
 from .grids import PixelWindow
 from .limits import COLOURS
@@ -236,6 +236,18 @@ class OpenRaster:
         share = _share_of(self.thinned(window, 4).invalid)
         is_near = 0 < share <= 2 * limits.MAX_INVALID_SHARE
         return (_share_of(self.read(window).invalid) if is_near else share) <= limits.MAX_INVALID_SHARE
+
+    def stored_share(self, window: PixelWindow) -> float:
+        """Share of a window that the file has blocks for, 0 to 1, by its list of them; 1 where it has none. What it has
+        no blocks for is read as nodata or 0."""
+        shares = [1.0]
+        for index in self.roles.indices:
+            band = self.dataset.GetRasterBand(index + 1)
+            with gdal_silenced(), suppress(RuntimeError):
+                flags, share = band.GetDataCoverageStatus(window.column, window.row, window.width, window.height)
+                if flags & gdal.GDAL_DATA_COVERAGE_STATUS_EMPTY:
+                    shares.append(share / 100)
+        return min(shares)
 
     def blocks(self, window: PixelWindow, most_pixels: int) -> Iterator[PixelWindow]:
         """Pieces that together are the window, row by row, each on whole tiles or strips of the file.

@@ -4,7 +4,6 @@ from __future__ import annotations
 import fnmatch
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Callable, TypeVar
@@ -13,7 +12,7 @@ import numpy as np
 from osgeo import gdal, ogr
 
 from ...imagery.errors import CancelledError, Message, RasterError
-from ...imagery.gdal_calls import gdal_silenced, gdal_writing
+from ...imagery.gdal_calls import gdal_writing
 from ...imagery.grids import PixelWindow
 from ...imagery.limits import MAX_PIXEL_SIZE_DIFFERENCE
 from ...imagery.lines import burnt
@@ -276,7 +275,7 @@ def _invalid_pixels(
     """
     raster = opened.raster
     whole = raster.whole
-    surely = (1 - _filled(opened, whole)) * whole.width * whole.height - (whole.width * whole.height - inside)
+    surely = (1 - opened.stored_share(whole)) * whole.width * whole.height - (whole.width * whole.height - inside)
     if surely > _MOSTLY * inside:
         return surely
     count = 0
@@ -296,26 +295,14 @@ def _invalid_pixels(
 
 def _absent(opened: OpenRaster, window: PixelWindow) -> np.ndarray | None:
     """(rows, columns) bool of a window: what the file has no blocks for; None where it has all of them."""
-    share = _filled(opened, window)
+    share = opened.stored_share(window)
     if share == 1:
         return None
     absent = np.full((window.height, window.width), share == 0)
     for part in opened.blocks(window, 1) if share else ():
         top, left = part.row - window.row, part.column - window.column
-        absent[top : top + part.height, left : left + part.width] = _filled(opened, part) == 0
+        absent[top : top + part.height, left : left + part.width] = opened.stored_share(part) == 0
     return absent
-
-
-def _filled(opened: OpenRaster, window: PixelWindow) -> float:
-    """Share of a window that a file has blocks for, 0 to 1; 1 where it does not say."""
-    least = 1.0
-    for index in opened.roles.indices:
-        band = opened.dataset.GetRasterBand(index + 1)
-        with gdal_silenced(), suppress(RuntimeError):
-            flags, share = band.GetDataCoverageStatus(window.column, window.row, window.width, window.height)
-            if flags & gdal.GDAL_DATA_COVERAGE_STATUS_EMPTY:
-                least = min(least, share / 100)
-    return least
 
 
 def _is_like(raster: Raster, other: Raster | None) -> bool:

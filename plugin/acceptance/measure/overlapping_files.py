@@ -13,7 +13,7 @@ from ...imagery.rasters import Raster
 
 _LEAST_PX = 2.0  # of an overlap: what is narrower comes of outlines that are drawn on the ground, not on pixels
 _MOST_ASIDE = 0.05  # of a pixel, that grids may lie beside each other
-_AT_ONCE = 1 << 22  # pixels
+_AT_ONCE, _LOOKED_AT = 1 << 22, 1 << 27  # pixels that are compared, and of which a file is asked whether it has any
 _COARSE_PX, _CELL_PX = 4, 64
 _LOSSY_WHITE, _LOSSY_SHARE, _LOSSY_DETAIL = 2 / 255, 0.15, 2.5
 """What compression of one scene may make of it, JPEG of quality 60 and 90: means of 4 px differ in a cell by so much of
@@ -48,9 +48,9 @@ def otherwise(rasters: Sequence[Raster], tell: Callable[[float], None]) -> list[
 
 def _differ(one: Raster, other: Raster, pool: RasterPool) -> bool:
     """Whether two rasters show different things; not where one of them can't be read, which is told elsewhere."""
-    grid, beside = one.grid, other.grid
-    aside = [grid.column_at(x) - column for x, column in ((beside.left, 0), (other.extent[2], other.columns))]
-    aside += [grid.row_at(y) - row for y, row in ((beside.top, 0), (other.extent[1], other.rows))]
+    grid, (left, bottom, right, top) = one.grid, other.extent
+    aside = [grid.column_at(left), grid.column_at(right) - other.columns]
+    aside += [grid.row_at(top), grid.row_at(bottom) - other.rows]
     columns, rows = round(aside[0]), round(aside[2])
     if max(abs(found - whole) for found, whole in zip(aside, (columns, columns, rows, rows))) > _MOST_ASIDE:
         return True
@@ -58,7 +58,12 @@ def _differ(one: Raster, other: Raster, pool: RasterPool) -> bool:
     is_lossy = one.is_lossy or other.is_lossy
     try:
         first, second = pool.open(one.ref), pool.open(other.ref)
-        for window in first.blocks(shared, _AT_ONCE):
+
+        def has_any(window: PixelWindow) -> bool:
+            return bool(first.stored_share(window) or second.stored_share(window.moved_by(-columns, -rows)))
+
+        parts = filter(has_any, first.blocks(shared, _LOOKED_AT))
+        for window in filter(has_any, (window for part in parts for window in first.blocks(part, _AT_ONCE))):
             mine, theirs = first.read(window), second.read(window.moved_by(-columns, -rows))
             valid = mine.valid & theirs.valid
             if (_differ_much if is_lossy else _differ_at_all)(mine.bands, theirs.bands, valid):
