@@ -34,10 +34,10 @@ class CheckDelivery(SeamInspectorAlgorithm):
     ID = "checkdelivery"
     NAME = QT_TR_NOOP("Check a delivery")
     HELP = QT_TR_NOOP(
-        "Checks the files of a delivery before their seams: sheets that are missing, were not ordered, or have no "
-        "data inside their outline; pixel size, reference system, bands, type of the pixels and names. Writes the "
-        "sheets with what was found at each, ready for 'Accept or reject a delivery', and one mosaic over all of "
-        "them, ready for the scan."
+        "Checks the files of a delivery before their seams: sheets that are missing, were not ordered, have no data "
+        "inside their outline, can't be read, or hide each other; pixel size, reference system, bands, type of the "
+        "pixels and names. Writes the sheets with what was found at each, ready for 'Accept or reject a delivery', and "
+        "one mosaic over all that were ordered, ready for the scan."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -70,7 +70,7 @@ class CheckDelivery(SeamInspectorAlgorithm):
             "Each sheet with its file, what was found at it, and whether that is nothing."
         ))
         self.addDescribed(common.made_file(VRT, tr("Mosaic of all sheets"), "VRT (*.vrt)"), tr(
-            "A virtual mosaic over the sheets that fit together; nothing is copied."
+            "A virtual mosaic over the ordered sheets that fit together; nothing is copied."
         ))
         self.addOutput(QgsProcessingOutputRasterLayer(common.MOSAIC, tr("Mosaic of all sheets")))
         self.addNumbers({
