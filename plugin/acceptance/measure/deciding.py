@@ -144,16 +144,15 @@ def _unseen(
     blank = [layer.name for layer in delivery.layers if layer.is_blank]
     if not delivery.is_part:
         blank += [one.name for one in sheets if one.judged_m > most and not one.measured_m]
-    of_state = {state: [one.name for one in delivery.outlines if one.state is state] for state in _SHEET_SENTENCES}
-    for sentence, names in ((messages.SHEETS_NOT_MEASURED, blank), *zip(_SHEET_SENTENCES.values(), of_state.values())):
-        if names:
-            yield sentence(count=len(names), names=_first_names(names))
-
-
-_SHEET_SENTENCES = {
-    SheetState.LEFT_OUT: messages.SHEETS_LEFT_OUT, SheetState.DAMAGED: messages.SHEETS_DAMAGED,
-    SheetState.OVERLAPS: messages.SHEETS_OVERLAP,
-}  # fmt: skip
+    if blank:
+        yield messages.SHEETS_NOT_MEASURED(count=len(blank), names=_first_names(blank))
+    of_state = {state: [one.name for one in delivery.outlines if one.state is state] for state in SheetState}
+    if names := of_state[SheetState.LEFT_OUT]:
+        yield messages.SHEETS_LEFT_OUT(count=len(names), names=_first_names(names))
+    if names := of_state[SheetState.DAMAGED]:
+        yield messages.SHEETS_DAMAGED(count=len(names), names=_first_names(names))
+    if names := of_state[SheetState.OVERLAPS]:
+        yield messages.SHEETS_OVERLAP(count=len(names), names=_first_names(names))
 
 
 def _sheet_outcomes(

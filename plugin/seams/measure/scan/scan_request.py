@@ -3,8 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
-from typing import Callable
+from functools import cached_property
 
 import numpy as np
 
@@ -187,8 +186,16 @@ def largest(sources: tuple[Source, ...], mosaic: Raster, window: PixelWindow) ->
     return tuple(sources[number] for number in np.sort(chosen).tolist())
 
 
-def _check_readable(refs: Iterable[RasterRef], failure: Callable[..., Message]) -> None:
-    """Raises RasterError where not one of some rasters can be read; ``failure`` makes its sentence of ``why``."""
+def _check_readable(mosaic: Raster, sources: Iterable[RasterRef]) -> None:
+    """Raises RasterError where nothing of the mosaic, or not one of the sources, can be read."""
+    if (why := _why_unreadable([mosaic.ref])) is not None:
+        raise RasterError(messages.MOSAIC_NOT_READ(name=mosaic.ref.name, why=why))
+    if (why := _why_unreadable(sources)) is not None:
+        raise RasterError(messages.SOURCES_NOT_READ(why=why))
+
+
+def _why_unreadable(refs: Iterable[RasterRef]) -> Message | None:
+    """Why the first of some rasters can't be read where none of them can."""
     why: Message | None = None
     with RasterPool(most=1) as pool:
         for ref in refs:
@@ -197,9 +204,8 @@ def _check_readable(refs: Iterable[RasterRef], failure: Callable[..., Message]) 
             except RasterError as error:
                 why = why or error.message
             else:
-                return
-    if why is not None:
-        raise RasterError(failure(why=why))
+                return None
+    return why
 
 
 def scan_request(
@@ -217,7 +223,6 @@ def scan_request(
         raise SettingsError(messages.SCAN_MOSAIC_TOO_SMALL(
             width=mosaic.columns, height=mosaic.rows, fewest=imagery_limits.MIN_SIDE_PX
         ))
-    _check_readable([mosaic.ref], partial(messages.MOSAIC_NOT_READ, name=mosaic.ref.name))
     kept, notices = leave_out_copies(mosaic, sources)
     kept, in_parts = whole_images(mosaic, kept)
     notices += in_parts
@@ -231,7 +236,7 @@ def scan_request(
     meeting = [request.sources[number].ref for number in request.footprints.meeting(mosaic.extent)]
     if kept and not meeting:
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
-    _check_readable(meeting, messages.SOURCES_NOT_READ)
+    _check_readable(mosaic, meeting)
     if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * request.seams_m:
         notices.append(messages.SOURCES_TOO_FEW(between=between, all=request.seams_m))
         request = replace(request, sources=())
