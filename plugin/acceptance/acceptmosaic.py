@@ -154,6 +154,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         from .delivery_layers import judged_windows, read_delivery
         from .measure.deciding import decide
         from .measure.delivered_rows import with_settings
+        from .measure.scanned_files import file_doubts
         from .paper.outputs import scanned_losses
 
         rules = stated.stated_rules(run)
@@ -163,6 +164,9 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         run.tell(*told)
         self._scans = scanned_losses(run, self._losses)
         delivery = with_sheets(with_settings(delivery, [settings for _, settings in self._scans]), run)
+        delivery = replace(delivery, files=file_doubts(
+            delivery.layers, _paths(self._mosaics), _paths(self._images), [layer.folder for layer in self._seams]
+        ))  # fmt: skip
         if run.parameters.get(WINDOWS):
             crs = reference_system(delivery.wkt)
             delivery = replace(delivery, windows=judged_windows(run.source(WINDOWS), crs, run))
@@ -180,6 +184,10 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         ):  # fmt: skip
             limit = common.real(name, title, stated.LIMITS[name], 0.0)
             self.addDescribed(limit, words, advanced=name == stated.MIN_MEASURED)
+
+
+def _paths(refs: Sequence[RasterRef]) -> list[str]:
+    return [path for ref in refs for path in ref.paths]
 
 
 def _save_chart(path: Path, decision: Decision) -> None:

@@ -30,7 +30,7 @@ from qgis.core import (
 
 from ..imagery.errors import Message, SettingsError, WindowError
 from ..imagery.reference_systems import utm_wkt
-from ..imagery.seam_totals import TOTALS_DOMAIN, Place, possible_kept
+from ..imagery.seam_totals import TOTALS_DOMAIN, possible_kept
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
@@ -89,7 +89,10 @@ class SeamLayer:
     crs: QgsCoordinateReferenceSystem
     fields: tuple[str, ...]
     scan: Mapping[str, str]
-    """What its scan wrote beside its rows: totals and settings."""
+    """What its scan wrote beside its rows: totals, settings, files and their seal."""
+
+    folder: str = ""
+    """That its file lies in; empty for one in memory."""
 
 
 def seam_layers(
@@ -119,7 +122,7 @@ def seam_layers(
     made = [
         SeamLayer(
             name, layers.layer_address(layer), QgsVectorLayerFeatureSource(layer), layer.crs(),
-            tuple(layer.fields().names()), layers.layer_notes(layer, TOTALS_DOMAIN),
+            tuple(layer.fields().names()), layers.layer_notes(layer, TOTALS_DOMAIN), _folder(layer),
         )
         for name, layer in zip(_names(found), found)
     ]
@@ -147,7 +150,7 @@ def read_delivery(
             pieces.append(piece if drawn is None else replace(piece, sample_number=drawn))
             lots.add(whole_number(row["lot_size"]) or 0)
         told += doubts.told()
-        read.append(doubts.layer(layer.scan))
+        read.append(doubts.layer(layer.scan, layers.system_wkt(layer.crs), "kept_1" in layer.fields))
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
     size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
@@ -194,6 +197,11 @@ def _name(layer: QgsVectorLayer) -> str:
     the first one for QGIS."""
     name, file = layer.name(), Path(layers.layer_path(layer))
     return file.stem if file.stem and name in (file.name.split(".")[0], tr("Seams")) else name
+
+
+def _folder(layer: QgsVectorLayer) -> str:
+    path = layers.layer_path(layer)
+    return os.path.dirname(os.path.abspath(path)) if path else ""
 
 
 def _names(found: Sequence[QgsVectorLayer]) -> list[str]:
@@ -245,25 +253,20 @@ def _pieces(
         drawn = 0.0 if line.isEmpty() else line.length()
         if layer.crs.isValid() and not line.isEmpty():
             drawn = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES)
-        ends = _ends(line)
-        try:
-            line.transform(transform)
-        except QgsCsException:
-            raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
+        placed = scanned = _vertices(line)
+        if not transform.isShortCircuited():
+            try:
+                line.transform(transform)
+            except QgsCsException:
+                raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
+            placed = _vertices(line)
         sheet = next((name for name in (text(row[field]) for field in sheet_fields) if name), layer.sheet)
         known = {
             name: one if isinstance(one, (int, float)) else text(one) for name in layer.fields for one in [row[name]]
         }
-        piece = doubts.piece(sheet, known, _vertices(line), drawn, ends)
+        piece = doubts.piece(sheet, known, placed, drawn, scanned)
         if piece is not None:
             yield row, piece
-
-
-def _ends(line: QgsGeometry) -> Place:
-    if line.isEmpty():
-        return ()
-    first, last = line.vertexAt(0), line.vertexAt(line.constGet().nCoordinates() - 1)
-    return first.x(), first.y(), last.x(), last.y()
 
 
 def _vertices(line: QgsGeometry) -> np.ndarray:

@@ -1,6 +1,7 @@
 """``seaminspector:planinspection``: a random sample of a delivery, to be judged."""
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessingOutputString
@@ -116,7 +117,7 @@ class PlanInspection(SeamInspectorAlgorithm):
             run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=len(sample)))
         on = None if self._mosaic is None or run.word(UNIT) != WINDOWS else (self._mosaic, run.real(SIDE))
         return {
-            OUTPUT: write_sample(run, OUTPUT, sample, size, delivery.wkt, on),
+            OUTPUT: write_sample(run, OUTPUT, sample, replace(delivery, lot_size=size), on),
             SAMPLE_SIZE: len(sample),
             ACCEPTANCE_NUMBER: None if plan is None else plan.rejection_number - 1,
             LOT_SIZE: size,

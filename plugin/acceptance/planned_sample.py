@@ -22,6 +22,7 @@ from ..imagery.lines import find_seams
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
+from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, sealed_notes
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
@@ -30,7 +31,8 @@ from ..toolkit.translation import tr
 from . import stated_rules as stated
 from .delivery_layers import SeamLayer, common_system, metres_in_unit, read_delivery
 from .measure import messages
-from .measure.delivery import DeliveredPiece, Delivery, in_order
+from .measure.delivered_rows import united_settings
+from .measure.delivery import DeliveredPiece, Delivery, Seal, in_order
 from .measure.inspection_plan import cut_pieces, plan_of_risk, plan_sentence, risk_sentences
 from .measure.sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
 from .measure.sampling_risks import StatedRisk, operating_characteristic
@@ -52,10 +54,10 @@ def with_cut_seamlines(
     scanned = [layer for layer in seams if _OF_SCAN in layer.fields]
     pieces: list[DeliveredPiece] = []
     told: list[Message] = []
-    lot_size = None
+    lot_size, held = None, ()
     if scanned:
         read, told = read_delivery(scanned, transforms, sheet_field, crs)
-        pieces, lot_size = list(read.pieces), read.lot_size
+        pieces, lot_size, held = list(read.pieces), read.lot_size, read.layers
     for layer in seams:
         if layer not in scanned:
             cut = _cut(layer, crs, transforms, piece_m, step_m or _STEP * piece_m)
@@ -64,7 +66,9 @@ def with_cut_seamlines(
             pieces += cut
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
-    return Delivery(in_order(pieces), layers.system_wkt(crs), metres_in_unit(crs), lot_size=lot_size), told
+    return Delivery(
+        in_order(pieces), layers.system_wkt(crs), metres_in_unit(crs), lot_size=lot_size, layers=held
+    ), told
 
 
 def _cut(
@@ -193,9 +197,14 @@ WINDOW_COLUMNS: tuple[Column[SampledItem], ...] = (
 
 
 def write_sample(
-    run: Run, output: str, sample: Sequence[DeliveredPiece], lot_size: int, wkt: str, on: tuple[Raster, float] | None
+    run: Run, output: str, sample: Sequence[DeliveredPiece], delivery: Delivery, on: tuple[Raster, float] | None
 ) -> str | None:
-    """The layer, as pieces, or as windows ``on`` a mosaic, of a side in metres; ``output``: the parameter's name."""
+    """The layer, as pieces, or as windows ``on`` a mosaic, of a side in metres; ``output``: the parameter's name.
+
+    ``delivery``: what the sample was drawn of, with the size of the lot. Pieces are sealed where all that they were
+    drawn of is.
+    """
+    wkt, lot_size = delivery.wkt, delivery.lot_size or 0
     items = [SampledItem(order, piece, lot_size) for order, piece in enumerate(sample, 1)]
     if on is not None:
         mosaic, side_m = on
@@ -213,4 +222,11 @@ def write_sample(
     ))  # fmt: skip
     run.title(destination, tr("Sample (pieces)") if on is None else tr("Sample (windows)"))
     run.style(destination, "" if on is None else "placed_windows")
+    if on is None and all(one.seal is Seal.WHOLE for one in delivery.layers):
+        names = [column.name for column in columns]
+        rows = [dict(zip(names, column_values(columns, item))) for item in items]
+        run.close()
+        run.note(destination, TOTALS_DOMAIN, sealed_notes(
+            {**united_settings(delivery.layers), SYSTEM: wkt}, zip(rows, (piece.vertices for piece in sample))
+        ))  # fmt: skip
     return destination

@@ -14,7 +14,7 @@
 | `keeping` | the windows of a project that had no file, to move them | SQLite, as QGIS has them open |
 | `outputs` | a database that is to be written, to see whether others write it | SQLite |
 | `delivery_layers`, `mosaic_scans`, `swiped_layer`, `line_layers` | what the user chose, or was just written | QGIS |
-| `digests`, `scan_journal` | the bytes of inputs, for fingerprints | Python, of files alone |
+| `inspection_record`, `file_states` | the bytes of inputs, for fingerprints | Python, of files alone |
 | `mark_tables` | the layers in a folder of marks | QGIS, after `is_layer_file` |
 | `record_store` | `.unsaved`, `.results`, `.scan`, which nobody chose | SQLite, of our own tables only |
 | `documents` | XML, JSON, rules, camera files | Python, after `is_endless`, up to a size |

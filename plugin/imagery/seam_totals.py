@@ -1,17 +1,19 @@
 """What counts of pieces of seam, and the totals of a layer of them.
 
 One definition for the scan that measures pieces and for the decision that adds them up: whoever has the layer gets the
-same metres with a pocket calculator. The scan writes the totals beside its rows, with a digest of these, so that a
-layer tells whether it is as the scan left it.
+same metres with a pocket calculator. The scan writes the totals beside its rows, with how these were measured and of
+which files, and seals all of it, so that a layer tells whether it is as the scan left it.
 """
 from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from statistics import NormalDist
+
+import numpy as np
 
 from .statistics import NORMAL_95
 
@@ -83,8 +85,18 @@ def failing_chance(kept: float | None, low: float | None, high: float | None, le
     return NormalDist().cdf(math.log(least / kept) / error)
 
 
-Place = Sequence[float]
-"""x and y of a line's first vertex and of its last, in the reference system of its layer; empty where it has none."""
+Line = np.ndarray
+"""(n, 2) x and y of a line's vertices, in the reference system of its layer; empty where it has none."""
+SYSTEM = "system"
+"""Of what stands beside rows: the reference system of their lines, as WKT."""
+MOSAIC_FILES, SOURCE_FILES = "mosaic_files", "source_files"
+"""Of what stands beside rows: which files were scanned, as ``file_states`` writes them."""
+_SEAL = "digest"
+_SEALED = (
+    "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "band_width", "visibility",
+    "verdict", "left_source", "right_source", "left_date", "right_date", "sheet", "sample", "lot_size",
+)  # fmt: skip
+"""All fields that a decision reads, but words for people."""
 
 
 @dataclass(frozen=True)
@@ -97,33 +109,31 @@ class SeamTotals:
     failed_metres: float
     """Of those that failed by the standard limit."""
     digest: str
-    """SHA-256 of what was measured and where, whatever the order of the rows."""
+    """SHA-256 of what was measured and where, whatever the order of the rows; in notes, their seal."""
 
     @classmethod
-    def of_rows(cls, rows: Iterable[tuple[Mapping[str, object], Place]]) -> SeamTotals:
-        """``rows``: the fields of features by name, numbers as numbers, and the ends of their lines."""
-        found = RowTotals()
-        for row, ends in rows:
-            found.add(row, ends)
-        return found.totals
-
-    @classmethod
-    def of_metadata(cls, metadata: Mapping[str, str]) -> SeamTotals | None:
-        """As ``metadata`` wrote them; None where there are none that can be read."""
+    def of_notes(cls, notes: Mapping[str, str]) -> SeamTotals | None:
+        """As ``sealed`` wrote them; None where there are none that can be read."""
         try:
-            return cls(
-                int(metadata["rows"]), float(metadata["metres"]), float(metadata["failed_metres"]), metadata["digest"]
-            )
+            return cls(int(notes["rows"]), float(notes["metres"]), float(notes["failed_metres"]), notes[_SEAL])
         except (KeyError, ValueError):
             return None
 
-    @property
-    def metadata(self) -> dict[str, str]:
-        """Words that a layer can hold."""
-        return {
-            "rows": str(self.rows), "metres": repr(self.metres), "failed_metres": repr(self.failed_metres),
-            "digest": self.digest,
-        }  # fmt: skip
+    def sealed(self, notes: Mapping[str, str]) -> dict[str, str]:
+        """What stands beside the rows: notes on how they were made, these totals, and a seal on all of it."""
+        told = {
+            **notes, "rows": str(self.rows), "metres": repr(self.metres), "failed_metres": repr(self.failed_metres)
+        }
+        told.pop(_SEAL, None)
+        return {**told, _SEAL: self._seal(told)}
+
+    def is_sealed_by(self, notes: Mapping[str, str]) -> bool:
+        """Whether rows, and what stands beside them, are as they were sealed."""
+        return notes.get(_SEAL) == self._seal({name: value for name, value in notes.items() if name != _SEAL})
+
+    def _seal(self, notes: Mapping[str, str]) -> str:
+        lines = (self.digest, *(f"{name}\t{value}" for name, value in sorted(notes.items())))
+        return hashlib.sha256("\n".join(lines).encode()).hexdigest()
 
 
 class RowTotals:
@@ -134,9 +144,10 @@ class RowTotals:
         self._metres: list[float] = []
         self._failed: list[float] = []
 
-    def add(self, row: Mapping[str, object], ends: Place) -> None:
-        """One feature's fields by name, and the ends of its line."""
-        self._lines.append("\t".join(map(_written, (*map(row.get, _SEALED), *ends))))
+    def add(self, row: Mapping[str, object], line: Line) -> None:
+        """One feature's fields by name, numbers as numbers, and its line."""
+        place = hashlib.sha256((np.asarray(line, "<f8") + 0.0).tobytes()).hexdigest()
+        self._lines.append("\t".join((*map(_written, map(row.get, _SEALED)), place)))
         length = row.get("length")
         if row.get("level") != STRETCH and isinstance(length, (int, float)):
             self._metres.append(length)
@@ -150,10 +161,12 @@ class RowTotals:
         return SeamTotals(len(self._lines), math.fsum(self._metres), math.fsum(self._failed), digest)
 
 
-_SEALED = (
-    "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "verdict", "left_source",
-    "right_source",
-)  # fmt: skip
+def sealed_notes(notes: Mapping[str, str], rows: Iterable[tuple[Mapping[str, object], Line]]) -> dict[str, str]:
+    """What stands beside the rows of a layer; ``rows``: the fields by name, and the lines."""
+    totals = RowTotals()
+    for row, line in rows:
+        totals.add(row, line)
+    return totals.totals.sealed(notes)
 
 
 def _written(value: object) -> str:

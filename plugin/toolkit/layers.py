@@ -105,22 +105,22 @@ def layer_notes(layer: QgsVectorLayer, domain: str) -> dict[str, str]:
     return {}
 
 
-def write_layer_notes(place: QgsVectorLayer | str, domain: str, notes: Mapping[str, str], table: str = "") -> None:
-    """Write words beside the rows of a layer in memory, or of a file that is closed; other formats have no place for
+def write_layer_notes(place: QgsVectorLayer | str, domain: str, notes: Mapping[str, str], table: str = "") -> bool:
+    """Write words beside the rows of a layer in memory, or of a file that is closed; False where it has no place for
     them. ``table``: of a file with several."""
     if isinstance(place, QgsVectorLayer):
         for name, value in notes.items():
             place.setCustomProperty(f"{domain}/{name}", value)
-        return
+        return True
     path, _, named = place.partition("|layername=")
     if not path.lower().endswith(_HOLDS_NOTES):
-        return
+        return False
     with gdal_silenced(), suppress(RuntimeError):
         dataset = open_dataset(path, FEATURES, gdal.OF_UPDATE)
         table = table or named
         layer = dataset and (dataset.GetLayerByName(table) if table else dataset.GetLayer(0))
-        if layer:
-            layer.SetMetadata(dict(notes), domain)
+        return bool(layer) and layer.SetMetadata(dict(notes), domain) == gdal.CE_None
+    return False
 
 
 def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:

@@ -6,7 +6,9 @@ What decides are sums of whole pieces. A rule is kept or broken where nothing th
   is too large only where it would be so with all else sound, and kept where it would be with all else lost.
 - Pieces count by what they kept, also those whose interval holds the limit, and failures by whole pieces, though they
   end inside of these. Where the limit of a sum lies within what that leaves open, it can't be told.
-- Layers that lack seams that their scan had can't be accepted, nor sheets that nobody has looked at.
+- A row of pieces that were not measured may be a failure: longer than one may be, it leaves that rule open.
+- Layers that are not as their scan left them, or lack seams that it had, can't be accepted, nor sheets that nobody has
+  looked at; a scan of other files than those that are there or given decides nothing.
 """
 from __future__ import annotations
 
@@ -23,8 +25,8 @@ from ...imagery.statistics import Interval
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, Observers, RuleOutcome
-from .delivery import DeliveredLayer, Delivery, SheetState
-from .failure_runs import crossing_count, cut_failures, failure_runs
+from .delivery import DeliveredLayer, Delivery, Seal, SheetState
+from .failure_runs import crossing_count, cut_failures, failure_runs, unknown_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
     ends_within,
@@ -71,31 +73,37 @@ def decide(
         )
         for piece, state, over in zip(delivery.pieces, states, windows)
     )  # fmt: skip
-    whole, sheets = metre_figures(pieces, runs), sheet_figures(delivery, pieces, runs)
+    unknown = unknown_runs(delivery.pieces, states, delivery.unit_m)
+    whole, sheets = metre_figures(pieces, runs, unknown), sheet_figures(delivery, pieces, runs, unknown)
     longest = [pieces[number] for number in runs[0].pieces] if runs else []
     outcomes = _Ruling(whole, pieces, longest, rules).outcomes()
     sheet_outcomes: list[AcceptanceOutcome | None] = [None] * len(sheets)
     if lot is None and not delivery.is_part:
-        sheet_outcomes = [*_sheet_outcomes(sheets, pieces, rules)]
+        sheet_outcomes = [*_sheet_outcomes(sheets, pieces, rules, delivery)]
     if delivery.is_part:
         outcomes = [_of_sample(outcome) for outcome in outcomes]
         whole, *sheets = (replace(one, longest_failure_m=None) for one in (whole, *sheets))
+    longest_rule = None if delivery.is_part else rules.rule(LONGEST_FAILURE)
+    unknown = () if longest_rule is None else tuple(run for run in unknown if not longest_rule.passes(run.length_m))
     if lot is not None:
         outcomes.insert(0, lot.rule_outcome)
     outcome = outcome_of(outcomes)
-    unseen = [*_unseen(delivery, sheets if lot is None else (), rules)]
+    unseen, unsealed = [*_unseen(delivery, sheets if lot is None else (), rules)], [*_unsealed(delivery)]
     lacking = [*_lacking(delivery, whole, rules), *unseen]
-    if lacking and outcome is AcceptanceOutcome.ACCEPTED:
+    if (lacking or unsealed) and outcome is AcceptanceOutcome.ACCEPTED:
         outcome = AcceptanceOutcome.UNDECIDED
     if delivery.doubled_m > MOST_DOUBLED * sum(piece.length_m for piece in delivery.pieces):
         outcome, lacking = AcceptanceOutcome.UNDECIDED, [messages.SEAMS_DOUBLED(metres=delivery.doubled_m), *lacking]
+    if strange := [*_strange_files(delivery)]:
+        outcome, lacking = AcceptanceOutcome.UNDECIDED, [*strange, *lacking]
     interval = failed_interval(pieces)
     sentences = (
-        _headline(rules, outcomes, outcome, by_observer, lacking, _changed(delivery)),
+        _headline(rules, outcomes, outcome, by_observer, lacking, unsealed),
         *(_would_decide(whole, pieces, outcomes, delivery, rules) if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *((messages.WOULD_SEE_SHEETS(),) if unseen and outcome is AcceptanceOutcome.UNDECIDED else ()),
         *_layers(delivery),
         *_figures(whole, interval, runs, rules),
+        *_unknown_rows(unknown),
         *_borders(delivery, pieces, runs, rules),
         *_sample_sentences(delivery, lot is not None),
         *(() if lot is None else lot.notices),
@@ -104,7 +112,7 @@ def decide(
     )
     return Decision(
         outcome, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), tuple(sheet_outcomes), interval,
-        pieces, runs, None if lot is None else lot.outcome, seen, by_observer,
+        pieces, runs, unknown, None if lot is None else lot.outcome, seen, by_observer,
     )  # fmt: skip
 
 
@@ -116,8 +124,29 @@ def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
     return AcceptanceOutcome.UNDECIDED if None in passed else AcceptanceOutcome.ACCEPTED
 
 
+def _strange_files(delivery: Delivery) -> Iterator[Message]:
+    """Which files are not those that were scanned: whatever was measured, it was not these."""
+    files = delivery.files
+    if files.not_scanned:
+        yield messages.FILES_NOT_SCANNED(names=_first_names(files.not_scanned))
+    if files.changed:
+        yield messages.FILES_CHANGED(count=len(files.changed), names=_first_names(files.changed))
+
+
+def _unsealed(delivery: Delivery) -> Iterator[Message]:
+    """Which layers are not as their scan left them."""
+    for seal, message in (
+        (Seal.BROKEN, messages.LAYERS_WERE_CHANGED), (Seal.OTHER_SYSTEM, messages.LAYERS_WERE_MOVED),
+        (Seal.MISSING, messages.LAYERS_WITHOUT_SEAL),
+    ):  # fmt: skip
+        if names := [one.name for one in delivery.layers if one.seal is seal]:
+            yield message(count=len(names), names=_first_names(names))
+
+
 def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) -> Iterator[Message]:
     """What is missing of the delivery, so that it can't be accepted."""
+    if gone := delivery.files.gone:
+        yield messages.FILES_GONE(count=len(gone), names=_first_names(gone))
     if delivery.lacking_m:
         yield messages.SEAMS_LACK(metres=delivery.lacking_m)
     for layer in delivery.layers:
@@ -156,15 +185,24 @@ def _unseen(
 
 
 def _sheet_outcomes(
-    sheets: Sequence[MetreFigures], pieces: Sequence[DecidedPiece], rules: AcceptanceRules
+    sheets: Sequence[MetreFigures], pieces: Sequence[DecidedPiece], rules: AcceptanceRules, delivery: Delivery
 ) -> Iterator[AcceptanceOutcome | None]:
-    """Of each sheet by its own metres; pieces over a border are looked at in the sheet of their middle."""
+    """Of each sheet by its own metres; pieces over a border are looked at in the sheet of their middle.
+
+    None is accepted on a layer that is not as its scan left it, none decided on where files are not those of the scan.
+    """
+    trusted = {one.name for one in delivery.layers if one.seal in (Seal.WHOLE, Seal.NOT_ASKED)}
+    all_trusted, strange = len(trusted) == len(delivery.layers), any(_strange_files(delivery))
     of_sheet: dict[str, list[DecidedPiece]] = {}
     for one in pieces:
         of_sheet.setdefault(one.piece.sheet, []).append(one)
     for sheet in sheets:
         own = of_sheet.get(sheet.name, [])
-        yield outcome_of(_Ruling(sheet, own, own, rules).outcomes()) if own else None
+        outcome = outcome_of(_Ruling(sheet, own, own, rules).outcomes()) if own else None
+        is_doubtful = bool(delivery.files.gone) or not (all_trusted or {one.piece.seam[0] for one in own} <= trusted)
+        if own and (strange or (is_doubtful and outcome is AcceptanceOutcome.ACCEPTED)):
+            outcome = AcceptanceOutcome.UNDECIDED
+        yield outcome
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,6 +234,8 @@ class _Ruling:
         if rule.check == MEASURED_SHARE:  # with less the delivery is neither good nor bad
             passed = passed or None
         sentence = _rule_sentence(rule, value, low, high, passed)
+        if rule.check == LONGEST_FAILURE and passed is None and rule.passes(value):
+            sentence = messages.RUN_UNKNOWN(value=value, limit=Stated(rule.limit), metres=high)
         return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence, low, high)
 
     def _measured(self) -> tuple[float, float, float]:
@@ -214,10 +254,12 @@ class _Ruling:
         return figures.failed_m / figures.measured_m, low / of_m, min((high + open_m) / of_m, 1.0)
 
     def _longest(self) -> tuple[float, float, float]:
-        """What passed ends it, also where its interval holds the limit."""
+        """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
         longest = self.figures.longest_failure_m or 0.0
         failed = [one for one in self.longest if one.state is PieceState.FAILED]
-        return longest, max(longest - known_within(failed, self.rules.least_kept), 0.0), longest
+        return longest, max(longest - known_within(failed, self.rules.least_kept), 0.0), max(
+            longest, self.figures.longest_unknown_m
+        )
 
 
 def _open_ends(pieces: Sequence[DecidedPiece], rules: AcceptanceRules, figures: MetreFigures) -> float:
@@ -255,10 +297,10 @@ def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
 
 def _headline(
     rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], outcome: AcceptanceOutcome, by_observer: bool,
-    lacking: Sequence[Message], changed: Sequence[str],
+    lacking: Sequence[Message], unsealed: Sequence[Message],
 ) -> Message:
     """The reasons are all rules that were kept, those that were broken, or those that can't be told; at the end
-    that layers were ``changed``, their names."""
+    which layers are ``unsealed``."""
     wanted = {AcceptanceOutcome.ACCEPTED: True, AcceptanceOutcome.REJECTED: False}.get(outcome)
     reasons = [one.sentence for one in outcomes if one.passed is wanted]
     if outcome is not AcceptanceOutcome.REJECTED:
@@ -268,8 +310,7 @@ def _headline(
         AcceptanceOutcome.REJECTED: (messages.REJECTED, messages.REJECTED_BY_EYE),
         AcceptanceOutcome.UNDECIDED: (messages.UNDECIDED, messages.UNDECIDED_BY_EYE),
     }[outcome]
-    if changed:
-        reasons.append(messages.LAYERS_WERE_CHANGED(count=len(changed), names=_first_names(changed)))
+    reasons += unsealed
     once = [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
     why = reduce(lambda first, also: messages.AND(why=first, also=also), once)
     return (by_eye if by_observer else by_tool)(rules=rules.name, why=why)
@@ -287,11 +328,18 @@ def _would_decide(
         yield messages.WOULD_MEASURE(wanted=wanted, lacking=whole.not_measured_m)
     elif not whole.judged_m:
         yield messages.WOULD_LOOK()
-    if whole.measured_m and is_open.keys() & {FAILED_SHARE, LONGEST_FAILURE} and not delivery.is_part:
+    longest = is_open.get(LONGEST_FAILURE)
+    by_intervals = longest is not None and (longest.value or 0.0) > longest.limit
+    if longest is not None and not (by_intervals or delivery.is_part or MEASURED_SHARE in is_open):
+        yield messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
+    if whole.measured_m and (FAILED_SHARE in is_open or by_intervals) and not delivery.is_part:
         yield from _would_narrow(whole, pieces, rules, FAILED_SHARE in is_open)
     if delivery.is_part and LONGEST_FAILURE in is_open:
         yield messages.WOULD_GIVE_SCAN()
-    if delivery.lacking_m or any(layer.hidden_m for layer in delivery.layers):
+    files = delivery.files
+    if files.not_scanned or files.changed or files.gone:
+        yield messages.WOULD_SCAN_AGAIN()
+    if delivery.lacking_m or any(layer.hidden_m for layer in delivery.layers) or any(_unsealed(delivery)):
         yield messages.WOULD_GIVE_LAYER()
     if any(layer.unexplained for layer in delivery.layers):
         yield messages.WOULD_GIVE_ORTHOIMAGES()
@@ -311,14 +359,13 @@ def _would_narrow(
 
 def _layers(delivery: Delivery) -> Iterator[Message]:
     """Whether layers are as their scan left them, and whether they were measured alike."""
-    layers = delivery.layers
-    if changed := _changed(delivery):
-        yield messages.LAYERS_CHANGED(count=len(changed), names=_first_names(changed))
-    unknown = [one.name for one in layers if one.is_sealed is None]
-    if unknown:
-        yield messages.LAYERS_WITHOUT_TOTALS(count=len(unknown), names=_first_names(unknown))
-    if layers and all(one.is_sealed for one in layers):
+    layers, files = delivery.layers, delivery.files
+    if layers and all(one.seal is Seal.WHOLE for one in layers):
         yield messages.LAYERS_SEALED(count=len(layers))
+    if files.same:
+        yield messages.FILES_AS_SCANNED(count=files.same)
+    if files.gone_sources:
+        yield messages.SOURCES_GONE(count=len(files.gone_sources), names=_first_names(files.gone_sources))
     for one in layers:
         yield from _seen(one)
     for name in dict.fromkeys(name for one in layers for name in one.settings):
@@ -338,11 +385,6 @@ def _seen(layer: DeliveredLayer) -> Iterator[Message]:
         yield messages.SEAMS_FOUND(name=layer.name)
     elif layer.settings.get("seams") == "given" and "unexplained" not in layer.settings:
         yield messages.SEAMS_GIVEN(name=layer.name)
-
-
-def _changed(delivery: Delivery) -> list[str]:
-    """Names of the layers that are not as their scan left them."""
-    return [one.name for one in delivery.layers if one.is_sealed is False]
 
 
 TOLD_UNEXPLAINED = 0.03
@@ -386,6 +428,15 @@ def _figures(
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))
     if rules.least_kept <= 0:
         yield messages.NOTHING_IS_ASKED()
+
+
+def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:
+    """Where the first of them lie."""
+    for run in rows[:_NAMED]:
+        x, y = run.place
+        yield messages.ROW_NOT_MEASURED(metres=run.length_m, x=x, y=y, sheets=", ".join(run.sheets))
+    if len(rows) > _NAMED:
+        yield messages.MORE_ROWS_NOT_MEASURED(count=len(rows) - _NAMED)
 
 
 def _borders(

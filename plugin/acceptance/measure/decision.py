@@ -88,6 +88,11 @@ class MetreFigures:
     """In pieces of which the interval holds the limit, failed or passed."""
     longest_failure_m: float | None
     """Of the pieces in it alone; None where they are a sample."""
+    failed_unclear_m: float = 0.0
+    """Of those that failed, in pieces whose interval reaches above the limit."""
+    longest_unknown_m: float = 0.0
+    """Of the longest row of pieces that were not measured, with those that failed among them: so long a failure may
+    be."""
 
     @property
     def judged_m(self) -> float:
@@ -103,6 +108,11 @@ class MetreFigures:
     def failed_share(self) -> float | None:
         """Of what was measured, 0 to 1; None where nothing was."""
         return self.failed_m / self.measured_m if self.measured_m else None
+
+    @property
+    def failed_unclear_share(self) -> float | None:
+        """Of the metres that failed those whose interval reaches above the limit, 0 to 1; None where none failed."""
+        return self.failed_unclear_m / self.failed_m if self.failed_m else None
 
     @property
     def measured_share(self) -> float:
@@ -184,6 +194,9 @@ class Decision:
     """In the delivery's order."""
     runs: tuple[FailureRun, ...]
     """The longest first."""
+    unknown_runs: tuple[FailureRun, ...] = ()
+    """Rows of pieces without a break that were not measured, with those that failed among them, longer than a failure
+    may be; the longest first."""
     plan: PlanOutcome | None = None
     """None with all inspected."""
     observers: Observers | None = None

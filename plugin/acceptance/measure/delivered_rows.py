@@ -11,24 +11,36 @@ from osgeo import ogr
 from scipy.spatial import cKDTree
 
 from ...imagery.errors import Message, SeamInspectorWarning, SettingsError
+from ...imagery.file_states import states_in, states_text
 from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.grids import Extent
 from ...imagery.lines import points_at, vertex_stations
-from ...imagery.reference_systems import is_geographic, metres_per_unit, transform_points, utm_wkt
+from ...imagery.reference_systems import (
+    is_geographic,
+    metres_per_unit,
+    same_coordinates,
+    same_system,
+    transform_points,
+    utm_wkt,
+)
 from ...imagery.seam_totals import (
+    MOSAIC_FILES,
     MOST_KEPT,
+    SOURCE_FILES,
     STANDARD_LEAST_KEPT,
     STRETCH,
+    SYSTEM,
     PieceState,
-    Place,
     RowTotals,
     SeamTotals,
     possible_kept,
 )
 from . import messages
-from .delivery import DeliveredLayer, DeliveredPiece, Delivery, in_order
+from .delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order
 from .failure_runs import TOUCHING
 from .measured_pieces import NO_VERDICT, state_of
 
+_SAME_PLACE = 1e-6  # map units: a system that a file holds in other words
 _LACKING_M = 0.05  # below it lengths are rounded
 _OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
 
@@ -60,6 +72,8 @@ class LayerDoubts:
     """Stations and lengths by seam, metres."""
     totals: RowTotals = field(default_factory=RowTotals)
     """Of all rows, as their scan counted them."""
+    extent: Extent | None = None
+    """Of the first line, as its layer has it."""
     failed_m: float = 0.0
     """Metres that fail as the scan fails them, by what the rows say of what is kept."""
 
@@ -80,12 +94,15 @@ class LayerDoubts:
             self.lengths.append((length, line))
 
     def piece(
-        self, sheet: str, row: SeamRow, line: np.ndarray, drawn_m: float, ends: Place = ()
+        self, sheet: str, row: SeamRow, line: np.ndarray, drawn_m: float, scanned: np.ndarray | None = None
     ) -> DeliveredPiece | None:
         """A row's piece; None where it has no line or no length, or is a stretch of pieces. ``line``: its (n, 2)
-        vertices, ``drawn_m`` long; ``ends``: of the line as its layer has it."""
+        vertices, ``drawn_m`` long; ``scanned``: those of the line as its layer has it, where that is another."""
         self.rows += 1
-        self.totals.add(row, ends)
+        placed = line if scanned is None else scanned
+        self.totals.add(row, placed)
+        if self.extent is None and is_line(placed):
+            self.extent = extent_of([placed])
         if _text(row.get("level")) == STRETCH:
             return None
         length = _number(row.get("length"))
@@ -113,18 +130,29 @@ class LayerDoubts:
         self.failed_m += length * (state_of(found, STANDARD_LEAST_KEPT) is PieceState.FAILED)
         return found
 
-    def layer(self, metadata: Mapping[str, str]) -> DeliveredLayer:
-        """What it is, by what its scan wrote beside its rows."""
-        own, scanned = self.totals.totals, SeamTotals.of_metadata(metadata)
-        settings = {name: value for name, value in metadata.items() if scanned and name not in scanned.metadata}
+    def layer(self, notes: Mapping[str, str], wkt: str = "", is_asked: bool = True) -> DeliveredLayer:
+        """What it is, by what stands beside its rows; ``wkt``: its reference system; ``is_asked``: whether it has to be
+        sealed."""
+        own, scanned = self.totals.totals, SeamTotals.of_notes(notes)
+        settings = {} if scanned is None else {**notes}
         lacking = self.without_line_m + (sum(self._gaps()) if scanned is None else scanned.metres - own.metres)
         lacking = lacking if lacking > _LACKING_M else 0.0
         hidden = 0.0 if scanned is None else scanned.failed_metres - self.failed_m - lacking
-        is_sealed = None if scanned is None else own.digest == scanned.digest
+        seal = self._seal(own, notes, wkt) if scanned is not None else Seal.MISSING if is_asked else Seal.NOT_ASKED
         return DeliveredLayer(
-            self.sheet, is_sealed, lacking, settings, own.digest, hidden if hidden > _LACKING_M else 0.0,
-            not self.pieces and not is_sealed,
+            self.sheet, seal, lacking, settings, own.digest, hidden if hidden > _LACKING_M else 0.0,
+            not self.pieces and seal is not Seal.WHOLE,
         )  # fmt: skip
+
+    def _seal(self, totals: SeamTotals, notes: Mapping[str, str], wkt: str) -> Seal:
+        if not totals.is_sealed_by(notes):
+            return Seal.BROKEN
+        system = notes.get(SYSTEM, "")
+        if same_system(wkt, system) or (self.extent is not None and bool(wkt and system) and (
+            same_coordinates(wkt, system, self.extent, _SAME_PLACE)
+        )):  # fmt: skip
+            return Seal.WHOLE
+        return Seal.OTHER_SYSTEM
 
     def _gaps(self) -> Iterator[float]:
         """Between the stations of pieces that should follow each other, metres."""
@@ -260,7 +288,7 @@ def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery
             if (piece := doubts.piece(sheet, row, line, drawn_m)) is not None:
                 pieces.append(piece)
         told += doubts.told()
-        layers.append(doubts.layer({}))
+        layers.append(doubts.layer({}, is_asked=False))
     delivery, doubled = united_delivery(pieces, wkt, unit_m, layers=layers)
     for notice in [*told, *doubled]:
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
@@ -283,6 +311,23 @@ def united_delivery(
     if found.lacking_m:
         told += [messages.LAYER_LACKS_SEAMS(name=one.name, metres=one.lacking_m) for one in layers if one.lacking_m]
     return found, told
+
+
+def united_settings(layers: Sequence[DeliveredLayer]) -> dict[str, str]:
+    """What a layer of pieces of several says of how they were measured, and of which files."""
+    found: dict[str, str] = {}
+    for name in dict.fromkeys(name for one in layers for name in one.settings):
+        values = list(dict.fromkeys(one.settings[name] for one in layers if name in one.settings))
+        found[name] = ", ".join(values)
+        if name in (MOSAIC_FILES, SOURCE_FILES) and len(values) > 1:
+            found[name] = states_text([file for value in values for file in states_in(value)])
+    for name, figure in (
+        ("unexplained", max((one.unexplained for one in layers), default=0.0)),
+        ("unexplained_border", sum(one.unseen_m for one in layers)),
+    ):  # fmt: skip
+        if name in found:
+            found[name] = repr(figure)
+    return found
 
 
 def with_settings(delivery: Delivery, scans: Sequence[Mapping[str, str]]) -> Delivery:

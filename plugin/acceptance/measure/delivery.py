@@ -170,19 +170,33 @@ class SheetOutline:
     """What the same check says of its part in the mosaic of all sheets."""
 
 
+class Seal(Enum):
+    """Whether a layer is as its scan, or ``planinspection``, left it."""
+
+    WHOLE = "whole"
+    BROKEN = "broken"
+    """Rows, lines, or what stands beside them were changed."""
+    OTHER_SYSTEM = "other_system"
+    """It was given another reference system."""
+    MISSING = "missing"
+    """It has none, as exports and layers of other makers."""
+    NOT_ASKED = "not_asked"
+    """Nobody needs it: rows in memory, and plain seamlines, of which nothing was measured."""
+
+
 @dataclass(frozen=True)
 class DeliveredLayer:
     """A layer that pieces were read from."""
 
     name: str
-    is_sealed: bool | None
-    """Whether its rows are those that the scan left; None where it does not say."""
+    seal: Seal
+    """Anything but a whole one, where it is asked for, and nothing is accepted."""
     lacking_m: float
     """Metres that the scan had, or that lie between stations, and the layer does not have."""
     settings: Mapping[str, str]
     """How its seams were measured, as far as the layer says."""
     digest: str = ""
-    """SHA-256 of its rows, as ``SeamTotals`` has it."""
+    """SHA-256 of its rows, as ``RowTotals`` has it."""
     hidden_m: float = 0.0
     """Metres that the scan failed, and that its rows don't fail any more."""
     is_blank: bool = False
@@ -211,6 +225,22 @@ class DeliveredLayer:
 
 
 @dataclass(frozen=True)
+class FileDoubts:
+    """Names of files by what is wrong with them."""
+
+    not_scanned: tuple[str, ...] = ()
+    """Given as mosaic or orthoimage, and none of those that were scanned."""
+    changed: tuple[str, ...] = ()
+    """Changed since they were scanned."""
+    gone: tuple[str, ...] = ()
+    """Of the mosaic, and not there any more."""
+    gone_sources: tuple[str, ...] = ()
+    """Orthoimages that are not there any more."""
+    same: int = 0
+    """How many are as they were."""
+
+
+@dataclass(frozen=True)
 class Delivery:
     """All that is judged together."""
 
@@ -232,6 +262,8 @@ class Delivery:
     """That the pieces were read from, in the order in which they were given."""
     doubled_m: float = 0.0
     """Metres of pieces that lie on others, which are not the same."""
+    files: FileDoubts = FileDoubts()
+    """Whether what was scanned is what is given, or there, now."""
 
     @property
     def lacking_m(self) -> float:

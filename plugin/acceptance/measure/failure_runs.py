@@ -167,6 +167,18 @@ def failure_runs(
     return tuple(replace(run, number=number) for number, run in enumerate(runs, 1))
 
 
+def unknown_runs(
+    pieces: Sequence[DeliveredPiece], states: Sequence[PieceState], unit_m: float = 1.0
+) -> tuple[FailureRun, ...]:
+    """Rows of pieces that were not measured, with those that failed among them, the longest first: if all of that had
+    failed, they were failures."""
+    worst = [PieceState.FAILED if state is PieceState.NOT_MEASURED else state for state in states]
+    return tuple(
+        run for run in failure_runs(pieces, worst, unit_m)
+        if any(states[number] is PieceState.NOT_MEASURED for number in run.pieces)
+    ) if PieceState.NOT_MEASURED in states else ()
+
+
 def _run(steps: Sequence[Step], pieces: Sequence[DeliveredPiece]) -> FailureRun:
     if steps[0][0] > steps[-1][0]:
         steps = tuple((number, not forward) for number, forward in reversed(steps))  # in the order of the layer

@@ -71,14 +71,16 @@ def _goes_on(piece: DeliveredPiece, other: DeliveredPiece) -> bool:
     return other.station_m - piece.station_m < 2 * piece.length_m
 
 
-def metre_figures(pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun]) -> MetreFigures:
-    """Of the whole delivery: sums of pieces."""
-    longest = max((run.length_m for run in runs), default=0.0)
+def metre_figures(
+    pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun], unknown: Sequence[FailureRun]
+) -> MetreFigures:
+    """Of the whole delivery: sums of pieces. ``unknown``: rows of pieces that were not measured."""
+    longest = [max((run.length_m for run in rows), default=0.0) for rows in (runs, unknown)]
     return _figures("", pieces, [(one, one.piece.length_m) for one in pieces], longest)
 
 
 def sheet_figures(
-    delivery: Delivery, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun]
+    delivery: Delivery, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun], unknown: Sequence[FailureRun]
 ) -> list[MetreFigures]:
     """Of each sheet by itself, of one without seams too.
 
@@ -86,29 +88,31 @@ def sheet_figures(
     """
     counted: dict[str, list[DecidedPiece]] = {sheet: [] for sheet in delivery.sheets}
     parts: dict[str, list[tuple[DecidedPiece, float]]] = {sheet: [] for sheet in counted}
-    longest = dict.fromkeys(counted, 0.0)
+    longest = {sheet: [0.0, 0.0] for sheet in counted}
     for one in pieces:
         counted[one.piece.sheet].append(one)
         for part in one.piece.in_sheets:
             parts[part.sheet].append((one, one.piece.length_m * (part.stop - part.start)))
-    for run in runs:
+    for kind, run in [*((0, run) for run in runs), *((1, run) for run in unknown)]:
         here, metres = "", 0.0
         for sheet, length in _in_sheets(run, delivery):
             here, metres = sheet, length if sheet != here else metres + length
-            longest[sheet] = max(longest[sheet], metres)
+            longest[sheet][kind] = max(longest[sheet][kind], metres)
     return [_figures(sheet, counted[sheet], parts[sheet], longest[sheet]) for sheet in counted]
 
 
 def _figures(
-    name: str, counted: Sequence[DecidedPiece], parts: Sequence[tuple[DecidedPiece, float]], longest_m: float
+    name: str, counted: Sequence[DecidedPiece], parts: Sequence[tuple[DecidedPiece, float]],
+    longest_m: Sequence[float],
 ) -> MetreFigures:
-    """``parts``: pieces and how many metres of each."""
+    """``parts``: pieces and how many metres of each; ``longest_m``: failure, and row of what was not measured."""
     metres = {state: math.fsum(length for one, length in parts if one.state is state) for state in PieceState}
     failed = metres[PieceState.FAILED]
     return MetreFigures(
         name, len(counted), sum(one.state is PieceState.FAILED for one in counted), math.fsum(metres.values()),
         metres[PieceState.NO_DETAIL], metres[PieceState.PASSED] + failed, failed,
-        math.fsum(length for one, length in parts if one.is_unclear), longest_m,
+        math.fsum(length for one, length in parts if one.is_unclear), longest_m[0],
+        math.fsum(length for one, length in parts if one.is_unclear and one.state is PieceState.FAILED), longest_m[1],
     )  # fmt: skip
 
 

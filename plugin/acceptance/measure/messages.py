@@ -98,6 +98,10 @@ RUN_OPEN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to "
     "{high:.1f} m by the intervals of its pieces", INFO
 )
+RUN_UNKNOWN = Message(
+    "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {metres:.1f} m "
+    "by a row of pieces that were not measured", INFO
+)
 MEASURED_ENOUGH = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 MEASURED_TOO_LITTLE = Message(
     "only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can't be decided", INFO
@@ -112,6 +116,13 @@ SHEETS_OVERLAP = Message(
     "sheets that overlap others and show something else there, which nobody has looked at: {count} ({names})", INFO
 )
 LAYERS_WERE_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
+LAYERS_WERE_MOVED = Message(
+    "layers of seams have another reference system than their scan gave them: {count} ({names})", INFO
+)
+LAYERS_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
+FILES_NOT_SCANNED = Message("files are given that are not those that were scanned: {names}", INFO)
+FILES_CHANGED = Message("files were changed since they were scanned: {count} ({names})", INFO)
+FILES_GONE = Message("files of the scanned mosaic are not there any more: {count} ({names})", INFO)
 SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
 SEAMS_HIDDEN = Message("rows of {name} were changed so that {metres:.0f} m which its scan failed pass", INFO)
 SEAMS_UNSEEN = Message(
@@ -161,6 +172,11 @@ WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO
 )
+ROW_NOT_MEASURED = Message(
+    "A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: "
+    "{metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", WARNING
+)
+MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
     "What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
@@ -185,7 +201,16 @@ WOULD_GIVE_ORTHOIMAGES = Message(
     WARNING
 )
 WOULD_GIVE_LAYER = Message(
-    "What would decide it: the layers of seams as their scans wrote them, without features taken away.", WARNING
+    "What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of "
+    "these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.", WARNING
+)
+WOULD_SCAN_AGAIN = Message(
+    "What would decide it: the files that were scanned, or a scan of those that are there now.", WARNING
+)
+WOULD_MEASURE_ROWS = Message(
+    "What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
+    "windows there by eye (JUDGE observer), or scan with a longer PIECE; the field 'reason' of the seams says why each "
+    "was not measured.", WARNING
 )
 WOULD_SEE_SHEETS = Message(
     "What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; "
@@ -193,13 +218,10 @@ WOULD_SEE_SHEETS = Message(
 )
 # the layers that are decided on
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
-LAYERS_CHANGED = Message(
-    "Layers of seams that were changed since their scan: {count} ({names}); the decision is on what they hold now.",
-    WARNING
-)
-LAYERS_WITHOUT_TOTALS = Message(
-    "Layers of seams without the totals of their scan, as exports are: {count} ({names}). Seams that were left out of "
-    "them can't be noticed; decide on the GeoPackage that the scan wrote.", INFO
+FILES_AS_SCANNED = Message("Files that are as they were scanned: {count}.", INFO)
+SOURCES_GONE = Message(
+    "Orthoimages that were scanned are not there any more: {count} ({names}); nobody can measure again what the "
+    "decision rests on.", WARNING
 )
 SETTINGS_DIFFER = Message(
     "The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.",

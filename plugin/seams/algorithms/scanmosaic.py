@@ -189,7 +189,8 @@ class ScanMosaic(SeamInspectorAlgorithm):
         for name, destination in made.items():
             if destination in lost:
                 raise SettingsError(messages.SCAN_LAYER_NOT_WRITTEN(name=name))
-        run.note(made[SEAMS], TOTALS_DOMAIN, seam_notes(result, request.settings))
+        if not run.note(made[SEAMS], TOTALS_DOMAIN, seam_notes(result, request.settings, request.mosaic.wkt)):
+            run.tell(messages.SEAMS_WITHOUT_SEAL())
         return made
 
     def _settings(self, run: Run) -> ScanSettings:

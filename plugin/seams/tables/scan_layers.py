@@ -100,4 +100,5 @@ def write_scan_file(path: Path, result: ScanResult, request: ScanRequest) -> Non
             error = write_table(unfinished, layer.name, fields, layer.geometry, mosaic_crs(request.mosaic), rows)
             if error is not None:
                 raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error))
-        write_layer_notes(str(unfinished), TOTALS_DOMAIN, seam_notes(result, request.settings), SEAMS.name)
+        notes = seam_notes(result, request.settings, request.mosaic.wkt)
+        write_layer_notes(str(unfinished), TOTALS_DOMAIN, notes, SEAMS.name)

@@ -230,15 +230,15 @@ class Run:
         if self.context.willLoadLayerOnCompletion(destination):
             self.context.layerToLoadOnCompletionDetails(destination).setPostProcessor(layer_styler(style))
 
-    def note(self, destination: str | None, domain: str, notes: Mapping[str, str]) -> None:
-        """Write words beside the rows of a layer that is closed, where it has a place for them."""
+    def note(self, destination: str | None, domain: str, notes: Mapping[str, str]) -> bool:
+        """Write words beside the rows of a layer that is closed; False where it has no place for them."""
         from ..layers import write_layer_notes
 
         if not destination:
-            return
+            return True
         path = self._sinks.beside[destination][0] if destination in self._sinks.beside else destination
         layer = self.context.getMapLayer(path)  # one in memory
-        write_layer_notes(path if layer is None else layer, domain, notes)
+        return write_layer_notes(path if layer is None else layer, domain, notes)
 
     def title(self, destination: str | None, title: str) -> None:
         """Name a layer that will be loaded, where the output's own name would not tell it from others."""

@@ -14,6 +14,7 @@ from seam_inspector.plugin.acceptance.measure.delivery import (
     DeliveredLayer,
     DeliveredPiece,
     Delivery,
+    Seal,
     SeenWindow,
     SheetOutline,
     SheetState,
@@ -158,17 +159,17 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
 
 
 def test_layers_that_lack_seams_are_not_accepted() -> None:
-    layer = DeliveredLayer("north", False, 40.0, {})
+    layer = DeliveredLayer("north", Seal.BROKEN, 40.0, {})
     made = replace(delivery(seam([0.95] * 40)), layers=(layer,))
     found = decide(made, rules())
     assert found.outcome is UNDECIDED
     assert "the layers lack 40 m of seam" in str(found.sentences[0])
-    assert "were changed since their scan: 1 (north)" in told(found)
     lost = decide(replace(made, pieces=tuple(seam([0.4] * 40))), rules())
     assert lost.outcome is REJECTED
     for one in (found, lost, decide(replace(made, layers=(replace(layer, lacking_m=0.0),)), rules())):
-        assert str(one.sentences[0]).endswith("; layers of seams were changed since their scan: 1 (north).")
-    whole = decide(replace(made, layers=(replace(layer, is_sealed=True, lacking_m=0.0),)), rules())
+        assert str(one.sentences[0]).endswith(" layers of seams were changed since their scan: 1 (north).")
+        assert one.outcome is not ACCEPTED
+    whole = decide(replace(made, layers=(replace(layer, seal=Seal.WHOLE, lacking_m=0.0),)), rules())
     assert whole.outcome is ACCEPTED
     assert "as their scans left them" in told(whole)
 
@@ -177,14 +178,15 @@ def test_sheets_are_decided_by_the_same_limits() -> None:
     sound, lost = seam([0.95] * 59), seam([0.4] * 2, sheet="b", start=(0, 99), number=59)
     rest = seam([0.95] * 38, sheet="b", seam_id="2", start=(0, 200), number=61)
     unknown = seam([0.95] + [None] * 9, sheet="c", start=(0, 300), number=99)
-    found = decide(delivery(sound, lost, rest, unknown), rules(share=0.02))
+    found = decide(delivery(sound, lost, rest, unknown), rules(share=0.02, run=100.0))
     assert found.sheet_outcomes == (ACCEPTED, REJECTED, UNDECIDED)
     assert found.whole.failed_share == pytest.approx(0.02)
     assert found.outcome is ACCEPTED  # of all sheets 2 % may fail, and 92 % were measured
 
 
 def test_sheets_that_were_not_measured_alike_are_told() -> None:
-    sheets = [DeliveredLayer(name, None, 0.0, {"piece_m": length}) for name, length in (("a", "10"), ("b", "25"))]
+    lengths = {"a": "10", "b": "25"}
+    sheets = [DeliveredLayer(name, Seal.WHOLE, 0.0, {"piece_m": length}) for name, length in lengths.items()]
     found = decide(replace(delivery(seam([0.95] * 40)), layers=tuple(sheets)), rules())
     assert "not measured alike: piece_m is 10, 25" in told(found)
 
@@ -315,14 +317,16 @@ def test_windows_over_a_piece_and_what_operators_say() -> None:
     assert (found.observers.with_tool.count, found.observers.with_tool.agreed) == (3, 3)
 
 
-def test_a_layer_without_its_scan_s_totals_is_told() -> None:
+def test_a_layer_without_the_seal_of_its_scan_is_not_accepted() -> None:
     """As an export is: seams that it lacks can't be noticed."""
     pieces = sure(seam([0.95] * 20))
-    sealed, exported = DeliveredLayer("scan", True, 0.0, {}), DeliveredLayer("export", None, 0.0, {})
+    sealed, exported = (
+        DeliveredLayer(name, seal, 0.0, {}) for name, seal in (("scan", Seal.WHOLE), ("export", Seal.MISSING))
+    )
     one, other = (decide(replace(delivery(pieces), layers=(layer,)), rules()) for layer in (sealed, exported))
-    words = "without the totals of their scan"
-    assert not any(words in str(sentence) for sentence in one.sentences)
-    assert any(words in str(sentence) and "export" in str(sentence) for sentence in other.sentences)
+    assert (one.outcome, other.outcome) == (ACCEPTED, UNDECIDED)
+    assert "without the seal of a scan: 1 (export)" in str(other.sentences[0])
+    assert "as their scans wrote them, in the GeoPackages themselves or copies" in str(other.sentences[1])
 
 
 @pytest.mark.parametrize("kept", [0.95, 0.3])

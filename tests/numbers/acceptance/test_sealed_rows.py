@@ -1,15 +1,16 @@
 """A layer of seams is as its scan left it, or the decision says what is not."""
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 import pytest
+from osgeo import osr
 from seam_inspector.plugin.acceptance.measure.delivered_rows import LayerDoubts, overlap
-from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, DeliveredPiece
-from seam_inspector.plugin.imagery.seam_totals import SeamTotals
+from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, DeliveredPiece, Seal
+from seam_inspector.plugin.imagery.seam_totals import SYSTEM, sealed_notes
 
-Rows = list[tuple[Mapping[str, object], np.ndarray]]
+Rows = list[tuple[dict[str, object], np.ndarray]]
 STATES = "passed", "failed", "passed"
 
 
@@ -23,24 +24,20 @@ def rows() -> Rows:
     ]  # fmt: skip
 
 
-def ends(line: np.ndarray) -> list[float]:
-    return line[[0, -1]].ravel().tolist() if len(line) else []
-
-
-def read(held: Rows, metadata: Mapping[str, str]) -> DeliveredLayer:
+def read(held: Rows, notes: Mapping[str, str], wkt: str = "") -> DeliveredLayer:
     doubts = LayerDoubts("a")
     for row, line in held:
-        doubts.piece("a", row, line, 25.0 * bool(len(line)), ends(line))
-    return doubts.layer(metadata)
+        doubts.piece("a", row, line, 25.0 * bool(len(line)))
+    return doubts.layer(notes, wkt)
 
 
-def sealed() -> dict[str, str]:
-    return SeamTotals.of_rows((row, ends(line)) for row, line in rows()).metadata
+def sealed(**notes: str) -> dict[str, str]:
+    return sealed_notes(notes, rows())
 
 
 def test_in_any_order() -> None:
     found = read(rows()[::-1], sealed())
-    assert (found.is_sealed, found.lacking_m) == (True, 0)
+    assert (found.seal, found.lacking_m) == (Seal.WHOLE, 0)
 
 
 @pytest.mark.parametrize("line", [np.empty((0, 2)), np.array([(30.0, 0.0)] * 2), np.array([(30.0, np.nan)] * 2)])
@@ -49,14 +46,58 @@ def test_a_piece_that_lost_its_line_is_missed(line: np.ndarray) -> None:
     held = rows()
     held[1] = held[1][0], line
     found = read(held, sealed())
-    assert (found.is_sealed, found.lacking_m) == (False, 25)
+    assert (found.seal, found.lacking_m) == (Seal.BROKEN, 25)
     assert read(held, {}).lacking_m == 25  # of an export too, once
 
 
 def test_a_piece_that_was_moved_is_noticed() -> None:
     held = rows()
     held[1] = held[1][0], held[1][1] + 5000
-    assert read(held, sealed()).is_sealed is False
+    assert read(held, sealed()).seal is Seal.BROKEN
+
+
+def bent(held: Rows) -> None:
+    """A vertex between the ends, so that the line leads elsewhere."""
+    row, line = held[1]
+    held[1] = row, np.insert(line, 1, [40.0, 30.0], axis=0)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        bent, lambda held: held.append(held[0]), lambda held: held.pop(0),
+        *(lambda held, name=name, value=value: held[0][0].update({name: value}) for name, value in (  # type: ignore
+            ("length", 50.0), ("kept_1", 0.99), ("kept_high", 0.99), ("visibility", 0.1), ("band_width", 9.0),
+            ("seam_id", 7), ("verdict", "preserved"), ("left_date", "2026-01-01"), ("sample", 1), ("sheet", "b"),
+        )),
+    ],
+)  # fmt: skip
+def test_the_seal_covers_rows_lines_and_every_field_that_counts(change: Callable[[Rows], None]) -> None:
+    held = rows()
+    change(held)
+    assert read(held, sealed()).seal is Seal.BROKEN
+
+
+def test_the_seal_covers_what_stands_beside_the_rows() -> None:
+    notes = sealed(unexplained="0.4")
+    assert read(rows(), notes).seal is Seal.WHOLE
+    assert read(rows(), {**notes, "unexplained": "0.0"}).seal is Seal.BROKEN
+    assert read(rows(), {name: value for name, value in notes.items() if name != "unexplained"}).seal is Seal.BROKEN
+    assert read(rows(), {}).seal is Seal.MISSING
+
+
+def test_a_layer_in_another_reference_system_is_not_what_the_scan_left() -> None:
+    zone, other = (crs_wkt(code) for code in (32633, 32634))
+    notes = sealed(**{SYSTEM: zone})
+    assert [read(rows(), notes, wkt).seal for wkt in (zone, other, "")] == [
+        Seal.WHOLE, Seal.OTHER_SYSTEM, Seal.OTHER_SYSTEM
+    ]
+
+
+def crs_wkt(code: int) -> str:
+    system = osr.SpatialReference()
+    system.ImportFromEPSG(code)
+    return str(system.ExportToWkt())
 
 
 # --- lengths, and pieces that lie on each other -----------------------------------------------------------------

@@ -4,7 +4,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from qgis.core import QgsGeometry, QgsVectorLayer
+import numpy as np
+from qgis.core import NULL, QgsGeometry, QgsVectorLayer
+from seam_inspector.plugin.imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, sealed_notes
+from seam_inspector.plugin.toolkit.layers import layer_notes, system_wkt, write_layer_notes
 
 from tests.qgis.scenes import layer, moved, saved
 
@@ -34,10 +37,24 @@ def seams(
     }
     made = layer("LineString", [line if epsg == UTM33 else moved(line, epsg) for line in lines], epsg, **fields)
     made.setName(name)
+    return sealed(made)
+
+
+def sealed(made: QgsVectorLayer, **notes: str) -> QgsVectorLayer:
+    """A layer as a scan leaves it, with the rows that it holds now."""
+    held = [(row.attributeMap(), row.geometry()) for row in made.getFeatures()]
+    rows = [
+        ({name: None if value == NULL else value for name, value in fields.items()},
+         np.array([(point.x(), point.y()) for point in line.vertices()], float).reshape(-1, 2))
+        for fields, line in held
+    ]  # fmt: skip
+    write_layer_notes(made, TOTALS_DOMAIN, sealed_notes({SYSTEM: system_wkt(made.crs()), **notes}, rows))
     return made
 
 
-
 def file(made: QgsVectorLayer, path: Path) -> str:
+    """The layer as a file, with its seal where the format has a place for it."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    return saved(made, path)
+    written = saved(made, path)
+    write_layer_notes(written, TOTALS_DOMAIN, layer_notes(made, TOTALS_DOMAIN))
+    return written

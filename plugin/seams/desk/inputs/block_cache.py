@@ -23,6 +23,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import WARNING, Message, RasterError, SeamInspectorError, SettingsError, WindowError
+from ....imagery.file_states import content_of
 from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster, check_readable, describe_mosaic
 from ....imagery.rasters import Raster, RasterRef
@@ -34,7 +35,6 @@ from ...jobs import ScanOrder
 from ...measure import messages
 from ...measure.inspection import Block, make_block, window_request
 from ...measure.scan.lines.seam_features import SeamFeature
-from ...measure.scan.scan_journal import content_of
 from ...measure.scan.scan_settings import ScanSettings
 from ...measure.seam_cells import Cell
 from ...measure.source_images import Source

@@ -22,6 +22,7 @@ import numpy as np
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import files_written, unfinished_name
 from ....imagery.errors import CancelledError, Message, SettingsError
+from ....imagery.file_states import local_states
 from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
@@ -32,7 +33,7 @@ from ..scan.blocks.block_grid import BlockKey
 from ..scan.lines.given_seams import GivenSeams
 from ..scan.lines.piece_index import PieceIndex
 from ..scan.lines.seam_pieces import SidedSeam
-from ..scan.scan_journal import ScanJournal, journal_beside, local_states
+from ..scan.scan_journal import ScanJournal, journal_beside
 from ..scan.scan_request import ScanRequest
 from ..scan.scan_settings import ScanSettings
 from ..scan.whole_scan import whole_scan

@@ -9,6 +9,10 @@ DENSITY_UNKNOWN = Message("A scan has no density '{density}'; give one of: {know
 SCAN_CELL = Message("The picture of losses has no cells of {cell} pixels; give one of: {known}.")
 SCAN_LENGTHS = Message("{name} is {value:g}; give {least} or more.")
 LOSS_NOT_TIFF = Message("The picture of losses is a GeoTIFF; give {path} the ending .tif.")
+SEAMS_WITHOUT_SEAL = Message(
+    "The format of SEAMS has no place for the seal of the scan, without which no delivery is accepted; write SEAMS as "
+    "GeoPackage.", WARNING
+)
 CORRIDOR_WITHOUT_SEAMS = Message(
     "The corridor applies only with seamlines; without them all of the mosaic is read.", WARNING
 )

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import os
 import re
-import stat
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from hashlib import blake2b
@@ -15,33 +14,25 @@ from typing import Any
 from xml.etree.ElementTree import ParseError, tostring
 
 import numpy as np
-from osgeo import gdal
 
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import drop_unfinished
 from ....imagery.documents import xml_root
 from ....imagery.errors import Message, SettingsError
-from ....imagery.gdal_calls import gdal_silenced
-from ....imagery.gdal_paths import is_remote, readable_path, vrt_parts
+from ....imagery.file_states import OF_NO_CONSEQUENCE, local_file, local_state, local_states, remote_state, with_parts
+from ....imagery.gdal_paths import is_remote
 from ....imagery.messages import system_reason
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.record_store import RecordStore
-from ....imagery.remote_files import forget_fetched
 from ..source_images import Source
 from . import messages
 from .block_files import BlockFiles
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
-_BESIDE = ("", ".msk")
-"""Endings of the files that say what a raster's pixels are: itself, its mask."""
 _PLACES = (".wld", ".prj", ".tab")
 """Endings, in the place of the raster's own, of files that say where it lies; others are made of its own."""
-_LOOKS, _LOOK_BYTES = 4, 4096
-"""Parts of a file that are looked at: it may change with its size and time kept."""
 _SAID = ".aux.xml"
 """Of the file that may say more of them, its nodata for instance."""
-_OF_NO_CONSEQUENCE = "Metadata", "Histograms", "Description", "CategoryNames"
-"""What QGIS writes there when it first shows a raster, such as statistics, changes no pixel."""
 _MOST_SAID = 10_000_000  # bytes that are read
 _PARTS = {
     "version": messages.SCAN_OF_ANOTHER_VERSION,
@@ -111,36 +102,13 @@ def _states(path: str, ask: bool) -> Iterator[str]:
     """What is known of a raster's files without opening it."""
     if is_remote(path):
         if ask:
-            yield _remote_state(readable_path(path))
+            yield remote_state(path)
         return
-    for file, state in _local_states(path).items():
+    for file, state in local_states([path]).items():
         yield f"{file} {state}"
-    for one in _with_parts(path):
-        if _local_file(one) == one and (said := _said_beside(one + _SAID)):
+    for one in with_parts(path):
+        if local_file(one) == one and (said := _said_beside(one + _SAID)):
             yield said
-
-
-def local_states(paths: Iterable[str]) -> dict[str, str]:
-    """What is known of the files of this machine that rasters are read from, by their paths."""
-    return {file: state for path in paths if not is_remote(path) for file, state in _local_states(path).items()}
-
-
-def content_of(path: str) -> str:
-    """The same for a copy of a raster elsewhere: a digest of the sizes and of some bytes of its files, or the address
-    where it is remote."""
-    if is_remote(path):
-        return path
-    return _digest(_local_state(_local_file(one), with_time=False) for one in _with_parts(path))
-
-
-def _local_states(path: str) -> dict[str, str]:
-    found = {}
-    for one in _with_parts(path):
-        file = _local_file(one)
-        for ending in _BESIDE if file == one else ("",):
-            if state := _local_state(file + ending):
-                found[os.path.abspath(file + ending)] = state
-    return found
 
 
 def _said_of_place(path: str, listed: dict[str, set[str]]) -> Iterator[str]:
@@ -148,7 +116,7 @@ def _said_of_place(path: str, listed: dict[str, set[str]]) -> Iterator[str]:
     in folders that were looked into."""
     if is_remote(path):
         return
-    for one in _with_parts(path):
+    for one in with_parts(path):
         folder, name = os.path.split(one)
         stem, own = os.path.splitext(name)
         if folder not in listed:
@@ -158,78 +126,30 @@ def _said_of_place(path: str, listed: dict[str, set[str]]) -> Iterator[str]:
         endings = (*_PLACES, f"{own}w", f"{own[:2]}{own[-1:]}w")
         beside = {stem + case for ending in endings for case in (ending.lower(), ending.upper())}
         for found in sorted(beside & listed[folder] - {name}):
-            yield f"{found} {_local_state(os.path.join(folder, found), with_time=False)}"
+            yield f"{found} {_content(os.path.join(folder, found))}"
 
 
-def _with_parts(path: str) -> Iterator[str]:
-    """A raster of this machine, and those that it is made of where it is a VRT."""
-    seen = {path}
-    waiting = [path]
-    while waiting:
-        one = waiting.pop()
-        yield one
-        if one.lower().endswith(".vrt"):
-            parts = [part for part in vrt_parts(one) if part not in seen]
-            seen.update(parts)
-            waiting += parts
+def _content(path: str) -> str:
+    """Empty where there is no such file."""
+    state = local_state(path)
+    return "" if state is None else f"{state.size} {state.digest}"
 
 
 def _said_beside(path: str) -> str:
     """What a file of auxiliary data says that may change how pixels are read; empty where there is no such thing."""
     try:
         if os.path.getsize(path) > _MOST_SAID:
-            return _local_state(path)
+            return _content(path)
         root = xml_root(Path(path).read_bytes())
     except OSError:
         return ""
     except ParseError:
-        return _local_state(path)
+        return _content(path)
     for parent in list(root.iter()):
-        for child in [one for one in parent if one.tag in _OF_NO_CONSEQUENCE]:
+        for child in [one for one in parent if one.tag in OF_NO_CONSEQUENCE]:
             parent.remove(child)
     kept = [band for band in root if len(band) or (band.text or "").strip()]
     return "".join(re.sub(r"\s+", " ", tostring(one, "unicode")) for one in kept)
-
-
-def _local_state(path: str, with_time: bool = True) -> str:
-    """Empty where there is no such file."""
-    try:
-        found = os.stat(path)
-        if not stat.S_ISREG(found.st_mode):
-            return f"{found.st_size} {found.st_mtime_ns}"
-        digest = blake2b(digest_size=8)
-        with open(path, "rb") as file:
-            for look in range(_LOOKS):
-                file.seek(max(found.st_size - _LOOK_BYTES, 0) * look // (_LOOKS - 1))
-                digest.update(file.read(_LOOK_BYTES))
-    except (OSError, ValueError):
-        return ""
-    return f"{found.st_size} {found.st_mtime_ns if with_time else ''} {digest.hexdigest()}"
-
-
-def _remote_state(path: str) -> str:
-    """Size, time of change and entity tag, as far as the server tells them now."""
-    forget_fetched(path)
-    with gdal_silenced():
-        try:
-            found = gdal.VSIStatL(path)
-            headers = gdal.GetFileMetadata(path, "HEADERS") or {}
-        except RuntimeError:
-            return ""
-    told = {name.lower(): value for name, value in headers.items()}
-    return f"{found and found.size} {found and found.mtime} {told.get('etag', '')}"
-
-
-def _local_file(path: str) -> str:
-    """The file of this machine that a path is read from: of one inside an archive, the archive."""
-    if os.path.exists(path):
-        return path
-    inside = re.sub(r"^(?:/vsi(?:zip|tar|gzip|7z|rar|sparse|cached)/)+", "", path).strip("{}")
-    for place in (inside, *map(str, Path(inside).parents)):
-        if os.path.isfile(place):
-            return place
-    named = [part.strip('"') for part in path.split(":")]  # a part of a file: DRIVER:"file":name
-    return next((part for part in named if part and os.path.isfile(part)), path)
 
 
 def plugin_version() -> str:

@@ -18,7 +18,7 @@ from ....imagery.lines import points_at, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column, Row, rows_of
-from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, PieceState, SeamTotals, piece_state
+from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
 from ..following.likely_source import MIN_FIT, MIN_TEXTURE
 from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
@@ -236,7 +236,8 @@ class ScanResult:
     told: Mapping[str, str] = field(default_factory=dict)
     """What its layers and its picture say of it beside the settings: whether ``seams`` were ``given`` or ``found``, and
     which share of the mosaic is ``unread``, ``unread_at`` a place in it, which share is ``unexplained``,
-    ``unexplained_at`` where most of that lies together, and the metres of ``unexplained_border`` around it."""
+    ``unexplained_at`` where most of that lies together, and the metres of ``unexplained_border`` around it; which files
+    were scanned, by ``mosaic_files`` and ``source_files``."""
 
     @property
     def features(self) -> tuple[JudgedPiece, ...]:
@@ -297,11 +298,14 @@ def seam_rows(result: ScanResult) -> list[Row]:
     return [{**row, GEOMETRY: _line_wkt(one.piece.vertices)} for row, one in zip(_field_rows(features), features)]
 
 
-def seam_notes(result: ScanResult, settings: ScanSettings) -> dict[str, str]:
-    """What stands beside the rows of SEAMS: how they were measured, and their totals."""
-    ends = (one.piece.vertices[[0, -1]].ravel().tolist() for one in result.features)
-    totals = SeamTotals.of_rows(zip(_field_rows(result.features), ends))
-    return {"version": plugin_version(), **settings.told, **result.told, **totals.metadata}
+def seam_notes(result: ScanResult, settings: ScanSettings, wkt: str) -> dict[str, str]:
+    """What stands beside the rows of SEAMS: how and of what they were measured, their totals, and the seal.
+
+    ``wkt``: the mosaic's reference system.
+    """
+    notes = {"version": plugin_version(), **settings.told, **result.told, SYSTEM: wkt}
+    lines = (one.piece.vertices for one in result.features)
+    return sealed_notes(notes, zip(_field_rows(result.features), lines))
 
 
 def _field_rows(features: Sequence[JudgedPiece]) -> list[Row]:

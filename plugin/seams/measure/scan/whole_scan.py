@@ -7,11 +7,15 @@ from collections.abc import Iterator, Mapping
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 from typing import Callable
 
 from ....imagery.errors import Message, SettingsError
+from ....imagery.file_states import FileState, known_states, local_states, states_text
+from ....imagery.gdal_paths import is_remote
 from ....imagery.raster_pool import own_threads, rasters_kept
+from ....imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from ..inspection import Block, PathLike
 from ..while_measuring import measuring
 from . import messages
@@ -23,7 +27,7 @@ from .lines.given_seams import GivenSeams, given_seams
 from .lines.seam_features import read_seam_features
 from .lone_scan import LoneScanning
 from .mosaic_reading import MosaicReading
-from .scan_journal import ScanJournal, journal_beside, local_states
+from .scan_journal import MOST_ASKED, ScanJournal, journal_beside
 from .scan_request import ScanRequest, scan_request
 from .scan_result import ScanResult, dated
 from .scan_settings import ScanSettings
@@ -42,10 +46,11 @@ class WholeScan:
     """One scan, which may have begun in an earlier run."""
 
     def __init__(
-        self, request: ScanRequest, journal: ScanJournal, notice: Message | None, read: Mapping[str, str] | None = None
+        self, request: ScanRequest, journal: ScanJournal, notice: Message | None,
+        read: tuple[Mapping[str, FileState], Mapping[str, FileState]] = ({}, {}),
     ) -> None:
-        """``read``: ``local_states`` of what is read, before it is."""
-        self.request, self._read = request, read or {}
+        """``read``: ``known_states`` of the mosaic and of the sources, before they are read."""
+        self.request, self._read = request, read
         self.notice = notice
         """What became of an earlier run: goes on, or starts anew and why."""
         self._journal, self._reading = journal, MosaicReading(request.mosaic)
@@ -80,16 +85,18 @@ class WholeScan:
         Raises SettingsError where a raster has changed since the scan began, RasterError where nothing of the mosaic or
         no orthoimage could be read.
         """
-        now = local_states(_paths(self.request))
-        for path, state in self._read.items():
+        of_mosaic, of_sources = self._read
+        now = local_states(chain(*_paths(self.request)))
+        for path, state in chain(of_mosaic.items(), of_sources.items()):
             if now.get(path, state) != state:  # of one that is gone blocks have told
                 raise SettingsError(messages.SCAN_INPUT_CHANGED(name=Path(path).name))
         self._reading.check()
         with rasters_kept(), measuring(), own_threads(executor, ahead) as crew:
             found = self._result(loss_path, goes_on, *crew)
         dates = self.request.dates
+        files = {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
         return found and replace(
-            found, pieces=tuple(dated(one, dates) for one in found.pieces),
+            found, told={**found.told, **files}, pieces=tuple(dated(one, dates) for one in found.pieces),
             stretches=tuple(dated(one, dates) for one in found.stretches),
         )
 
@@ -105,7 +112,9 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
     Raises SettingsError where no file can be, or another scan is under way there.
     """
     seams = [(seam.vertices, seam.left, seam.right) for seam in request.seams]
-    read = local_states(_paths(request))
+    of_mosaic, of_sources = _paths(request)
+    asked = sum(map(is_remote, of_sources)) <= MOST_ASKED
+    read = known_states(of_mosaic), known_states(of_sources, asked)
     items = [item for seam in seams for item in seam]
     with journal_beside(output, JOURNAL_ENDING, request.mosaic, request.sources, request.settings, items) as (
         journal, notice,
@@ -113,8 +122,9 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
         yield WholeScan(request, journal, notice, read)
 
 
-def _paths(request: ScanRequest) -> list[str]:
-    return [request.mosaic.ref.path, *(path for source in request.sources for path in source.ref.paths)]
+def _paths(request: ScanRequest) -> tuple[list[str], list[str]]:
+    """Of the mosaic and of the sources."""
+    return [*request.mosaic.ref.paths], [path for source in request.sources for path in source.ref.paths]
 
 
 def scan(

@@ -1,0 +1,123 @@
+"""Whether the files that were scanned are those that are given, or there, now: a decision is on these and no others.
+
+A file is known by its content, wherever it lies; one that lies where it was scanned also by the time of its change. The
+files of a mosaic that is a VRT are those that it names, and the VRT itself.
+"""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+from ...imagery.file_states import FileState, PlacedState, known_states, local_state, remote_state, states_in
+from ...imagery.gdal_paths import is_remote
+from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
+from .delivery import DeliveredLayer, FileDoubts
+
+_MOST_FOLDERS = 3  # from the layer upwards, in which files of a project that was moved are looked for
+_VRT = ".vrt"
+
+
+def file_doubts(
+    layers: Sequence[DeliveredLayer], mosaics: Sequence[str], sources: Sequence[str], folders: Sequence[str]
+) -> FileDoubts:
+    """``mosaics`` and ``sources``: the rasters that are given; ``folders``: of the layers, beside which a project that
+    was moved has its files."""
+    scans = [one.settings for one in layers if MOSAIC_FILES in one.settings]
+    if not scans:
+        return FileDoubts()
+    of_mosaic, of_sources = (
+        _Scanned([one for scan in scans for one in states_in(scan.get(role, ""))], folders)
+        for role in (MOSAIC_FILES, SOURCE_FILES)
+    )
+    not_scanned: list[str] = []
+    for path in mosaics:
+        name = of_mosaic.stranger(path)
+        not_scanned += [name] if name else []
+    for path in sources:
+        names = of_sources.names
+        not_scanned += [
+            os.path.basename(one) for one, state in of_sources.give(path).items()
+            if os.path.basename(one) in names and not of_sources.knows(one, state)
+        ]
+    gone, changed = of_mosaic.lost()
+    gone_sources, changed_sources = of_sources.lost()
+    strange = dict.fromkeys(not_scanned)
+    changed = [one for one in dict.fromkeys([*changed, *changed_sources]) if one not in strange]
+    count = len(of_mosaic.files) + len(of_sources.files) - len(gone) - len(gone_sources) - len(changed)
+    return FileDoubts(tuple(strange), tuple(changed), tuple(gone), tuple(gone_sources), count)
+
+
+class _Scanned:
+    """The files of all scans in one role, beside those that are given for them."""
+
+    def __init__(self, files: Iterable[PlacedState], folders: Sequence[str]) -> None:
+        self.files = list(dict.fromkeys(files))
+        self.names = {os.path.basename(path) for path, _ in self.files}
+        self._contents = {state.content for _, state in self.files}
+        self._times: dict[str, set[int]] = {}
+        for path, state in self.files:
+            self._times.setdefault(path, set()).add(state.time_ns)
+        self._asks = all(state.digest for path, state in self.files if is_remote(path))
+        self._folders = folders
+        self._given: set[tuple[int, str]] = set()
+
+    def knows(self, path: str, state: FileState) -> bool:
+        """Whether a file was scanned, and was not written since."""
+        return state.content in self._contents and state.time_ns in self._times.get(path, (state.time_ns,))
+
+    def give(self, path: str) -> dict[str, FileState]:
+        """What a raster that is given is read from."""
+        found = known_states([path], self._asks)
+        self._given.update(state.content for one, state in found.items() if self.knows(one, state))
+        return found
+
+    def stranger(self, path: str) -> str:
+        """The name of the first file of a mosaic that was not scanned; empty where all were.
+
+        A VRT over sheets that were scanned one by one is theirs.
+        """
+        found = self.give(path)
+        by_sheets = not any(one.lower().endswith(_VRT) for one, _ in self.files)
+        strange = [
+            os.path.basename(one) for one, state in found.items()
+            if not (self.knows(one, state) or (by_sheets and one.lower().endswith(_VRT)))
+        ]
+        parts = [one for one in strange if not one.lower().endswith(_VRT)]
+        return next(iter((*parts, *strange)), "") if found else os.path.basename(path)
+
+    def lost(self) -> tuple[list[str], list[str]]:
+        """Names of the files that are gone, and of those that were changed; none that are given, or lie elsewhere
+        now."""
+        gone, changed = [], []
+        for path, state in self.files:
+            if state.content in self._given:
+                continue
+            now = self._now(path)
+            if now is None:
+                if not any(_is_copy(moved, state) for moved in self._moved(path)):
+                    gone.append(os.path.basename(path))
+            elif now.content != state.content or now.time_ns != state.time_ns:
+                changed.append(os.path.basename(path))
+        return gone, changed
+
+    def _now(self, path: str) -> FileState | None:
+        if not is_remote(path):
+            return local_state(path)
+        now = remote_state(path) if self._asks else ""
+        return None if now.startswith("None") else FileState(0, 0, now)
+
+    def _moved(self, path: str) -> Iterator[str]:
+        """Where a file may lie in a project that was moved, its folders kept."""
+        parts = Path(path).parts[1:]
+        for folder in filter(None, dict.fromkeys(self._folders)):
+            for above in [Path(folder), *Path(folder).parents][:_MOST_FOLDERS]:
+                for count in range(1, len(parts)):
+                    moved = above.joinpath(*parts[-count:])
+                    if moved.is_file():
+                        yield str(moved)
+
+
+def _is_copy(path: str, state: FileState) -> bool:
+    now = local_state(path)
+    return now is not None and now.content == state.content
