@@ -227,6 +227,11 @@ def test_a_delivery_is_decided_by_rows() -> None:
     assert not decide(delivery, limit_rules(max_share=0.1, min_measured=0.7)).accepted
 
 
+def test_rows_in_memory_need_no_seal() -> None:
+    delivery = make_delivery({"one": [piece(0.9, place) for place in range(9)]}, METRES)
+    assert decide(delivery, limit_rules()).accepted
+
+
 def test_a_delivery_of_nothing_is_refused_and_a_row_without_line_is_told() -> None:
     for sheets, words in (
         ({}, "empty"), ({"one": []}, "empty"), ({"one": [{"geometry": "LINESTRING (0 0, 1 0)"}]}, "kept_1"),

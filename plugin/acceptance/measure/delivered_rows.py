@@ -40,7 +40,7 @@ from .delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of,
 from .failure_runs import TOUCHING
 from .measured_pieces import NO_VERDICT, state_of
 
-_SAME_PLACE = 1e-6  # map units: a system that a file holds in other words
+_SAME_PLACE = 1e-9  # of coordinates, millimetres: a system that a file holds in other words
 _LACKING_M = 0.05  # below it lengths are rounded
 _OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
 
@@ -147,10 +147,10 @@ class LayerDoubts:
     def _seal(self, totals: SeamTotals, notes: Mapping[str, str], wkt: str) -> Seal:
         if not totals.is_sealed_by(notes):
             return Seal.BROKEN
-        system = notes.get(SYSTEM, "")
-        if same_system(wkt, system) or (self.extent is not None and bool(wkt and system) and (
-            same_coordinates(wkt, system, self.extent, _SAME_PLACE)
-        )):  # fmt: skip
+        system, extent = notes.get(SYSTEM, ""), self.extent
+        if same_system(wkt, system):
+            return Seal.WHOLE
+        if wkt and system and extent and same_coordinates(wkt, system, extent, _SAME_PLACE * max(map(abs, extent))):
             return Seal.WHOLE
         return Seal.OTHER_SYSTEM
 
@@ -336,7 +336,7 @@ def with_settings(delivery: Delivery, scans: Sequence[Mapping[str, str]]) -> Del
     if not scans or len(scans) not in (1, len(delivery.layers)):
         return delivery
     every = [*scans] * len(delivery.layers) if len(scans) == 1 else scans
-    layers = (replace(one, settings=one.settings or said) for one, said in zip(delivery.layers, every))
+    layers = (replace(one, settings={**said, **one.settings}) for one, said in zip(delivery.layers, every))
     return replace(delivery, layers=tuple(layers))
 
 

@@ -88,6 +88,8 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         by_observer=decision.by_observer,
         defects=[_defect_text(one) for one in defects[:MOST_ROWS]],
         defect_count=len(defects),
+        unknown=[*_unknown_rows(decision)],
+        unknown_count=len(decision.unknown_runs),
         has_words=any(one.cause or one.remarks for one in defects[:MOST_ROWS]),
         has_images=any(one.worst.piece.left_source or one.worst.piece.right_source for one in defects[:MOST_ROWS]),
         has_bands=any(one.band_width_m is not None for one in defects[:MOST_ROWS]),
@@ -167,6 +169,9 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
         (share(whole.measured_share, 1), tr("of it measured") if not whole.no_detail_m else (
             filled(tr("measured, of the {metres} on ground with detail"), metres=metres(whole.judged_m)))),
         (metres(whole.failed_m), tr("of it failed")),
+        *([] if decision.by_observer or whole.failed_unclear_share is None else [
+            (share(whole.failed_unclear_share, 1), tr("of these may keep enough, by their 95 % intervals"))
+        ]),
         (share(whole.failed_share), tr("of what was measured failed")),
         *([] if longest is None else [(metres(longest), tr("failed without a break"))]),
     ]
@@ -302,6 +307,17 @@ def _defect_text(one: Defect) -> dict[str, Any]:
         "place": [formatted(along, ".1f") for along in one.place],
         "remark": "; ".join(one.remarks),
     }
+
+
+def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
+    """Where rows of pieces lie that were not measured, the longest first."""
+    for run in decision.unknown_runs[:MOST_ROWS]:
+        failed = sum(
+            decision.pieces[number].piece.length_m for number in run.pieces
+            if decision.pieces[number].state is PieceState.FAILED
+        )
+        place = " ".join(formatted(along, ".1f") for along in run.place)
+        yield [", ".join(run.sheets), metres(run.length_m), metres(failed), place]
 
 
 def _pictures(

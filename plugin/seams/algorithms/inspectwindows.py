@@ -41,8 +41,9 @@ class InspectWindows(SeamInspectorAlgorithm):
         "Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the "
         "window are clipped and decomposed by wavelets, and what the mosaic has of its sources' finest detail beside a "
         "seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss "
-        "is significant where 70 % or less is kept along the seam, reduced where the 95 % interval lies below "
-        "all of it. The paper's own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the "
+        "is significant where by the best estimate 70 % or less is kept along the seam and that something is lost is "
+        "sure, reduced where the 95 % interval lies below all of it. The paper's own rule (Pyka 2010), by shares of "
+        "variance in whole clips, is there too: half of the "
         "detail or less against every source is a significant loss."
     )
 
@@ -70,8 +71,9 @@ class InspectWindows(SeamInspectorAlgorithm):
             # Optional for the same reason.
             common.real(MIN_KEPT, tr("Least share kept along the seam"), MAX_SIGNIFICANT_KEPT, 0.0, optional=True),
             tr(
-                "A window is significant when this share of the finest detail, or less, is kept along its seam. 0.5 is "
-                "what a 50:50 blend of two images leaves that have nothing in common."
+                "A window is significant when by the best estimate this share of the finest detail, or less, is kept "
+                "along its seam, and that something is lost is sure. 0.5 is what "
+                "a 50:50 blend of two images leaves that have nothing in common."
             ),
             advanced=True,
         )

@@ -23,7 +23,7 @@ class Verdict(str, Enum):
     """What a window's ratios say. The values are the words that tables hold."""
 
     SIGNIFICANT = "significant"
-    """So much detail is lost that an eye sees it."""
+    """By the best estimate at most the limit is left, and that something is lost is sure."""
     REDUCED = "reduced"
     """Less is left than the sources have, surely."""
     PRESERVED = "preserved"
@@ -76,9 +76,10 @@ def judge_by_seam(
 ) -> tuple[Verdict, Message | None]:
     """The verdict by what is kept along the seam and by the sharpness of the whole, and why there is none.
 
-    ``significant`` where kept_1 is at most ``min_kept`` for sure, or the square of the sharpness at most its limit,
-    ``reduced`` where one of them is surely below 1, else ``preserved``; none where the interval says nothing, or holds
-    all that there was although so little is kept. A window without a seam is judged by its sharpness alone.
+    ``significant`` where the best estimate of kept_1 is at most ``min_kept`` and that something is lost is sure (its
+    interval may reach above the limit, half-way to 1), or the square of the sharpness at most its limit, ``reduced``
+    where one of them is surely below 1, else ``preserved``; none where the interval says nothing, or holds all that
+    there was although so little is kept. A window without a seam is judged by its sharpness alone.
     ``explained``: share of the pixels that the sources explain, ``mixed`` of those that are a mixture of two of them.
     """
     if sharpness is None:

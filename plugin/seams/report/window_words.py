@@ -90,8 +90,9 @@ def reading_terms(
     yield tr("flagged"), tr("Has a significant loss, or one that the observer saw.")
     if by_seam:
         words = tr(
-            "Significant: {percent} % or less of the finest detail is kept along the seam, or the whole window is "
-            "blurred badly. Reduced: less than all is kept, beyond the error of the measurement. "
+            "Significant: by the best estimate {percent} % or less of the finest detail is kept along the seam, and "
+            "that something is lost is sure; or the whole window is blurred badly. Reduced: "
+            "less than all is kept, beyond the error of the measurement. "
             "Preserved: no certain loss."
         )
         yield tr("verdict"), filled(words, percent=percent(min_kept))

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.acceptance.measure.acceptance_rules import SamplingRule
+from seam_inspector.plugin.acceptance.measure.acceptance_rules import LONGEST_FAILURE, SamplingRule
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.measure.delivery import (
@@ -315,6 +315,41 @@ def test_windows_over_a_piece_and_what_operators_say() -> None:
     assert (found.observers.both.count, found.observers.both.agreed) == (2, 1)
     assert found.observers.with_tool is not None
     assert (found.observers.with_tool.count, found.observers.with_tool.agreed) == (3, 3)
+
+
+@pytest.mark.parametrize(
+    ("row", "longest", "outcome"),
+    [
+        ([None] * 5, 50, ACCEPTED), ([None] * 6, 60, UNDECIDED), ([None] * 4 + [0.4] * 2, 60, UNDECIDED),
+        ([0.4] * 6 + [None], 70, REJECTED), ([None] * 4 + [0.9] + [None] * 4, 40, ACCEPTED),
+    ],
+)
+def test_a_row_of_pieces_without_a_measurement_may_be_a_failure(
+    row: list[float | None], longest: float, outcome: AcceptanceOutcome
+) -> None:
+    found = decide(delivery(seam([0.95] * 200 + row + [0.95] * 200)), rules())
+    assert found.outcome is outcome
+    assert found.whole.longest_unknown_m == longest
+    assert [run.length_m for run in found.unknown_runs] == ([] if longest <= 50 else [longest])
+    if outcome is UNDECIDED:
+        (rule,) = (one for one in found.outcomes if one.check == LONGEST_FAILURE)
+        assert (rule.passed, rule.high) == (None, longest)
+        assert found.unknown_runs[0].place == pytest.approx((2000 + longest / 2, 0))
+        assert "figures of the rows of pieces longer than 50 m" in told(found)
+
+
+def test_ground_without_detail_is_no_row_that_was_not_measured() -> None:
+    smooth = [replace(piece, has_detail=False) for piece in seam([None] * 20, start=(0, 50), seam_id="2", number=40)]
+    found = decide(delivery(seam([0.95] * 40), smooth), rules())
+    assert (found.outcome, found.whole.longest_unknown_m) == (ACCEPTED, 0)
+
+
+def test_how_much_of_what_failed_may_keep_enough_is_a_number() -> None:
+    found = decide(delivery(seam([0.68, 0.72, 0.4, 0.4, 0.9])), rules())
+    assert (found.whole.failed_m, found.whole.failed_unclear_m, found.whole.unclear_m) == (30, 10, 20)
+    assert found.whole.failed_unclear_share == pytest.approx(1 / 3)
+    assert found.sheets[0].failed_unclear_share == found.whole.failed_unclear_share
+    assert decide(delivery(seam([0.9])), rules()).whole.failed_unclear_share is None
 
 
 def test_a_layer_without_the_seal_of_its_scan_is_not_accepted() -> None:

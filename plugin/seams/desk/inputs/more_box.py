@@ -52,7 +52,8 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
              tr("What decides the verdict: what is kept along the seam; the whole window against the hard cut of the "
                 "sources; or each source's whole clip, as in Pyka's papers")),
             ("min_kept", tr("Least &kept"), _share_box(limits.MAX_SIGNIFICANT_KEPT, self),
-             tr("By the seam, a loss is significant when at most this share of the finest detail is kept along it")),
+             tr("By the seam, a loss is significant when by the best estimate at most this share of the finest "
+                "detail is kept along it, and that something is lost is sure")),
             ("max_ratio", tr("Largest &ratio"), _share_box(imagery_limits.MAX_SIGNIFICANT_RATIO, self),
              tr("By the sources or their composite, a loss is significant when the mosaic keeps at most this share of "
                 "their detail at level 1")),

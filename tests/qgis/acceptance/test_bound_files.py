@@ -1,0 +1,157 @@
+"""A decision is on the files that were scanned: another mosaic, or a file that was changed since, decides nothing."""
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from osgeo import gdal
+
+from tests.qgis.runs import Run, run
+from tests.qgis.seams.scan_scenes import Files, write_scene
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+
+def scan(files: Files, folder: Path, **more: Any) -> None:
+    outputs = {"LOSS": None, "SEAMS": str(folder / "seams.gpkg"), "CELLS": None, "WORST": None}
+    made = run("scanmosaic", **{**files.given(), **outputs, **more})
+    assert made.complaint is None
+    made.close()
+
+
+@pytest.fixture(scope="module")
+def scanned(tmp_path_factory: pytest.TempPathFactory, provider: object) -> Path:
+    """A sound mosaic, its orthoimages and its seams, never written to."""
+    folder = tmp_path_factory.mktemp("scanned")
+    scan(write_scene(folder), folder)
+    return folder
+
+
+@pytest.fixture
+def project(scanned: Path, tmp_path: Path) -> Path:
+    """A folder of one's own with what was scanned; the first one is hidden meanwhile, as after a move."""
+    moved, hidden = tmp_path / "project", scanned.with_name("hidden")
+    shutil.copytree(scanned, moved)
+    os.rename(scanned, hidden)
+    yield moved
+    os.rename(hidden, scanned)
+
+
+def decide(folder: Path, **more: Any) -> Run:
+    papers = dict.fromkeys(("DEFECTS", "REPORT", "QUALITY", "CHART"))
+    made = run("acceptmosaic", SEAMS=[str(folder / "seams.gpkg")], **{**papers, **more})
+    assert made.complaint is None
+    return made
+
+
+def decision(made: Run) -> str:
+    return next(text for text in made.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
+
+
+def rewrite(path: Path, at: float = 0.4, keep_time: bool = True) -> None:
+    """Another tenth of a file, of the same size."""
+    before, held = path.stat(), bytearray(path.read_bytes())
+    start, count = round(at * len(held)), len(held) // 10
+    held[start : start + count] = bytes(255 - byte for byte in held[start : start + count])
+    path.write_bytes(held)
+    if keep_time:
+        os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+
+
+def test_a_project_that_was_moved_is_the_same(project: Path) -> None:
+    for given in ({}, {"MOSAIC": [str(project / "mosaic.tif")]}):
+        made = decide(project, **given)
+        assert made.results["DECISION"] == "accepted"
+        assert "Files that are as they were scanned: 3." in made.log.infos
+
+
+@pytest.mark.parametrize("name", ["mosaic.tif", "west.tif", "east.tif"])
+def test_another_file_of_the_same_size_and_time_decides_nothing(scanned: Path, tmp_path: Path, name: str) -> None:
+    """Where it was scanned, with nothing given."""
+    shutil.copy2(scanned / name, tmp_path / name)
+    try:
+        rewrite(scanned / name)
+        made = decide(scanned)
+        assert made.results["DECISION"] == "undecided"
+        assert f"files were changed since they were scanned: 1 ({name})" in decision(made)
+        assert any("a scan of those that are there now" in text for text in made.log.warnings)
+    finally:
+        shutil.copy2(tmp_path / name, scanned / name)
+
+
+def test_a_file_that_was_written_to_between_the_bytes_that_are_looked_at_is_seen_by_its_time(
+    scanned: Path, tmp_path: Path
+) -> None:
+    mosaic = scanned / "mosaic.tif"
+    shutil.copy2(mosaic, tmp_path / "kept.tif")
+    try:
+        os.utime(mosaic, ns=(1, mosaic.stat().st_mtime_ns + 10**9))
+        assert "were changed since they were scanned: 1 (mosaic.tif)" in decision(decide(scanned))
+    finally:
+        shutil.copy2(tmp_path / "kept.tif", mosaic)
+
+
+def test_another_mosaic_decides_nothing_whatever_the_scan_found(project: Path, tmp_path: Path) -> None:
+    other = Path(write_scene(tmp_path, width=24.0, name="bad").mosaic)
+    for limits in ({}, {"MIN_KEPT": 1.0}):
+        made = decide(project, MOSAIC=[str(other)], **limits)
+        assert made.results["DECISION"] == "undecided"
+        assert made.results.get("ACCEPTED") is None
+        assert "files are given that are not those that were scanned: bad.tif" in decision(made)
+    renamed = shutil.move(other, tmp_path / "mosaic.tif")
+    assert "not those that were scanned: mosaic.tif" in decision(decide(project, MOSAIC=[str(renamed)]))
+
+
+def test_another_orthoimage_of_the_same_name_decides_nothing(project: Path, tmp_path: Path) -> None:
+    west = tmp_path / "west.tif"
+    shutil.copy2(project / "west.tif", west)
+    given = {"MOSAIC": [str(project / "mosaic.tif")], "SOURCES": [str(west)]}
+    assert decide(project, **given).results["DECISION"] == "accepted"
+    rewrite(west)
+    assert "not those that were scanned: west.tif" in decision(decide(project, **given))
+
+
+@pytest.mark.parametrize(("lost", "outcome"), [("mosaic.tif", "undecided"), ("west.tif", "accepted")])
+def test_what_is_gone_is_told(project: Path, lost: str, outcome: str) -> None:
+    (project / lost).unlink()
+    made = decide(project)
+    assert made.results["DECISION"] == outcome
+    words = "files of the scanned mosaic are not there any more: 1 (mosaic.tif)" if outcome == "undecided" else (
+        "Orthoimages that were scanned are not there any more: 1 (west.tif)"
+    )
+    assert any(words in text for text in made.log.infos + made.log.warnings)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [
+        (lambda folder: None, ""),
+        (lambda folder: rewrite(folder / "b.tif"), "b.tif"),
+        (lambda folder: (folder / "b.tif").unlink(), "b.tif"),
+        (lambda folder: swap(folder / "all.vrt"), "all.vrt"),
+    ],
+)
+def test_a_vrt_is_the_sheets_that_it_names(
+    scanned: Path, tmp_path: Path, change: Callable[[Path], object], named: str
+) -> None:
+    for name, column in (("a", 0), ("b", 350)):
+        gdal.Translate(str(tmp_path / f"{name}.tif"), str(scanned / "mosaic.tif"), srcWin=[column, 0, 350, 520])
+    gdal.BuildVRT(str(tmp_path / "all.vrt"), [str(tmp_path / "a.tif"), str(tmp_path / "b.tif")]).FlushCache()
+    files = Files(str(tmp_path / "all.vrt"), str(scanned / "west.tif"), str(scanned / "east.tif"))
+    scan(files, tmp_path)
+    change(tmp_path)
+    for given in ({}, {"MOSAIC": [files.mosaic]}):
+        made = decide(tmp_path, **given)
+        assert made.results["DECISION"] == ("undecided" if named else "accepted")
+        assert named in decision(made)
+
+
+def swap(vrt: Path) -> None:
+    """The same sheets, each in the other's place."""
+    text = vrt.read_text(encoding="utf-8")
+    vrt.write_text(text.replace("a.tif", "?").replace("b.tif", "a.tif").replace("?", "b.tif"), encoding="utf-8")

@@ -1,0 +1,221 @@
+"""A layer that is not as a scan left it is never accepted; and a row of pieces that nobody measured may be a failure."""
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from osgeo import gdal, ogr
+from qgis.core import QgsCoordinateReferenceSystem, QgsVectorLayer
+
+from tests.pages import outline
+from tests.qgis.acceptance.seam_scenes import X, Y, file, sealed, seams
+from tests.qgis.runs import Run, run
+from tests.qgis.scenes import saved
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+F, P = 0.5, 0.95
+CHANGED, UNSEALED = "were changed since their scan: 1 (seams)", "without the seal of a scan: 1 (seams)"
+
+
+def decide(*layers: QgsVectorLayer | str, **more: Any) -> Run:
+    made = run("acceptmosaic", SEAMS=list(layers), **{"DEFECTS": None, "REPORT": None, "QUALITY": None, **more})
+    assert made.complaint is None
+    return made
+
+
+def decision(made: Run) -> str:
+    return next(text for text in made.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
+
+
+def sql(*statements: str) -> Callable[[Path], None]:
+    """Changes the file as anybody can; the triggers of its index need functions that only GDAL has."""
+
+    def change(path: Path) -> None:
+        dataset = gdal.OpenEx(str(path), gdal.OF_VECTOR | gdal.OF_UPDATE)
+        for statement in statements:
+            dataset.ExecuteSQL(statement, dialect="SQLITE" if statement.startswith("INSERT") else "")
+
+    return change
+
+
+def copied(path: Path) -> None:
+    """Rows that passed, once more and elsewhere."""
+    dataset = ogr.Open(str(path), 1)
+    layer = dataset.GetLayer(0)
+    rows = [row.Clone() for row in layer if row["kept_1"] == P]
+    for row in rows:
+        moved = row.GetGeometryRef().Clone()
+        for vertex in range(moved.GetPointCount()):
+            moved.SetPoint_2D(vertex, moved.GetX(vertex), moved.GetY(vertex) + 500)
+        row.SetGeometry(moved)
+        row["seam_id"], _ = 9, row.SetFID(-1)
+        layer.CreateFeature(row)
+
+
+def stripped(path: Path) -> None:
+    dataset = gdal.OpenEx(str(path), gdal.OF_VECTOR | gdal.OF_UPDATE)
+    dataset.GetLayer(0).SetMetadata({}, "SEAM_INSPECTOR")
+
+
+def without_failures(path: Path) -> None:
+    sql("DELETE FROM seams WHERE kept_1 < 0.7")(path)
+    stripped(path)
+
+
+def other_settings(path: Path) -> None:
+    layer = (dataset := gdal.OpenEx(str(path), gdal.OF_VECTOR | gdal.OF_UPDATE)).GetLayer(0)
+    layer.SetMetadata({**layer.GetMetadata("SEAM_INSPECTOR"), "unexplained": "0.0"}, "SEAM_INSPECTOR")
+    del dataset
+
+
+def other_system(path: Path) -> None:
+    """All as it was, and called another zone's."""
+    gdal.VectorTranslate(str(path.with_name("moved.gpkg")), str(path), options=["-a_srs", "EPSG:32634"])
+    path.with_name("moved.gpkg").replace(path)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (copied, CHANGED),
+        (sql("UPDATE seams SET length = 2 * length WHERE kept_1 > 0.7"), CHANGED),
+        (sql("UPDATE seams SET kept_1 = 0.95, kept_low = 0.9, kept_high = 1.0 WHERE kept_1 < 0.7"), CHANGED),
+        (sql("UPDATE seams SET verdict = 'not_comparable' WHERE kept_1 < 0.7"), CHANGED),
+        (sql("DELETE FROM seams WHERE kept_1 < 0.7"), CHANGED),
+        (stripped, UNSEALED), (without_failures, UNSEALED), (other_settings, CHANGED),
+        (other_system, "another reference system than their scan gave them: 1 (seams)"),
+    ],
+)
+def test_a_layer_that_was_changed_is_not_accepted(
+    change: Callable[[Path], None], words: str, tmp_path: Path
+) -> None:
+    """Whatever the rules and the paper say: with these it would be accepted."""
+    path = tmp_path / "seams.gpkg"
+    made = seams([P] * 40 + [F] + [P] * 40)
+    file(sealed(made, unexplained="0.02"), path)
+    given = {"MAX_SHARE": 10.0, "TITLE": "REMARKS: rows were corrected as agreed"}
+    assert decide(str(path), **given).results["DECISION"] == "accepted"
+    change(path)
+    outcome = decide(str(path), **given)
+    assert outcome.results["DECISION"] == "undecided"
+    assert words in decision(outcome)
+    assert any("in the GeoPackages themselves or copies of these files" in text for text in outcome.log.warnings)
+
+
+def test_each_layer_of_a_lot_is_looked_at(tmp_path: Path) -> None:
+    layers = [seams([P] * 10, y=50 * place, name=f"s{place}") for place in range(3)]
+    assert decide(*layers).results["DECISION"] == "accepted"
+    layers[1].removeCustomProperty("SEAM_INSPECTOR/digest")
+    outcome = decide(*layers, SHEETS_OUT="TEMPORARY_OUTPUT")
+    assert "without the seal of a scan: 1 (s1)" in decision(outcome)
+    assert outcome.column("verdict", "SHEETS_OUT") == ["accepted", "undecided", "accepted"]
+
+
+def test_edits_that_are_not_saved_yet_break_the_seal() -> None:
+    made = seams([P] * 10)
+    made.startEditing()
+    made.changeAttributeValue(next(made.getFeatures()).id(), made.fields().indexOf("length"), 250.0)
+    assert CHANGED in decision(decide(made))
+
+
+def test_a_layer_that_was_changed_is_still_rejected_and_says_so() -> None:
+    made = seams([F] * 10)
+    made.setCustomProperty("SEAM_INSPECTOR/rows", "11")
+    assert decide(made).results["DECISION"] == "rejected"
+    assert decision(decide(made)).endswith(f"; layers of seams {CHANGED}.")
+
+
+def test_copies_that_keep_the_seal_are_the_scan_s_and_exports_are_told_the_way(tmp_path: Path) -> None:
+    path = file(seams([P] * 10), tmp_path / "seams.gpkg")
+    copy, shape = str(tmp_path / "copy.gpkg"), str(tmp_path / "seams.shp")
+    gdal.VectorTranslate(copy, path)
+    assert decide(copy).results["DECISION"] == "accepted"
+    saved(QgsVectorLayer(path, "seams", "ogr"), Path(shape))
+    exported = saved(QgsVectorLayer(path, "seams", "ogr"), tmp_path / "exported.gpkg")
+    for written in (shape, exported):
+        outcome = decide(written)
+        assert outcome.results["DECISION"] == "undecided"
+        assert any("exports, merged layers and other formats lose the seal" in text for text in outcome.log.warnings)
+
+
+def test_a_system_that_is_only_named_otherwise_is_the_same() -> None:
+    made = seams([P] * 10)
+    made.setCrs(QgsCoordinateReferenceSystem("EPSG:25833"))  # ETRS89, the same places
+    moved = seams([P] * 10)
+    moved.setCrs(QgsCoordinateReferenceSystem("EPSG:32634"))
+    assert [decide(one).results["DECISION"] for one in (made, moved)] == ["accepted", "undecided"]
+
+
+# --- samples ----------------------------------------------------------------------------------------------------
+
+
+def sample(*layers: QgsVectorLayer | str, output: str = "TEMPORARY_OUTPUT") -> Run:
+    made = run("planinspection", SEAMS=list(layers), PLAN="count", COUNT=20, OUTPUT=output)
+    assert made.complaint is None
+    return made
+
+
+def test_a_sample_is_sealed_as_what_it_was_drawn_of(tmp_path: Path) -> None:
+    whole, plan = [seams([P] * 20, name="a"), seams([P] * 20, y=99, name="b")], {"PLAN": "iso2859", "AQL": "4.0"}
+    drawn = sample(*whole, output=str(tmp_path / "sample.gpkg"))
+    assert decide(drawn.results["OUTPUT"], **plan).results["DECISION"] == "accepted"
+    sql("UPDATE sample SET lot_size = 30")(tmp_path / "sample.gpkg")
+    assert decide(drawn.results["OUTPUT"], **plan).results["DECISION"] == "undecided"
+    whole[1].removeCustomProperty("SEAM_INSPECTOR/digest")
+    unsealed = sample(*whole)
+    assert decide(unsealed.layer(), **plan).results["DECISION"] == "undecided"
+
+
+# --- rows of pieces that were not measured ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("row", "metres"),
+    [
+        ([None] * 3, 75), ([None, None, F], 75), ([None] * 2, 0), ([None, None, P, None], 0), ([F, None, F, None], 100),
+    ],
+)
+def test_a_row_that_was_not_measured_leaves_the_longest_failure_open(
+    row: list[float | None], metres: float, tmp_path: Path
+) -> None:
+    paper = {"REPORT": str(tmp_path / "r.html"), "QUALITY": str(tmp_path / "q.xml")}
+    outcome = decide(seams([P] * 60 + row + [P] * 60), **paper)
+    assert outcome.results["DECISION"] == ("undecided" if metres else "accepted")
+    page = outline((tmp_path / "r.html").read_text(encoding="utf-8"))
+    (rule,) = (cells for cells in page.rows if cells[0] == "longest failure without a break")
+    assert rule[-1] == ("can't be told" if metres else "passed")
+    text = (tmp_path / "q.xml").read_text(encoding="utf-8")
+    if metres:
+        words = f"it may be {metres:.1f} m by a row of pieces that were not measured"
+        x, y = X + 25 * 60 + metres / 2, Y
+        place = f"{metres:.1f} m at {x:.1f}, {y:.1f} in seams"
+        assert words in decision(outcome)
+        assert any(place in text for text in outcome.log.warnings)
+        assert place in page.words
+        assert any(cells[0] == "seams" and cells[-1] == f"{x:.1f} {y:.1f}" for cells in page.rows)
+        assert place in text
+        (element,) = (one for one in ET.fromstring(text).iterfind(".//*[@id='longest_failure']"))
+        assert words in "".join(element.itertext())
+    else:
+        assert "Rows that were not measured" not in page.words
+
+
+def test_a_row_that_was_not_measured_is_looked_at_across_sheets() -> None:
+    west, east = seams([P] * 60 + [None] * 2, name="west"), seams([None] + [P] * 60, start=1550, name="east")
+    outcome = decide(west, east, SHEETS_OUT="TEMPORARY_OUTPUT")
+    assert "it may be 75.0 m by a row" in decision(outcome)
+    assert outcome.column("verdict", "SHEETS_OUT") == ["accepted", "accepted"]
+
+
+# --- failures that are surely failures ------------------------------------------------------------------------------
+
+
+def test_the_cover_says_how_much_of_what_failed_may_keep_enough(tmp_path: Path) -> None:
+    report = tmp_path / "r.html"
+    decide(seams([F] * 3 + [0.68] + [P] * 60), REPORT=str(report))  # intervals of 0.05 either side
+    words = " ".join(outline(report.read_text(encoding="utf-8")).words.replace("\u00a0", " ").split())
+    assert "100.0 mof it failed 25.0 %of these may keep enough, by their 95 % intervals" in words
