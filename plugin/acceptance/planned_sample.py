@@ -32,7 +32,7 @@ from . import stated_rules as stated
 from .delivery_layers import SeamLayer, common_system, metres_in_unit, read_delivery
 from .measure import messages
 from .measure.delivered_rows import united_settings
-from .measure.delivery import DeliveredPiece, Delivery, Seal, in_order
+from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, in_order
 from .measure.inspection_plan import cut_pieces, plan_of_risk, plan_sentence, risk_sentences
 from .measure.sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
 from .measure.sampling_risks import StatedRisk, operating_characteristic
@@ -54,7 +54,8 @@ def with_cut_seamlines(
     scanned = [layer for layer in seams if _OF_SCAN in layer.fields]
     pieces: list[DeliveredPiece] = []
     told: list[Message] = []
-    lot_size, held = None, ()
+    lot_size = None
+    held: tuple[DeliveredLayer, ...] = ()
     if scanned:
         read, told = read_delivery(scanned, transforms, sheet_field, crs)
         pieces, lot_size, held = list(read.pieces), read.lot_size, read.layers

@@ -61,10 +61,15 @@ def local_states(paths: Iterable[str]) -> dict[str, FileState]:
 
 
 def known_states(paths: Iterable[str], ask: bool = True) -> dict[str, FileState]:
-    """``local_states``, and of remote rasters what their server says of them where it is to be asked."""
-    every = list(paths)
-    remote = {path: FileState(0, 0, remote_state(path) if ask else "") for path in every if is_remote(path)}
-    return {**local_states(every), **remote}
+    """``local_states``, and of remote rasters what their server says of them where it is to be asked. What nothing is
+    known of has an empty digest."""
+    found: dict[str, FileState] = {}
+    for path in paths:
+        if is_remote(path):
+            found[path] = FileState(0, 0, remote_state(path) if ask else "")
+        else:
+            found.update(local_states([path]) or {path: FileState(0, 0, "")})
+    return found
 
 
 def content_of(path: str) -> str:

@@ -85,8 +85,6 @@ def failing_chance(kept: float | None, low: float | None, high: float | None, le
     return NormalDist().cdf(math.log(least / kept) / error)
 
 
-Line = np.ndarray
-"""(n, 2) x and y of a line's vertices, in the reference system of its layer; empty where it has none."""
 SYSTEM = "system"
 """Of what stands beside rows: the reference system of their lines, as WKT."""
 MOSAIC_FILES, SOURCE_FILES = "mosaic_files", "source_files"
@@ -144,8 +142,8 @@ class RowTotals:
         self._metres: list[float] = []
         self._failed: list[float] = []
 
-    def add(self, row: Mapping[str, object], line: Line) -> None:
-        """One feature's fields by name, numbers as numbers, and its line."""
+    def add(self, row: Mapping[str, object], line: np.ndarray) -> None:
+        """One feature's fields by name, and the vertices of its line, (n, 2), as its layer has them."""
         place = hashlib.sha256((np.asarray(line, "<f8") + 0.0).tobytes()).hexdigest()
         self._lines.append("\t".join((*map(_written, map(row.get, _SEALED)), place)))
         length = row.get("length")
@@ -161,8 +159,8 @@ class RowTotals:
         return SeamTotals(len(self._lines), math.fsum(self._metres), math.fsum(self._failed), digest)
 
 
-def sealed_notes(notes: Mapping[str, str], rows: Iterable[tuple[Mapping[str, object], Line]]) -> dict[str, str]:
-    """What stands beside the rows of a layer; ``rows``: the fields by name, and the lines."""
+def sealed_notes(notes: Mapping[str, str], rows: Iterable[tuple[Mapping[str, object], np.ndarray]]) -> dict[str, str]:
+    """What stands beside the rows of a layer; ``rows``: fields by name and vertices, as ``RowTotals`` takes them."""
     totals = RowTotals()
     for row, line in rows:
         totals.add(row, line)

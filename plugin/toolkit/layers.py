@@ -119,7 +119,7 @@ def write_layer_notes(place: QgsVectorLayer | str, domain: str, notes: Mapping[s
         dataset = open_dataset(path, FEATURES, gdal.OF_UPDATE)
         table = table or named
         layer = dataset and (dataset.GetLayerByName(table) if table else dataset.GetLayer(0))
-        return bool(layer) and layer.SetMetadata(dict(notes), domain) == gdal.CE_None
+        return layer is not None and layer.SetMetadata(dict(notes), domain) == gdal.CE_None
     return False
 
 

@@ -64,6 +64,8 @@ class _Scanned:
 
     def knows(self, path: str, state: FileState) -> bool:
         """Whether a file was scanned, and was not written since."""
+        if not state.digest:  # of the path alone something is known
+            return path in self._times
         return state.content in self._contents and state.time_ns in self._times.get(path, (state.time_ns,))
 
     def give(self, path: str) -> dict[str, FileState]:
@@ -84,14 +86,14 @@ class _Scanned:
             if not (self.knows(one, state) or (by_sheets and one.lower().endswith(_VRT)))
         ]
         parts = [one for one in strange if not one.lower().endswith(_VRT)]
-        return next(iter((*parts, *strange)), "") if found else os.path.basename(path)
+        return next(iter((*parts, *strange)), "")
 
     def lost(self) -> tuple[list[str], list[str]]:
         """Names of the files that are gone, and of those that were changed; none that are given, or lie elsewhere
         now."""
         gone, changed = [], []
         for path, state in self.files:
-            if state.content in self._given:
+            if not state.digest or state.content in self._given:
                 continue
             now = self._now(path)
             if now is None:

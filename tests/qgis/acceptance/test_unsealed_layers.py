@@ -1,4 +1,4 @@
-"""A layer that is not as a scan left it is never accepted; and a row of pieces that nobody measured may be a failure."""
+"""A layer that is not as a scan left it is never accepted; a row of pieces that nobody measured may be a failure."""
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
