@@ -135,12 +135,13 @@ def _strange_files(delivery: Delivery) -> Iterator[Message]:
 
 def _unsealed(delivery: Delivery) -> Iterator[Message]:
     """Which layers are not as their scan left them."""
-    for seal, message in (
-        (Seal.BROKEN, messages.LAYERS_WERE_CHANGED), (Seal.OTHER_SYSTEM, messages.LAYERS_WERE_MOVED),
-        (Seal.MISSING, messages.LAYERS_WITHOUT_SEAL),
-    ):  # fmt: skip
-        if names := [one.name for one in delivery.layers if one.seal is seal]:
-            yield message(count=len(names), names=_first_names(names))
+    names = {seal: [one.name for one in delivery.layers if one.seal is seal] for seal in Seal}
+    if changed := names[Seal.BROKEN]:
+        yield messages.LAYERS_WERE_CHANGED(count=len(changed), names=_first_names(changed))
+    if moved := names[Seal.OTHER_SYSTEM]:
+        yield messages.LAYERS_WERE_MOVED(count=len(moved), names=_first_names(moved))
+    if unsealed := names[Seal.MISSING]:
+        yield messages.LAYERS_WITHOUT_SEAL(count=len(unsealed), names=_first_names(unsealed))
 
 
 def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) -> Iterator[Message]:
