@@ -93,7 +93,7 @@ def states_in(text: str) -> list[PlacedState]:
     try:
         return [(str(path), FileState(int(size), int(time_ns), str(digest)))
                 for path, size, time_ns, digest in json_document(text or "[]")]  # fmt: skip
-    except (ValueError, TypeError):
+    except (ValueError, TypeError, OverflowError):
         return []
 
 

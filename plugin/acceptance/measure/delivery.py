@@ -233,9 +233,9 @@ class FileDoubts:
     changed: tuple[str, ...] = ()
     """Changed since they were scanned."""
     gone: tuple[str, ...] = ()
-    """Of the mosaic, and not there any more."""
+    """Of the mosaic, and not found any more."""
     gone_sources: tuple[str, ...] = ()
-    """Orthoimages that are not there any more."""
+    """Orthoimages that are not found any more."""
     same: int = 0
     """How many are as they were."""
 

@@ -122,7 +122,7 @@ LAYERS_WERE_MOVED = Message(
 LAYERS_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
 FILES_NOT_SCANNED = Message("files are given that are not those that were scanned: {names}", INFO)
 FILES_CHANGED = Message("files were changed since they were scanned: {count} ({names})", INFO)
-FILES_GONE = Message("files of the scanned mosaic are not there any more: {count} ({names})", INFO)
+FILES_GONE = Message("files of the scanned mosaic are not found any more: {count} ({names})", INFO)
 SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
 SEAMS_HIDDEN = Message("rows of {name} were changed so that {metres:.0f} m which its scan failed pass", INFO)
 SEAMS_UNSEEN = Message(
@@ -205,7 +205,8 @@ WOULD_GIVE_LAYER = Message(
     "these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.", WARNING
 )
 WOULD_SCAN_AGAIN = Message(
-    "What would decide it: the files that were scanned, or a scan of those that are there now.", WARNING
+    "What would decide it: the files that were scanned, given as MOSAIC and SOURCES, or a scan of those that are there "
+    "now.", WARNING
 )
 WOULD_MEASURE_ROWS = Message(
     "What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
@@ -220,8 +221,8 @@ WOULD_SEE_SHEETS = Message(
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
 FILES_AS_SCANNED = Message("Files that are as they were scanned: {count}.", INFO)
 SOURCES_GONE = Message(
-    "Orthoimages that were scanned are not there any more: {count} ({names}); nobody can measure again what the "
-    "decision rests on.", WARNING
+    "Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again "
+    "what the decision rests on.", WARNING
 )
 SETTINGS_DIFFER = Message(
     "The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.",

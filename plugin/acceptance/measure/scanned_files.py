@@ -9,7 +9,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from ...imagery.file_states import FileState, PlacedState, known_states, local_state, remote_state, states_in
+from ...imagery.file_states import FileState, PlacedState, known_states, local_state, states_in
 from ...imagery.gdal_paths import is_remote
 from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from .delivery import DeliveredLayer, FileDoubts
@@ -95,19 +95,13 @@ class _Scanned:
         for path, state in self.files:
             if not state.digest or state.content in self._given:
                 continue
-            now = self._now(path)
+            now = None if is_remote(path) else local_state(path)  # no server is asked that only a layer names
             if now is None:
                 if not any(_is_copy(moved, state) for moved in self._moved(path)):
                     gone.append(os.path.basename(path))
             elif now.content != state.content or now.time_ns != state.time_ns:
                 changed.append(os.path.basename(path))
         return gone, changed
-
-    def _now(self, path: str) -> FileState | None:
-        if not is_remote(path):
-            return local_state(path)
-        now = remote_state(path) if self._asks else ""
-        return None if now.startswith("None") else FileState(0, 0, now)
 
     def _moved(self, path: str) -> Iterator[str]:
         """Where a file may lie in a project that was moved, its folders kept."""

@@ -78,7 +78,7 @@ def test_another_file_of_the_same_size_and_time_decides_nothing(scanned: Path, t
         made = decide(scanned)
         assert made.results["DECISION"] == "undecided"
         assert f"files were changed since they were scanned: 1 ({name})" in decision(made)
-        assert any("a scan of those that are there now" in text for text in made.log.warnings)
+        assert any("or a scan of those that are there now" in text for text in made.log.warnings)
     finally:
         shutil.copy2(tmp_path / name, scanned / name)
 
@@ -120,8 +120,8 @@ def test_what_is_gone_is_told(project: Path, lost: str, outcome: str) -> None:
     (project / lost).unlink()
     made = decide(project)
     assert made.results["DECISION"] == outcome
-    words = "files of the scanned mosaic are not there any more: 1 (mosaic.tif)" if outcome == "undecided" else (
-        "Orthoimages that were scanned are not there any more: 1 (west.tif)"
+    words = "files of the scanned mosaic are not found any more: 1 (mosaic.tif)" if outcome == "undecided" else (
+        "Orthoimages that were scanned are not found any more: 1 (west.tif)"
     )
     assert any(words in text for text in made.log.infos + made.log.warnings)
 
@@ -155,3 +155,17 @@ def swap(vrt: Path) -> None:
     """The same sheets, each in the other's place."""
     text = vrt.read_text(encoding="utf-8")
     vrt.write_text(text.replace("a.tif", "?").replace("b.tif", "a.tif").replace("?", "b.tif"), encoding="utf-8")
+
+
+def test_a_server_that_only_a_layer_names_is_not_asked(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever hands in the layer would learn who reads it."""
+    asked: list[str] = []
+    monkeypatch.setattr(gdal, "VSIStatL", lambda path, *_: asked.append(path))
+    dataset = gdal.OpenEx(str(project / "seams.gpkg"), gdal.OF_VECTOR | gdal.OF_UPDATE)
+    layer = dataset.GetLayer(0)
+    notes = layer.GetMetadata("SEAM_INSPECTOR")
+    notes["mosaic_files"] = '[["http://supplier.example/mosaic.tif", 0, 0, "12 34 etag"]]'
+    layer.SetMetadata(notes, "SEAM_INSPECTOR")
+    del layer, dataset
+    assert "files of the scanned mosaic are not found any more: 1 (mosaic.tif)" in decision(decide(project))
+    assert not asked
