@@ -23,11 +23,12 @@ _checked: dict[str, str] = {}
 def leading_to(places: Mapping[str, str]) -> Iterator[None]:
     """Meanwhile these paths lead through links to their places or can't be written: a link that was changed after the
     outputs were checked could lead to an input."""
-    _checked.update(places)
+    added = {path: place for path, place in places.items() if path not in _checked}  # by who checked it before
+    _checked.update(added)
     try:
         yield
     finally:
-        for path in places:
+        for path in added:
             _checked.pop(path, None)
 
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import stat
 from collections.abc import Iterable, Iterator
 from hashlib import blake2b
@@ -18,7 +17,7 @@ from osgeo import gdal
 
 from .documents import json_document, xml_root
 from .gdal_calls import gdal_silenced
-from .gdal_paths import is_remote, readable_path, vrt_parts
+from .gdal_paths import is_remote, local_file, readable_path, vrt_parts
 from .remote_files import forget_fetched
 
 _BESIDE = ("", ".msk")
@@ -165,15 +164,3 @@ def remote_state(path: str) -> str:
             return ""
     told = {name.lower(): value for name, value in headers.items()}
     return f"{found and found.size} {found and found.mtime} {told.get('etag', '')}"
-
-
-def local_file(path: str) -> str:
-    """The file of this machine that a path is read from: of one inside an archive, the archive."""
-    if os.path.exists(path):
-        return path
-    inside = re.sub(r"^(?:/vsi(?:zip|tar|gzip|7z|rar|sparse|cached)/)+", "", path).strip("{}")
-    for place in (inside, *map(str, Path(inside).parents)):
-        if os.path.isfile(place):
-            return place
-    named = [part.strip('"') for part in path.split(":")]  # a part of a file: DRIVER:"file":name
-    return next((part for part in named if part and os.path.isfile(part)), path)

@@ -4,7 +4,7 @@
 |---|---|---|
 | `open_raster` | mosaics, orthoimages, heights, photos, also those that VRTs name | `RASTERS`, checked |
 | `seam_features` | seamlines and cells that the Python interface is given | `FEATURES`, checked |
-| `outputs` | inputs and what is to be replaced, to see which files they are | `ANYTHING`, checked |
+| `output_guard` | inputs and what is to be replaced, to see which files they are | `ANYTHING`, checked |
 | `open_raster`, `delivered_files` | parts and sheets, as one raster | GDAL's `BuildVRT`, checked before |
 | here | tile indexes of a raster (GTI) | `FEATURES` |
 | here | an image, alone, for what it names inside | the driver that knows it |
@@ -221,6 +221,19 @@ _REMOTE = re.compile(r"/vsi(?:curl|s3|gs|az|adls|oss|swift|hdfs|webhdfs)(?:_stre
 def is_remote(path: str) -> bool:
     """Whether a raster's path leads over the network, an archive there included."""
     return _REMOTE.search(path) is not None
+
+
+def local_file(path: str) -> str:
+    """The file of this machine that a path is read from: of one inside an archive, the archive."""
+    if os.path.exists(path):
+        return path
+    bare = path.replace("{", "").replace("}", "")  # around an archive in an archive
+    inside = re.sub(r"^(?:/?vsi(?:(?:zip|tar|gzip|7z|rar|sparse|cached)/|subfile/[\d_]+,))+", "", bare)
+    for place in (inside, *map(str, Path(inside).parents)):
+        if os.path.isfile(place):
+            return place
+    named = [part.strip('"') for part in path.split(":")]  # a part of a file: DRIVER:"file":name
+    return next((part for part in named if part and os.path.isfile(part)), path)
 
 
 def readable_path(path: str) -> str:

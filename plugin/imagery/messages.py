@@ -117,6 +117,11 @@ SEAMLINES_NOT_FINITE = Message(
 CANCELLED = Message("The work was cancelled; nothing was written.", WARNING)
 RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder, or make room on the disk.")
 FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")
+OUTPUT_IS_INPUT = Message("'{output}' would be written over {path}, which belongs to an input; choose another file.")
+OUTPUTS_ARE_ONE = Message(
+    "'{first}' and '{second}' would be written to the same file, {path}; give each a file of its own."
+)
+OUTPUT_NAMES_NO_FILE = Message("'{output}' is to be written to {path}, which is not a file on a disk; choose a file.")
 # files that are read over the network
 REMOTE_NOT_FOUND = Message("{name} is not on its server (HTTP {code}); check its address.")
 REMOTE_REFUSED = Message("The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.")

@@ -13,7 +13,7 @@ from . import limits, messages
 from .atomic_files import replacing
 from .errors import Message, RasterError
 from .gdal_calls import drop_from_memory, gdal_call, gdal_masks_beside, gdal_silenced, gdal_writing
-from .gdal_paths import RASTERS, open_dataset
+from .output_guard import files_beside, guarding
 from .rasters import Raster
 
 GEOTIFF = "GTiff"
@@ -37,7 +37,7 @@ def whole_raster(path: str) -> Iterator[str]:
         return
     try:
         beside = Path(os.path.realpath(os.path.dirname(path)), os.path.basename(path))  # whatever becomes of links
-        older = _files_beside(beside)
+        older = files_beside(str(beside))
         with replacing(Path(path)) as unfinished:
             yield str(unfinished)
             older -= set(os.listdir(unfinished.parent))
@@ -61,11 +61,11 @@ def raster_writer(
     """Writes a GeoTIFF with the size and the place of another one, which is there when the block ends.
 
     ``colours``: the bands are red, green and blue. An exception in the block leaves nothing, and an older file as it
-    was. Raises RasterError where the raster can't be written.
+    was. Raises RasterError where the raster can't be written, SettingsError where it would take the other one's place.
     """
     check_width(like)
     failure = messages.RASTER_NOT_WRITTEN(path=path)
-    with whole_raster(path) as unfinished:
+    with whole_raster(path) as unfinished, guarding({os.path.basename(path): path}, like.ref.paths):
         dataset = _created(unfinished, like, bands, data_type, colours, failure)
         for index in range(1, bands + 1):
             band = dataset.GetRasterBand(index)
@@ -126,14 +126,3 @@ def _created(
     if like.wkt:
         dataset.SetProjection(like.wkt)
     return dataset
-
-
-def _files_beside(path: Path) -> set[str]:
-    """Names of the files that GDAL takes for a raster's own and that are called like it."""
-    found = {path.name + ending for ending in (".aux.xml", ".msk", ".ovr")}
-    with gdal_silenced(), suppress(RuntimeError):  # one that can't be read any more
-        dataset = open_dataset(str(path), RASTERS) if path.is_file() else None
-        if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
-            names = {Path(file).name for file in dataset.GetFileList() or ()} - {path.name}
-            found |= {name for name in names if name.startswith(path.stem)}
-    return found

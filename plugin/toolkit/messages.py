@@ -62,11 +62,6 @@ OF_A_WINDOW = Message("Window {window}: {what}", INFO)
 OF_WINDOWS = Message("In {count} windows ({windows}): {what}", INFO)
 OF_WINDOWS_SUCH_AS = Message("In {count} windows ({windows}), such as {window}: {what}", INFO)
 # outputs and charts
-OUTPUT_IS_INPUT = Message("'{output}' would be written over {path}, which belongs to an input; choose another file.")
-OUTPUTS_ARE_ONE = Message(
-    "'{first}' and '{second}' would be written to the same file, {path}; give each a file of its own."
-)
-OUTPUT_NAMES_NO_FILE = Message("'{output}' is to be written to {path}, which is not a file on a disk; choose a file.")
 OUTPUT_IN_USE = Message("{path} is being written by another program; close it there, or choose another file.")
 TABLE_BEGINS_WRONG = Message(
     "'{output}' can't be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name."

@@ -22,7 +22,8 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QUrl
-from seam_inspector.plugin.toolkit.algorithms import base, outputs
+from seam_inspector.plugin.imagery import output_guard
+from seam_inspector.plugin.toolkit.algorithms import base
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run, run_unchecked
@@ -143,7 +144,7 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
         link.unlink(missing_ok=True)
         link.symlink_to(target)
 
-    whole, one = base.refuse_outputs, outputs._output
+    whole, one = base.refuse_outputs, output_guard._written
 
     def checked(*arguments: Any) -> dict[str, str]:
         turn(given if when == "before the check" else free)
@@ -157,7 +158,7 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
 
     turn(free)
     monkeypatch.setattr(base, "refuse_outputs", checked)
-    monkeypatch.setattr(outputs, "_output", looked_at)
+    monkeypatch.setattr(output_guard, "_written", looked_at)
     complaint = run_unchecked("predictloss", WINDOWS=str(given), SOURCES=scene.sources, OUTPUT=str(link)).complaint
     assert_sentence(complaint, "can't be written|would be written over")
     assert fields(given) == before

@@ -41,6 +41,8 @@ class Block:
     """Each once, with its footprint in the mosaic's reference system."""
     cells: tuple[Cell, ...] = ()
     """Which source each part of the mosaic was cut from, where that is known."""
+    paths: tuple[str, ...] = ()
+    """All files that ``open_block`` was given, those left out too: no result takes their place."""
 
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
         """Those whose footprint meets the window, wholly or in part."""
@@ -87,15 +89,16 @@ def open_block(mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLi
     raster = describe_mosaic(RasterRef(os.fspath(mosaic)))
     refs = [RasterRef(os.fspath(source)) for source in sources]
     known = read_cells(os.fspath(cells), raster) if cells else ()
+    paths = (raster.ref.path, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))
     if not refs:
-        return Block(raster, (), tuple(known))
+        return Block(raster, (), tuple(known), paths)
     block, notices = make_block(raster, refs, (), known)
     block, of_copies = without_copies(block)
     for notice in (*notices, *of_copies):
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
     if not block.sources:
         raise SettingsError(scan_messages.NO_SOURCE_USABLE())
-    return block
+    return replace(block, paths=paths)
 
 
 def make_block(

@@ -185,7 +185,6 @@ NO_PROJECT = Message(
 PHOTO_MISSING = Message("{name} is oriented and is not in {folder}; it is left out.", WARNING)
 PHOTO_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 NO_PHOTOS = Message("None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).")
-ORTHO_IS_INPUT = Message("The orthoimage would be written over {path}, which is read; choose another folder.")
 PROJECT_TERRAIN = Message("The terrain is that of the project: {name}.", INFO)
 ORIENTATION_AND_MODEL = Message("Orientations of a frame camera and a model or RPC file are given; choose one of them.")
 EXTERIOR_WITHOUT_SYSTEM = Message(

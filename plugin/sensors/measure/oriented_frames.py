@@ -13,6 +13,7 @@ from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, SensorModelError, SettingsError
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
+from ...imagery.output_guard import DataPlace, check_outputs
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit
 from . import messages
@@ -175,21 +176,10 @@ def block_photos(
         photos[path] = BlockPhoto(name, path, output / f"{path.name}.tif" if taken else ortho)
     if not photos:
         raise SensorModelError(messages.NO_PHOTOS(folder=folder, name=exteriors.name))
-    inputs = {_identity(one) for one in (*there, *read)} - {None}
-    met = next((one.ortho for one in photos.values() if _identity(one.ortho) in inputs), None)
-    if met is not None:
-        raise SettingsError(messages.ORTHO_IS_INPUT(path=met))
+    made = [(one.ortho.name, DataPlace(str(one.ortho))) for one in photos.values()]
+    check_outputs(made, (), map(str, (*there, *read)))
     try:
         output.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=output, error=system_reason(error))) from None
     return list(photos.values()), missing
-
-
-def _identity(path: Path) -> tuple[int, int] | None:
-    """Of a file, whatever leads to it; None where there is none."""
-    try:
-        found = path.stat()
-    except OSError:
-        return None
-    return found.st_dev, found.st_ino

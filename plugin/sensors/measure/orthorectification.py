@@ -19,6 +19,7 @@ from ...imagery.gdal_paths import RASTERS, open_dataset, vrt_parts
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
+from ...imagery.output_guard import guarding
 from ...imagery.raster_writer import GEOTIFF, raster_writer, whole_raster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_unit, transform_points, utm_wkt
@@ -145,8 +146,16 @@ def orthorectify(
     progress: Callable[[float], None] = lambda share: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Ortho:
-    """Write the orthoimage, whole or not at all. Raises RasterError, SensorModelError or SettingsError for what the
-    user can mend, CancelledError when cancelled."""
+    """Write the orthoimage, whole or not at all, and over no input. Raises RasterError, SensorModelError or
+    SettingsError for what the user can mend, CancelledError when cancelled."""
+    refs = [request.image, *([] if request.dem is None else [request.dem])]
+    with guarding({"output": str(request.output)}, (path for ref in refs for path in ref.paths)):
+        return _orthorectified(request, progress, cancelled)
+
+
+def _orthorectified(
+    request: OrthoRequest, progress: Callable[[float], None], cancelled: Callable[[], bool]
+) -> Ortho:
     if (request.dem is None) == (request.height is None):
         raise SettingsError(messages.NO_DEM() if request.dem is None else messages.DEM_AND_HEIGHT())
     if request.height is not None and not LOWEST_M <= request.height <= HIGHEST_M:

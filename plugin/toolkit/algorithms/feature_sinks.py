@@ -18,9 +18,9 @@ from ...imagery.atomic_files import UnfinishedFile, drop_unfinished, leads_as_ch
 from ...imagery.errors import Message, cell_text
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.gdal_paths import FEATURES, open_dataset
+from ...imagery.output_guard import DataPlace
 from .. import messages
 from ..translation import sentence, tr
-from .outputs import DataPlace
 
 Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
 

@@ -88,7 +88,7 @@ def test_the_terrain_model_is_not_written_over(project_folder: Path, tmp_path: P
     before = terrain.read_bytes()
     for dem in (terrain, link):
         refused = run("orthorectifyphotos", EXTERIOR=str(project_folder), DEM=str(dem), OUTPUT=str(output))
-        assert_sentence(refused.complaint, "IMG_2.tif, which is read")
+        assert_sentence(refused.complaint, "IMG_2.tif, which belongs to an input")
         assert terrain.read_bytes() == before
 
 

@@ -11,7 +11,6 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from fnmatch import fnmatch
 from functools import cached_property
 from operator import attrgetter
 from pathlib import Path
@@ -21,9 +20,9 @@ import numpy as np
 
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import files_written, unfinished_name
-from ....imagery.errors import CancelledError, Message, SettingsError
-from ....imagery.file_states import local_states
+from ....imagery.errors import CancelledError, Message
 from ....imagery.open_raster import describe_mosaic
+from ....imagery.output_guard import guarding
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
@@ -279,25 +278,25 @@ class Mending:
 def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending]:
     """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where no
     file can be, or another one is under way there."""
-    _check_patches(request, patches)
     given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
     given.append(np.array([one.is_wanted for one in request.pieces]))
-    with journal_beside(
+    refs = request.mosaic.ref, *(one.ref for one in request.sources)
+    outputs = {"mended": mended, **{os.path.basename(path): path for path in _made_patches(patches)}}
+    with guarding(outputs, (path for ref in refs for path in ref.paths)), journal_beside(
         Path(mended), JOURNAL_ENDING, request.mosaic, request.sources, request.settings, given
     ) as (journal, _):
         yield Mending(request, patches, mended, journal)
         journal.remove()
 
 
-def _check_patches(request: MendRequest, patches: str) -> None:
-    """Makes their folder. Raises SettingsError where they can't be."""
-    single, folder = _is_file(patches), os.path.realpath(patches)
-    refs = [request.mosaic.ref, *(one.ref for one in request.sources)]
-    for path in map(os.path.realpath, local_states(path for ref in refs for path in ref.paths)):
-        if os.path.dirname(path) == folder and fnmatch(os.path.basename(path), _PATCHES):
-            raise SettingsError(messages.PATCH_IS_INPUT(path=path))
+def _made_patches(patches: str) -> list[str]:
+    """What their file or their folder, which is there then, holds of them already. Raises SettingsError where they
+    can't be."""
+    single = _is_file(patches)
     with files_written(patches):
-        Path(os.path.dirname(os.path.abspath(patches)) if single else patches).mkdir(parents=True, exist_ok=True)
+        folder = Path(os.path.dirname(os.path.abspath(patches)) if single else patches)
+        folder.mkdir(parents=True, exist_ok=True)
+        return [patches] if single else [str(path) for path in folder.glob(_PATCHES)]
 
 
 def _is_file(patches: str) -> bool:

@@ -39,7 +39,6 @@ NOT_OF_A_SCAN = Message(
     "The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes."
 )
 NO_PIECES = Message("The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.")
-PATCH_IS_INPUT = Message("A patch would be written over {path}, which is an input; choose another folder.")
 MENDING_STOPPED = Message(
     "Mending was stopped; start it again with the same outputs, and it goes on where it was.", INFO
 )

@@ -14,6 +14,7 @@ from typing import Callable
 from ....imagery.errors import Message, SettingsError
 from ....imagery.file_states import FileState, known_states, local_states, states_text
 from ....imagery.gdal_paths import is_remote
+from ....imagery.output_guard import guarding
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from ..inspection import Block, PathLike
@@ -122,7 +123,7 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
         yield WholeScan(request, journal, notice, read)
 
 
-def _paths(request: ScanRequest) -> tuple[list[str], list[str]]:
+def _paths(request: ScanRequest | Block) -> tuple[list[str], list[str]]:
     """Of the mosaic and of the sources."""
     return [*request.mosaic.ref.paths], [path for source in request.sources for path in source.ref.paths]
 
@@ -149,7 +150,8 @@ def scan(
     what it raises ends the scan.
 
     What was left out or assumed stands in the result's ``notices``. Raises SettingsError when the inputs make no scan,
-    SeamlineError for seamlines that are none, RasterError when the picture can't be written.
+    or the picture would be written over one of them, SeamlineError for seamlines that are none, RasterError when the
+    picture can't be written.
     """
     path = os.fspath(seamlines)
     given, told = _given(path, block, source_field) if path else (None, [])
@@ -160,7 +162,8 @@ def scan(
         progress(MEASURED + (1 - MEASURED) * share)
         return True
 
-    with tempfile.TemporaryDirectory() as folder:
+    read = *block.paths, *chain(*_paths(block)), *([path.partition("|")[0]] if path else ())
+    with guarding({"loss": os.fspath(loss)} if loss else {}, read), tempfile.TemporaryDirectory() as folder:
         output = Path(os.fspath(loss) or Path(folder) / "loss.tif")
         with whole_scan(request, output) as whole, own_threads(executor, ahead) as opened:
             told += [whole.notice] if whole.notice else []

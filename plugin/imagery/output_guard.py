@@ -1,0 +1,209 @@
+"""The one guard of what is written: over no input, over nothing that belongs to one, and over no other output.
+
+Files are known by what they are, whatever they are called: relative, through links, in other letters, in an archive, as
+a part of a file, or named by a VRT.
+"""
+from __future__ import annotations
+
+import os
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from itertools import chain
+from typing import NamedTuple, Union
+
+from osgeo import gdal
+
+from . import messages
+from .atomic_files import leading_to
+from .errors import RasterError, SettingsError
+from .gdal_calls import gdal_silenced
+from .gdal_paths import ANYTHING, check_raster_path, is_remote, local_file, open_dataset, vrt_parts
+
+IN_MEMORY = "/vsimem/"
+_DATABASES = (".gpkg", ".sqlite")  # files that a table can be added to
+_WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
+    ".shp": (".shx", ".dbf", ".prj", ".cpg"),
+    ".tab": (".dat", ".map", ".id", ".ind"),
+    ".mif": (".mid",),
+    **dict.fromkeys((".bil", ".bip", ".bsq"), (".hdr",)),
+}
+_WITHOUT_SIDECARS = (".csv", ".gpkg", ".html", ".json", ".points", ".shp", ".txt", ".xml")
+_OF_PIXELS = (".aux.xml", ".msk", ".ovr")
+"""After a raster's name: what GDAL reads as a part of it, whoever wrote it there."""
+_SIDECARS = (*_OF_PIXELS, ".aux", ".geom", ".hdr", ".prj", ".rpb", ".rpc", "_rpc.txt", ".wld")
+
+_Identity = Union[tuple[int, int], str]
+
+
+class DataPlace(NamedTuple):
+    """Where data lie."""
+
+    path: str
+    table: str = ""
+    """In a database; empty for the whole file."""
+
+
+class _Written(NamedTuple):
+    """A file that would be written or removed."""
+
+    path: str
+    title: str
+    """What the output is called."""
+    table: str
+
+
+@contextmanager
+def guarding(outputs: Mapping[str, str], inputs: Iterable[str]) -> Iterator[None]:
+    """Meanwhile the outputs, paths by what they are called, are written over none of the inputs, which GDAL opens.
+
+    Raises SettingsError for an output that would be, that is another one too, or is no file.
+    """
+    for title, path in outputs.items():
+        check_is_file(title, path)
+    with leading_to(check_outputs(((title, DataPlace(path)) for title, path in outputs.items()), (
+        DataPlace(path) for path in inputs
+    ))):  # fmt: skip
+        yield
+
+
+def check_is_file(title: str, path: str) -> None:
+    """Raise SettingsError for a place in an archive or on a server: most of GDAL's can't be written, and are left
+    half-made."""
+    if "\0" in path or (path.startswith("/vsi") and not path.startswith(IN_MEMORY)):
+        raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=path))
+
+
+def check_outputs(
+    outputs: Iterable[tuple[str, DataPlace]], inputs: Iterable[DataPlace], indexed: Iterable[str] = ()
+) -> dict[str, str]:
+    """Where the outputs, each with what it is called, lead through links, for ``leading_to``. ``indexed``: further
+    inputs, which may be too many to open all.
+
+    Raises SettingsError for outputs that are one file, or a file of an input, sidecars included.
+    """
+    wanted = list(outputs)
+    paths = [place.path for _, place in wanted if not place.path.startswith("/vsi")]
+    leads = {os.path.abspath(path): os.path.realpath(path) for path in paths}
+    by_file: dict[_Identity, list[_Written]] = defaultdict(list)
+    by_name: dict[tuple[str, str], _Written] = {}
+    for title, place in wanted:
+        files = list(_written(place.path, leads.get(os.path.abspath(place.path), place.path)))
+        for file in files:
+            if (met := _met(by_file, DataPlace(file, place.table))) is not None:
+                raise SettingsError(messages.OUTPUTS_ARE_ONE(path=place.path, first=met.title, second=title))
+        for file in files:
+            by_file[_identity(file)].append(written := _Written(file, title, place.table))
+            if os.path.exists(file) or (file == place.path and file.lower().endswith(_OF_PIXELS)):
+                by_name.setdefault(_name(file), written)
+    if not by_name and not any(place.path.startswith("/vsi") for _, place in wanted):
+        return leads  # what is not there yet is no input: most runs need no look at them
+    for place in chain(chain.from_iterable(map(_read_with, inputs)), _parts(indexed)):
+        met = _met(by_file, place) or next(filter(None, map(by_name.get, _sidecars(place.path))), None)
+        if met is not None:
+            raise SettingsError(messages.OUTPUT_IS_INPUT(output=met.title, path=met.path))
+    return leads
+
+
+def is_database(path: str) -> bool:
+    """Whether other tables may lie in the same file."""
+    return path.lower().endswith(_DATABASES)
+
+
+def files_beside(path: str) -> set[str]:
+    """Names of the files that GDAL takes for a raster's own and that are called like it: they go with it when another
+    one takes its place."""
+    name = os.path.basename(path)
+    called = {name + ending for ending in _OF_PIXELS}
+    with gdal_silenced(), suppress(RuntimeError):  # one that can't be read any more
+        dataset = opened_checked(path, gdal.OF_RASTER) if os.path.isfile(path) and not is_database(path) else None
+        if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
+            names = {os.path.basename(file) for file in dataset.GetFileList() or ()} - {name}
+            called |= {one for one in names if one.startswith(os.path.splitext(name)[0])}
+    return called
+
+
+def _met(by_file: Mapping[_Identity, list[_Written]], place: DataPlace) -> _Written | None:
+    """Another table of a database is no matter."""
+    for written in by_file.get(_identity(place.path), ()):
+        tables = {written.table.lower(), place.table.lower()}
+        if "" in tables or len(tables) == 1:
+            return written
+    return None
+
+
+def _written(path: str, lead: str) -> dict[str, None]:
+    """All that would be written or removed, ``lead`` first: where links led when it was held against the inputs,
+    whatever they lead to when this is asked."""
+    stem, ending = os.path.splitext(path)
+    beside = (os.path.join(os.path.dirname(path), name) for name in files_beside(path))
+    return dict.fromkeys((path, lead, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ())), *beside))
+
+
+def _read_with(given: DataPlace) -> Iterator[DataPlace]:
+    """An input's file, what GDAL reads with it, and the files that a virtual one or a folder is made of."""
+    if is_remote(given.path):
+        return
+    yield given
+    file = local_file(given.path)
+    if os.path.isdir(file):  # of which every file is read
+        with os.scandir(file) as entries:
+            yield from [DataPlace(one.path) for one in entries if one.is_file()]
+        return
+    is_table = file != given.path and is_database(file)
+    yield DataPlace(file, given.path.rpartition(":")[2] if is_table else given.table)
+    yield from map(DataPlace, _dataset_files(given.path))
+    yield from _parts(() if is_table else vrt_parts(given.path))
+
+
+def _parts(paths: Iterable[str]) -> Iterator[DataPlace]:
+    """Files that something is made of, and those that they are made of in turn."""
+    seen, waiting = set[str](), [*paths]
+    while waiting:
+        if (part := waiting.pop()) in seen or is_remote(part):
+            continue
+        seen.add(part)
+        yield from (DataPlace(part), DataPlace(local_file(part)))
+        if inner := vrt_parts(part):
+            waiting += inner
+            yield from map(DataPlace, _dataset_files(part))
+
+
+def _dataset_files(path: str) -> list[str]:
+    """All files that GDAL counts to a dataset, but for databases, of which other tables may be written."""
+    dataset = None if is_database(path) else opened_checked(path)
+    files = (dataset.GetFileList() or []) if dataset is not None else []
+    return [file for file in files if not is_database(file)]
+
+
+def opened_checked(path: str, flags: int = 0) -> gdal.Dataset | None:
+    """An input, or what is to be replaced, to see which files it is; None where it can't be opened, or must not be."""
+    try:
+        check_raster_path(path, path)
+    except RasterError:  # what must not be opened is refused by whoever needs it
+        return None
+    return open_dataset(path, ANYTHING, flags)
+
+
+def _sidecars(path: str) -> Iterator[tuple[str, str]]:
+    """Folder and names of what belongs to a file by its name, whether or not GDAL reads it now."""
+    if path.lower().endswith(_WITHOUT_SIDECARS):
+        return
+    folder, name = _name(path)
+    stem, ending = os.path.splitext(name)
+    for end in (*_SIDECARS, f"{ending}w", f"{ending[:2]}{ending[-1:]}w"):  # .tifw, .tfw
+        yield folder, stem + end
+        yield folder, name + end
+
+
+def _name(path: str) -> tuple[str, str]:
+    return os.path.realpath(os.path.dirname(path)), os.path.basename(path).lower()
+
+
+def _identity(path: str) -> _Identity:
+    """The same for every name of a file: relative, through links, in other letters where the system takes them so."""
+    try:
+        found = os.stat(path)
+    except (OSError, ValueError):
+        return path if path.startswith("/vsi") else os.path.normcase(os.path.realpath(path))
+    return found.st_dev, found.st_ino
