@@ -1,0 +1,252 @@
+"""Nothing that is written from Python takes the place of an input: every function that writes, every name of a file."""
+from __future__ import annotations
+
+import ast
+import dataclasses
+import inspect
+import os
+import re
+import shutil
+import warnings
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import seam_inspector
+from osgeo import gdal
+from seam_inspector import OrthoRequest, SeamInspectorError, Source, open_block, orthorectify, scan
+from seam_inspector.plugin.imagery.atomic_files import leads_as_checked
+from seam_inspector.plugin.imagery.open_raster import describe
+from seam_inspector.plugin.imagery.output_guard import DataPlace, check_outputs, guarding
+from seam_inspector.plugin.imagery.raster_writer import raster_writer
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.mending.mend_run import MendSettings
+from seam_inspector.plugin.seams.measure.mending.mending import MendRequest, mending
+
+from tests.made_once import the_small_block
+from tests.numbers.synthetic import write_raster
+from tools import python_pages
+
+BELONGS = "which belongs to an input; choose another file"
+READ = {
+    "open_block mosaic", "open_block sources", "open_block cells", "scan seamlines", "load_acceptance_rules path",
+    "read_calibration path", "Ortho path",
+}  # fmt: skip
+"""Paths that the interface takes to read, or tells."""
+WORDS = {
+    "scan source_field", "make_delivery sheets", "make_delivery wkt", "AcceptanceRules.limit check",
+    "AcceptanceRules.rule check", "clip_curves wavelet", "measure_noise names", "measure_noise wavelet",
+    "measure_noise raster", "TargetResolution.worst direction", "TargetResolution.interval direction",
+    "TargetResolution.seen direction", "TargetResolution.seen observer", "TargetResolution.worst_error direction",
+    "orient_photo positions", "sensor_model name", "sensor_model variant", "Message.worded translate",
+    "Message.worded fill",
+}  # fmt: skip
+"""Texts that are no paths."""
+
+
+def texts_and_paths() -> Iterator[str]:
+    """Each function, method or field of the interface with what it takes that may name a file."""
+    for entry in python_pages.entries():
+        named = getattr(seam_inspector, entry.name)
+        if isinstance(entry.node, ast.FunctionDef):
+            yield from taken(entry.name, named)
+            continue
+        for one in dataclasses.fields(named) if dataclasses.is_dataclass(named) else ():
+            if re.search(r"Path|\bIO\b", str(one.type)):
+                yield f"{entry.name} {one.name}"
+        for name, one in vars(named).items():
+            method = getattr(one, "__func__", one)
+            if not name.startswith("_") and inspect.isfunction(method):
+                yield from taken(f"{entry.name}.{name}", method)
+
+
+def taken(name: str, function: Callable[..., Any]) -> Iterator[str]:
+    for one in inspect.signature(function).parameters.values():
+        if re.search(r"Path|\bstr\b|\bIO\b", str(one.annotation)):
+            yield f"{name} {one.name}"
+
+
+# --- what writes ---------------------------------------------------------------------------------------------------
+
+
+@dataclasses.dataclass(frozen=True)
+class Writer:
+    """A function that writes, with inputs of its own."""
+
+    inputs: tuple[Path, ...]
+    write: Callable[[str], object]
+
+
+def of_scan(folder: Path, factory: pytest.TempPathFactory) -> Writer:
+    """One of the orthoimages is a copy of the mosaic, which the block leaves out."""
+    for path in the_small_block(factory).mosaic.parent.iterdir():
+        shutil.copy(path, folder)
+    copy = Path(shutil.copy(folder / "mosaic.tif", folder / "sheet.tif"))
+    sources, lines = sorted(folder.glob("strip*.tif")), f"{folder}/seamlines.gpkg|layername="
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        block = open_block(folder / "mosaic.tif", [*sources, copy], f"{lines}cells")
+    inputs = (folder / "mosaic.tif", sources[-1], copy, folder / "seamlines.gpkg")
+    return Writer(inputs, lambda path: scan(block, seamlines=f"{lines}seamlines", loss=path))
+
+
+def of_orthorectify(folder: Path, _: pytest.TempPathFactory) -> Writer:
+    paths = [write_raster(folder / f"{name}.tif", np.full((8, 8), 9, np.uint8)) for name in ("image", "part", "dem")]
+    nothing: Any = None  # what is not looked at before
+    image, dem = RasterRef(paths[0], parts=(paths[1],)), RasterRef(paths[2])
+    return Writer(tuple(map(Path, paths)), lambda path: orthorectify(
+        OrthoRequest(image, nothing, "", nothing, dem, "ellipsoid", None, Path(path))
+    ))  # fmt: skip
+
+
+def of_raster_writer(folder: Path, _: pytest.TempPathFactory) -> Writer:
+    """What the product writes pixel by pixel: enhanced photos, what a Bayer camera saw, orthoimages of photos."""
+    path = write_raster(folder / "image.tif", np.full((8, 8), 9, np.uint8))
+
+    def write(output: str) -> None:
+        with raster_writer(output, describe(RasterRef(path)), 1, np.dtype(np.uint8)) as writer:
+            writer.write(0, np.zeros((1, 8, 8), np.uint8))
+
+    return Writer((Path(path),), write)
+
+
+def of_mending(folder: Path, _: pytest.TempPathFactory) -> Writer:
+    (folder / "patches").mkdir()
+    mosaic = write_raster(folder / "mosaic.tif", np.full((8, 8), 9, np.uint8))
+    source = write_raster(folder / "patches" / "patch_0001.tif", np.full((8, 8), 9, np.uint8))  # of another mending
+    given = Source(RasterRef(source), describe(RasterRef(source)).extent)
+    request = MendRequest(describe(RasterRef(mosaic)), (given,), (), MendSettings())
+
+    def write(output: str) -> None:
+        pairs = [(f"{folder}/made", output), (f"{folder}/patches", f"{folder}/new.vrt")]
+        if output.endswith(".tif"):
+            pairs.append((output, f"{folder}/new.vrt"))
+        for patches, mended in pairs:
+            with pytest.raises(SeamInspectorError, match=BELONGS) as raised, mending(request, patches, mended):
+                pass
+        raise raised.value
+
+    return Writer((Path(mosaic), Path(source)), write)
+
+
+WRITTEN = {"scan loss": of_scan, "OrthoRequest output": of_orthorectify}
+WRITERS = {**WRITTEN, "raster_writer": of_raster_writer, "mending": of_mending}
+
+
+def test_every_path_of_the_interface_is_known_as_read_or_written() -> None:
+    """One that is written belongs to ``WRITTEN``: the tests below then hold what is done with it."""
+    assert set(texts_and_paths()) == READ | WORDS | WRITTEN.keys()
+
+
+@pytest.fixture(params=[pytest.param("scan loss", marks=pytest.mark.slow), *sorted(WRITERS.keys() - {"scan loss"})])
+def writer(request: pytest.FixtureRequest, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> Writer:
+    return WRITERS[request.param](tmp_path, tmp_path_factory)
+
+
+def names(path: Path) -> Iterator[str]:
+    """Other names of a file, and of files that are parts of a raster by their name."""
+    yield str(path)
+    yield os.path.relpath(path)
+    yield f"{path.parent}/../{path.parent.name}/./{path.name}"
+    link, hard, folder = (path.parent / name for name in ("link.tif", "hard.tif", "folder"))
+    link.symlink_to(path)
+    yield str(link)
+    os.link(path, hard)
+    yield str(hard)
+    folder.symlink_to(path.parent, target_is_directory=True)
+    yield str(folder / path.name)
+    for one in (link, hard, folder):
+        one.unlink()
+    if path.suffix == ".tif":
+        yield from (f"{path}{ending}" for ending in (".ovr", ".msk", ".aux.xml"))
+
+
+def test_nothing_takes_the_place_of_an_input(writer: Writer) -> None:
+    for path in writer.inputs:
+        before = path.read_bytes()
+        for name in names(path):
+            with pytest.raises(SeamInspectorError, match=BELONGS):
+                writer.write(name)
+            assert path.read_bytes() == before
+        assert not Path(f"{path}.ovr").exists()
+
+
+# --- which files belong to an input --------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def image(tmp_path: Path) -> Path:
+    return Path(write_raster(tmp_path / "image.tif", np.full((16, 16), 9, np.uint8)))
+
+
+def refused(output: object, *inputs: object) -> bool:
+    try:
+        with guarding({"loss": str(output)}, map(str, inputs)):
+            return False
+    except SeamInspectorError as error:
+        return "'loss' would be written over" in str(error)
+
+
+def test_what_virtual_rasters_are_made_of_belongs_to_them(image: Path, tmp_path: Path) -> None:
+    inner, outer = str(tmp_path / "inner.vrt"), str(tmp_path / "outer.vrt")
+    gdal.BuildVRT(inner, [str(image)]).FlushCache()
+    gdal.BuildVRT(outer, [inner]).FlushCache()
+    inline = Path(inner).read_text("utf-8").replace('relativeToVRT="1">', f'relativeToVRT="0">{tmp_path}/')
+    for given in (outer, f"vrt://{outer}?bands=1", inline):
+        assert refused(image, given)
+        assert refused(f"{image}.msk", given)
+    assert refused(inner, outer)
+    assert not refused(outer, inner)
+
+
+def test_an_archive_is_the_file_of_what_lies_in_it(image: Path, tmp_path: Path) -> None:
+    archive = shutil.make_archive(str(tmp_path / "packed"), "zip", image.parent, image.name)
+    for given in (f"/vsizip/{archive}/image.tif", f"/vsizip/{{{archive}}}/image.tif"):
+        assert refused(archive, given)
+    assert refused(image, f"/vsisubfile/0_100,{image}")
+    into = {"loss": f"/vsizip/{archive}/loss.tif"}
+    with pytest.raises(SeamInspectorError, match="is not a file on a disk"), guarding(into, ()):
+        pass
+
+
+def test_a_table_of_a_database_is_a_part_of_its_file(image: Path, tmp_path: Path) -> None:
+    path = str(tmp_path / "all.gpkg")
+    gdal.Translate(path, str(image), format="GPKG", creationOptions=["RASTER_TABLE=photo"])
+    given = f"GPKG:{path}:photo"
+    assert gdal.Open(given) is not None
+    assert refused(path, given)
+    for table, meets in (("photo", True), ("others", False)):
+        outputs = [("table", DataPlace(path, table))]
+        if meets:
+            with pytest.raises(SeamInspectorError, match=BELONGS):
+                check_outputs(outputs, [DataPlace(given)])
+        else:
+            check_outputs(outputs, [DataPlace(given)])
+    assert refused(image, f"GTIFF_DIR:1:{image}")
+
+
+def test_what_goes_with_an_older_raster_is_kept_where_it_is_an_input(tmp_path: Path, image: Path) -> None:
+    overviews = Path(shutil.copy(image, tmp_path / "older.tif.ovr"))
+    assert refused(tmp_path / "older.tif", overviews)
+
+
+def test_older_results_and_others_beside_an_input_may_be_replaced(image: Path, tmp_path: Path) -> None:
+    older = shutil.copy(image, tmp_path / "older.tif")
+    for output in (older, tmp_path / "image_2.tif", tmp_path / "image.html", tmp_path / "image_rpc.txt"):
+        assert not refused(output, image)
+
+
+def test_outputs_are_two_files_and_lead_where_they_did(image: Path, tmp_path: Path) -> None:
+    link = tmp_path / "link.tif"
+    link.symlink_to(tmp_path / "new.tif")
+    with pytest.raises(SeamInspectorError, match="'first' and 'second' would be written to the same file"):
+        check_outputs([("first", DataPlace(str(link))), ("second", DataPlace(str(tmp_path / "new.tif")))], ())
+    with guarding({"first": str(link)}, [str(image)]):
+        with guarding({"again": str(link)}, [str(image)]):  # a function that asks for itself
+            pass
+        link.unlink()
+        link.symlink_to(image)
+        assert not leads_as_checked(link)
+    assert leads_as_checked(link)
