@@ -137,7 +137,7 @@ class MosaicScans(QObject):
     def _files(self, order: ScanOrder) -> ScanFiles:
         """Beside the project; those of a scan that is not complete are taken again."""
         folder = Path(self._project.homePath() or QgsApplication.qgisSettingsDirPath())
-        name = re.sub(r"[^\w.-]+", "_", Path(order.mosaic.ref.name).stem)[:_LONGEST_NAME]
+        name = file_stem(order.mosaic.ref.name)
         for ending in chain([""], (f"_{number}" for number in count(2))):
             picture, so_far = (folder / f"{name}_loss{ending}{part}.tif" for part in ("", "_so_far"))
             files = ScanFiles(picture, folder / f"{name}_scan{ending}.gpkg", so_far)
@@ -197,6 +197,11 @@ def scan_sentence(done: ScanDone, notes: int = 0) -> str:
             metres=grouped_number(done.seam_metres), failed=grouped_number(done.failed_metres)
         ) + "."
     return f"{words} " + filled(tr("Notes in the log: {count}."), count=notes) if notes else words
+
+
+def file_stem(name: str) -> str:
+    """What the names of files about a mosaic begin with."""
+    return re.sub(r"[^\w.-]+", "_", Path(name).stem).lstrip("-.")[:_LONGEST_NAME]  # a table begins with neither
 
 
 def _is_ours(files: ScanFiles) -> bool:

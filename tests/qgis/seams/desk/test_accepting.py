@@ -1,0 +1,141 @@
+"""What the desk suggests for a decision is there when QGIS is closed, and takes the place of no earlier document."""
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
+from seam_inspector.plugin.seams.desk import accepting
+from seam_inspector.plugin.seams.desk.accepting import DECISION, WHOLE_WAY, offered_form
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+
+from tests.numbers.synthetic import write_raster
+from tests.qgis.acceptance.seam_scenes import X, Y, file, seams
+from tests.qgis.runs import algorithm, run
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+
+class Delivery:
+    """A project with a mosaic, and perhaps a scan of it."""
+
+    def __init__(self, project: QgsProject, folder: Path) -> None:
+        self.project, self.folder = project, folder
+        folder.mkdir(exist_ok=True)
+        image = np.random.default_rng(1).integers(0, 255, (64, 800), np.uint8)
+        path = write_raster(folder / "ortho 5.tif", image, gsd=0.25, origin=(X, Y + 8), system=32633)
+        self.mosaic = QgsRasterLayer(path, "mosaic")
+        project.addMapLayer(self.mosaic)
+
+    def scan(self, folder: Path) -> None:
+        """The layer of a scan, which the desk takes for its last one."""
+        path = file(seams([0.9, 0.3, 0.9, 0.9]), folder / "seams.gpkg")
+        found = QgsVectorLayer(path, "worst", "ogr")
+        found.setCustomProperty("seam_inspector/mosaic", self.mosaic.id())
+        self.project.addMapLayer(found)
+
+    def save(self, folder: Path) -> None:
+        folder.mkdir()
+        assert self.project.write(str(folder / "block.qgs"))
+
+    def offered(self) -> tuple[str, dict[str, Any]]:
+        name, values = offered_form(self.project, Inputs(mosaic=self.mosaic.id()))
+        job = algorithm(name.partition(":")[2])
+        made = {one.name() for one in job.destinationParameterDefinitions()}
+        return name, {key: value for key, value in values.items() if key in made}
+
+
+@pytest.fixture
+def delivery(project: QgsProject, tmp_path: Path) -> Delivery:
+    return Delivery(project, tmp_path / "delivered")
+
+
+@pytest.mark.slow
+def test_what_is_signed_lies_beside_the_project(delivery: Delivery, tmp_path: Path) -> None:
+    delivery.scan(tmp_path / "scans")
+    delivery.save(tmp_path / "project")
+    name, values = offered_form(delivery.project, Inputs(mosaic=delivery.mosaic.id()))
+    assert name == DECISION
+    outcome = run(name.partition(":")[2], **values)
+    assert outcome.complaint is None
+    assert outcome.results["DECISION"] == "rejected"
+    first = {one: Path(outcome.results[one]) for one in ("REPORT", "QUALITY", "DEFECTS")}
+    assert {path.parent for path in first.values()} == {tmp_path / "project"}
+    assert all(path.stat().st_size for path in first.values())
+    assert outcome.layer("DEFECTS").featureCount() == 1
+    assert (tmp_path / "project" / "ortho_5_defects_pictures").is_dir()
+    _, again = delivery.offered()
+    assert {Path(path).stem[-2:] for path in again.values()} == {"_2"}
+    assert not {*map(str, first.values())} & {*again.values()}
+
+
+@pytest.mark.parametrize("earlier", ["ortho_5_quality.xml", "ortho_5_defects_pictures"])
+def test_any_earlier_document_gives_all_another_number(delivery: Delivery, tmp_path: Path, earlier: str) -> None:
+    delivery.scan(tmp_path)
+    delivery.save(tmp_path / "project")
+    (tmp_path / "project" / earlier).touch()
+    assert Path(delivery.offered()[1]["REPORT"]).name == "ortho_5_report_2.html"
+
+
+def test_a_project_without_a_file_has_its_documents_beside_the_scan(delivery: Delivery, tmp_path: Path) -> None:
+    assert Path(delivery.offered()[1]["accept:report"]).parent == delivery.folder
+    delivery.scan(tmp_path / "scans")
+    assert Path(delivery.offered()[1]["REPORT"]).parent == tmp_path / "scans"
+
+
+def test_nothing_is_left_in_the_profile_or_where_nothing_can_be_written(
+    delivery: Delivery, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    profile = tmp_path / "profile"
+    delivery.scan(profile)
+    monkeypatch.setattr(QgsApplication, "qgisSettingsDirPath", lambda: f"{profile}/")
+    assert Path(delivery.offered()[1]["REPORT"]).parent == delivery.folder
+    monkeypatch.setattr(Path, "home", lambda: tmp_path)
+    monkeypatch.setattr(accepting.os, "access", lambda path, mode: Path(path) != delivery.folder)
+    assert Path(delivery.offered()[1]["REPORT"]).parent == tmp_path
+
+
+def test_the_whole_way_keeps_all_that_it_makes(delivery: Delivery, tmp_path: Path) -> None:
+    """But for the picture among the delivered sheets, where the next check would take it for a sheet."""
+    name, beside_sheets = delivery.offered()
+    assert name == WHOLE_WAY
+    delivery.save(tmp_path / "project")
+    _, offered = delivery.offered()
+    assert offered.keys() - beside_sheets.keys() == {"scan:loss"}
+    assert {os.path.basename(path) for path in offered.values()} == {
+        "ortho_5_report.html", "ortho_5_quality.xml", "ortho_5_failures.gpkg", "ortho_5_checked_sheets.gpkg",
+        "ortho_5_mosaic.vrt", "ortho_5_loss.tif", "ortho_5_seams.gpkg", "ortho_5_worst.gpkg",
+    }  # fmt: skip
+
+
+def test_without_a_mosaic_there_is_a_name_too(project: QgsProject, tmp_path: Path) -> None:
+    assert project.write(str(tmp_path / "block.qgs"))
+    assert offered_form(project, Inputs())[1]["accept:report"] == str(tmp_path / "block_report.html")
+
+
+@pytest.mark.parametrize("is_scanned", [True, False])
+def test_the_form_asks_for_them(
+    delivery: Delivery, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_scanned: bool
+) -> None:
+    """They stand in QGIS's form, where the operator may change them."""
+    from processing.gui import ParametersPanel
+    from processing.gui.AlgorithmDialog import AlgorithmDialog
+
+    monkeypatch.setattr(ParametersPanel, "iface", None)
+    if is_scanned:
+        delivery.scan(tmp_path)
+    delivery.save(tmp_path / "project")
+    name, values = offered_form(delivery.project, Inputs(mosaic=delivery.mosaic.id()))
+    dialog = AlgorithmDialog(algorithm(name.partition(":")[2]))
+    dialog.setParameters(values)
+    shown = dialog.createProcessingParameters()
+    _, made = delivery.offered()
+    assert made
+    for output, path in made.items():
+        value = shown[output]
+        assert path == (value if isinstance(value, str) else value.sink.staticValue())
+    dialog.close()
+    dialog.deleteLater()
