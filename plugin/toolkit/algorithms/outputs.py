@@ -11,6 +11,8 @@ import sqlite3
 import stat
 from collections.abc import Iterator
 from contextlib import closing
+from itertools import chain
+from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
@@ -29,6 +31,7 @@ from qgis.core import (
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterRasterDestination,
     QgsProcessingUtils,
+    QgsProject,
     QgsProperty,
     QgsProviderRegistry,
     QgsVectorFileWriter,
@@ -104,6 +107,14 @@ def refuse_outputs(
             if place.path != text and os.path.isfile(text):  # though a layer of that name gets another ending
                 wanted.append((title, DataPlace(text)))
     return check_outputs(wanted, _inputs(algorithm, parameters, context), _indexed(algorithm, parameters, context))
+
+
+def check_beside_layers(path: Path) -> None:
+    """Raise SettingsError for a file that would be written over a layer of the project."""
+    context, project = QgsProcessingContext(), QgsProject.instance()
+    context.setProject(project)
+    layers = (_places(layer, layer.providerType(), context) for layer in project.mapLayers().values())
+    check_outputs([(path.name, DataPlace(str(path)))], chain.from_iterable(layers))
 
 
 def _place(definition: QgsProcessingParameterDefinition, text: str) -> DataPlace:

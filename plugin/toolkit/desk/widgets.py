@@ -4,6 +4,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from html import escape
+from pathlib import Path
 from typing import Any
 
 from qgis.gui import QgsCollapsibleGroupBoxBasic
@@ -34,6 +35,14 @@ def is_confirmed(widget: QWidget, question: str) -> bool:
     """Whether the user says yes; no is what Enter says."""
     yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
     return bool(QMessageBox.question(widget, tr("Seam Inspector"), question, yes | no, no) == yes)
+
+
+def check_chosen_file(path: Path) -> None:
+    """Raise SettingsError for a file to be saved that belongs to a layer of the project: it is chosen by its name."""
+    if path.exists():
+        from ..algorithms.outputs import check_beside_layers
+
+        check_beside_layers(path)
 
 
 _TIP = "seam_inspector_tip"

@@ -14,10 +14,11 @@ from qgis.PyQt.QtGui import QColor, QFontMetricsF, QImage, QPainter
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QWidget
 
 from ....imagery.atomic_files import replacing
-from ....imagery.errors import cell_text, printable
+from ....imagery.errors import SettingsError, cell_text, printable
 from ....toolkit.charts.chart_style import PAPER
+from ....toolkit.desk.widgets import check_chosen_file
 from ....toolkit.table_fields import is_known
-from ....toolkit.translation import band_title, filled, tr
+from ....toolkit.translation import band_title, filled, sentence, tr
 from ...charts.chart_curves import Chart, numbered, significance_limit
 from ...charts.chart_painter import chart_image, chart_svg, paper_font
 from ...charts.curves_painter import CurvesPainter, PenStyle, curve_look, paint_piece
@@ -103,8 +104,11 @@ class ChartExport(QToolButton):
         path = Path(chosen) if chosen.lower().endswith(f".{ending}") else Path(f"{chosen}.{ending}")
         self._folder = path.parent
         try:
+            check_chosen_file(path)
             with replacing(path) as unfinished:
                 unfinished.write_bytes(content)
+        except SettingsError as error:
+            said, level = sentence(error.message), Qgis.MessageLevel.Warning
         except OSError as error:
             said, level = filled(not_saved, path=path, error=error.strerror or error), Qgis.MessageLevel.Warning
         else:

@@ -29,7 +29,7 @@ from ....imagery.errors import SettingsError, cell_text
 from ....imagery.messages import system_reason
 from ....imagery.statistics import INVISIBLE, UNSURE, VISIBLE, Operator
 from ....toolkit.desk.message_bar import bar_level
-from ....toolkit.desk.widgets import is_confirmed, single_shot
+from ....toolkit.desk.widgets import check_chosen_file, is_confirmed, single_shot
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
 from .filter_boxes import TABLE, KindBox, OrderBox, WindowOrder
@@ -286,7 +286,10 @@ class WindowsPanel(QWidget):
         if not path:
             return
         try:
+            check_chosen_file(Path(path))
             self.save_csv(Path(path))
+        except SettingsError as error:
+            self.told.emit(sentence(error.message), bar_level(error.message))
         except OSError as error:
             problem = messages.TABLE_NOT_SAVED(path=path, error=system_reason(error))
             self.told.emit(sentence(problem), bar_level(problem))

@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from qgis.core import QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QEvent, QObject, QPointF, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QMouseEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
@@ -550,6 +551,22 @@ def test_csv_holds_all_bands_and_rasters(
         "relative_variance": "0.016",
     }
     assert said == [f"The curves were saved to {tmp_path / 'curves.csv'}."]
+
+
+@pytest.mark.parametrize("ending", ["csv", "png", "svg"])
+def test_no_layer_of_the_project_is_written_over(
+    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, project: QgsProject,
+    ending: str,
+) -> None:
+    said: list[str] = []
+    session.messageRaised.connect(lambda text, _level: said.append(text))
+    select_one(session)
+    path = tmp_path / f"points.{ending}"
+    path.write_text("x\n1\n")
+    project.addMapLayer(QgsVectorLayer(f"file://{path}?type=csv", "points", "delimitedtext"))
+    save(panel, monkeypatch, path, ending)
+    assert "which belongs to an input; choose another file" in said[0]
+    assert path.read_text() == "x\n1\n"
 
 
 @pytest.mark.parametrize(("ending", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml")])

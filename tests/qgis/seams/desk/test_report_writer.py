@@ -78,3 +78,11 @@ def test_the_file_is_asked_for(
         writer.writer.ask()
         wait_for_tasks()
         assert made is None or (tmp_path / made).exists()
+
+
+def test_no_layer_of_the_project_is_written_over(desk: Desk, writer: Writer) -> None:
+    desk.add()
+    mosaic = Path(desk.mosaic.source())
+    before = mosaic.read_bytes()
+    assert "which belongs to an input; choose another file" in writer.write(mosaic)
+    assert mosaic.read_bytes() == before

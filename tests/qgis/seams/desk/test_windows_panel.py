@@ -6,9 +6,10 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from qgis.core import QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QLocale, QPoint, Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QStyleOptionViewItem
+from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QStyleOptionViewItem
 from seam_inspector.plugin.seams.desk.windows.window_columns import WINDOW_ID
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
@@ -538,3 +539,17 @@ def test_a_csv_file_as_the_operators_spreadsheet_reads_it(
     assert rows[0]["ratio_1"] == number
     assert rows[0]["observer"] == "visible"
     assert rows[1]["loss"] == ""
+
+
+def test_no_layer_of_the_project_is_written_over(
+    panel: WindowsPanel, project: QgsProject, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said: list[str] = []
+    panel.told.connect(lambda text, _level: said.append(text))
+    path = tmp_path / "points.csv"
+    path.write_text("x\n1\n")
+    project.addMapLayer(QgsVectorLayer(f"file://{path}?type=csv", "points", "delimitedtext"))
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    panel._ask_for_csv()
+    assert "which belongs to an input; choose another file" in said[0]
+    assert path.read_text() == "x\n1\n"
