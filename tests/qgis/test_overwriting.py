@@ -1,12 +1,14 @@
 """No algorithm writes over one of its inputs: every output of every algorithm, and every name that a file can have."""
 from __future__ import annotations
 
+import gc
 import json
 import os
 import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from types import FrameType
 from typing import Any
 
 import numpy as np
@@ -69,6 +71,18 @@ def test_no_output_takes_the_place_of_an_input(name: str, tmp_path: Path) -> Non
                 assert_sentence(outcome.complaint, REFUSED)
                 assert output.description() in str(outcome.complaint)
             assert {path: path.read_bytes() for path in before} == before
+
+
+def test_what_is_refused_holds_nothing_that_qgis_deletes(tmp_path: Path) -> None:
+    """QGIS keeps what an algorithm raises; parameters of a model in its frames made the next one crash."""
+    path = write_raster(tmp_path / "image.tif", np.full((8, 8), 9, np.uint8))
+    for name, values in (("inspect_mosaic", {"mosaic": path}), ("simulatebayer", {"RASTER": path})):
+        job = algorithm(name)
+        output = job.destinationParameterDefinitions()[0].name()
+        assert_sentence(run_unchecked(name, **values, **{output: path}).complaint, REFUSED)
+        gc.collect()
+        frames = [one for one in gc.get_objects() if isinstance(one, FrameType)]
+        assert not [one for one in frames if one.f_code is output_guard.check_outputs.__code__]
 
 
 # --- the names of a file -----------------------------------------------------------------------------------------
@@ -179,6 +193,16 @@ def test_sidecars_are_kept(image: Path, beside: str) -> None:
     assert_refused("checkradiometry", REFUSED, **given)
     assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(image.parent / beside))
     assert (image.parent / beside).read_bytes() == before
+
+
+@pytest.mark.parametrize("ending", [".ovr", ".msk", ".aux.xml"])
+def test_nothing_becomes_a_part_of_an_input(image: Path, ending: str) -> None:
+    """Though there is none yet: the image would be read otherwise from then on."""
+    beside = Path(f"{image}{ending}")
+    beside.unlink(missing_ok=True)
+    assert_refused("checkradiometry", REFUSED, RASTERS=[str(image)], REPORT=str(beside))
+    assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(beside))
+    assert not beside.exists()
 
 
 def test_a_sidecar_shared_with_an_older_output_is_kept(image: Path) -> None:

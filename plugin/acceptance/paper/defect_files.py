@@ -4,7 +4,7 @@ from __future__ import annotations
 import errno
 import math
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -20,6 +20,7 @@ from ...imagery.grids import PixelWindow
 from ...imagery.lines import points_at, vertex_stations
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
+from ...imagery.output_guard import DataPlace, check_outputs
 from ...imagery.rasters import Raster
 from ...imagery.records import Column
 from ...imagery.reference_systems import transform_points
@@ -34,9 +35,12 @@ from .words import rounded
 _NAME = "defect_{}.jpg"
 
 
-def save_pictures(folder: Path, pictures: Mapping[int, DefectPicture], paths: dict[int, str]) -> None:
-    """Write pictures into the folder beside a layer, from which those of an earlier one go; ``paths``, by the failures'
-    numbers, is added to. Nothing happens without a picture. Raises SettingsError where one can't be written.
+def save_pictures(
+    folder: Path, pictures: Mapping[int, DefectPicture], paths: dict[int, str], mosaics: Iterable[str] = ()
+) -> None:
+    """Write pictures into the folder beside a layer, from which those of an earlier one go, but no sheet of the
+    ``mosaics``; ``paths``, by the failures' numbers, is added to. Nothing happens without a picture. Raises
+    SettingsError where one can't be written.
     """
     if not pictures:
         return
@@ -44,7 +48,9 @@ def save_pictures(folder: Path, pictures: Mapping[int, DefectPicture], paths: di
         if folder.is_symlink():  # what it leads to is none of ours
             raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
         folder.mkdir(parents=True, exist_ok=True)
-        for old in folder.glob(_NAME.format("*")):
+        older = list(folder.glob(_NAME.format("*")))
+        check_outputs([(old.name, DataPlace(str(old))) for old in older], (), mosaics)
+        for old in older:
             old.unlink()
     except OSError as error:
         raise SettingsError(messages.PICTURES_NOT_WRITTEN(folder=folder, error=system_reason(error))) from None
@@ -103,6 +109,8 @@ class DefectPictures:
 
     def __init__(self, mosaics: Sequence[Raster], wkt: str, prover: Prover | None = None) -> None:
         """``wkt``: the failures' reference system."""
+        self.paths = [path for mosaic in mosaics for path in mosaic.ref.paths]
+        """What the pictures are cut from."""
         self._mosaics, self._wkt, self._prover = mosaics, wkt, prover
         self._open = lru_cache(_HELD)(OpenRaster)
         self._ranges: GreyRanges = {}

@@ -179,7 +179,7 @@ def _write_defects(
     paths: dict[int, str] = {}
     try:
         _cut_pictures(run, defects, maker, pictures)
-        save_pictures(folder, pictures, paths)
+        save_pictures(folder, pictures, paths, () if maker is None else maker.paths)
     except SettingsError as error:
         run.tell(error.message.as_warning())
     finally:  # a layer without a failure would say that there are none, also where the run was stopped

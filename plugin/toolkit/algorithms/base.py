@@ -119,7 +119,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
                 self._leads = checked.leads
                 self.prepare(Run(self, parameters, context, feedback))
         except SeamInspectorError as error:
-            raise QgsProcessingException(sentence(error.message)) from None
+            raise _for_qgis(error) from None
         return True
 
     def processAlgorithm(
@@ -139,7 +139,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
                 run.tell(stopped.message)
                 return {}
             except SeamInspectorError as error:
-                raise QgsProcessingException(sentence(error.message)) from None
+                raise _for_qgis(error) from None
             except Exception:
                 if not _is_unloaded():
                     raise
@@ -183,6 +183,13 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         """What lacks for the outputs asked for; empty when nothing does."""
         charts, pages = (any(parameters.get(name) for name in names) for names in (self.DRAWN, self.PAGES))
         return missing_packages_sentence(charts, pages)
+
+
+def _for_qgis(error: SeamInspectorError) -> QgsProcessingException:
+    """What QGIS is told. It never lets go of an exception: frames that hang on it would keep parameters of models,
+    which are deleted, and whatever QGIS makes in their place later would be taken for them, and crash."""
+    error.__traceback__ = error.__context__ = None
+    return QgsProcessingException(sentence(error.message))
 
 
 def _is_unloaded() -> bool:
@@ -230,7 +237,7 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         try:
             self._refuse(parameters, context)
         except SeamInspectorError as error:
-            raise QgsProcessingException(sentence(error.message)) from None
+            raise _for_qgis(error) from None
         with gdal_silenced():
             return super().prepareAlgorithm(parameters, context, feedback)
 

@@ -8,8 +8,14 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.acceptance.measure.decision import Decision, defects_of
-from seam_inspector.plugin.acceptance.paper.defect_files import PICTURE_PX, DefectPicture, DefectPictures
+from seam_inspector.plugin.acceptance.paper.defect_files import (
+    PICTURE_PX,
+    DefectPicture,
+    DefectPictures,
+    save_pictures,
+)
 from seam_inspector.plugin.acceptance.paper.proofs import IMAGE_PANEL, MOSAIC_PANEL, Proof, ProofPanel
+from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
@@ -140,3 +146,19 @@ def test_a_mosaic_in_another_system_is_found(tmp_path: Path) -> None:
     gdal.Warp(str(tmp_path / "moved.tif"), flat(tmp_path / "mosaic.tif").ref.path, dstSRS="EPSG:3857")
     found = picture_of(decided(failed=[(0, 4)]), describe_mosaic(RasterRef(str(tmp_path / "moved.tif"))))
     assert len(dashes(decoded(found))) > 50
+
+
+def test_pictures_take_the_place_of_older_ones_but_of_no_sheet(tmp_path: Path) -> None:
+    decision = decided(failed=[(0, 4)])
+    mosaic, folder = flat(tmp_path / "mosaic.tif"), tmp_path / "failures_pictures"
+    found = picture_of(decision, mosaic)
+    folder.mkdir()
+    for name in ("defect_001.jpg", "defect_7.jpg"):
+        (folder / name).write_bytes(b"sheet")
+    with pytest.raises(SettingsError, match=r"defect_7\.jpg, which belongs to an input"):
+        save_pictures(folder, {1: found}, {}, [mosaic.ref.path, str(folder / "defect_7.jpg")])
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == dict.fromkeys(
+        ("defect_001.jpg", "defect_7.jpg"), b"sheet"
+    )
+    save_pictures(folder, {1: found}, {}, [mosaic.ref.path])
+    assert [path.name for path in folder.iterdir()] == ["defect_001.jpg"]
