@@ -188,7 +188,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 def _for_qgis(error: SeamInspectorError) -> QgsProcessingException:
     """What QGIS is told. It never lets go of an exception: frames that hang on it would keep parameters of models,
     which are deleted, and whatever QGIS makes in their place later would be taken for them, and crash."""
-    error.__traceback__ = error.__context__ = None
+    error.with_traceback(None).__context__ = None
     return QgsProcessingException(sentence(error.message))
 
 
