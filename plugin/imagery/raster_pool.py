@@ -127,7 +127,7 @@ class RasterPool:
     def open(self, ref: RasterRef) -> OpenRaster:
         """Raises RasterError when it can't be opened or used."""
         ref = replace(ref, path=readable_path(ref.path))
-        stamp = _stamp(ref.path)
+        stamp = file_stamp(ref.path)
         with self._lock:
             raster, kept_stamp = self._kept.pop(ref, (None, None))
             if raster is not None and kept_stamp == stamp:
@@ -179,7 +179,7 @@ def _pool() -> RasterPool:
     return pool
 
 
-def _stamp(path: str) -> _Stamp | None:
+def file_stamp(path: str) -> _Stamp | None:
     """Which file it is by now; None for what is no file of this machine."""
     try:
         found = os.stat(path)

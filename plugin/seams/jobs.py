@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import wait
 from contextlib import closing
 from dataclasses import dataclass
@@ -16,25 +16,25 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import Message
 from ..imagery.gdal_calls import gdal_writing
 from ..imagery.lines import find_seams
-from ..imagery.open_raster import OpenRaster
+from ..imagery.open_raster import OpenRaster, describe_mosaic
 from ..imagery.raster_pool import reading_threads
 from ..imagery.rasters import Raster, RasterRef
 from ..toolkit.background_tasks import Ahead, Cancelled, Job
 from ..toolkit.translation import filled, tr
 from .clip_pictures import PictureRequest, WindowPictureSet, composite_picture, make_pictures
-from .measure.inputs.candidate_look import SourceCandidate, look_at_candidates
+from .measure.inputs.mosaic_copies import Likeness, leave_out_copies, likenesses
 from .measure.inspection import inspect_one, inspect_windows
 from .measure.profile.ground import grounds
 from .measure.scan.blocks.block_grid import BLOCK_PX
 from .measure.scan.blocks.scan_block import BlockScan
 from .measure.scan.gathering import ScanResult
-from .measure.scan.lines.given_seams import given_seams
+from .measure.scan.lines.given_seams import GivenSeams, given_seams
 from .measure.scan.lines.seam_features import SeamFeature
 from .measure.scan.loss_raster import BANDS, NODATA, created_cells, loss_cells
 from .measure.scan.scan_request import ScanRequest, scan_request
 from .measure.scan.scan_settings import ScanSettings
 from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
-from .measure.source_images import Source
+from .measure.source_images import Source, gather_sources
 from .measure.window.explained_window import WindowComposite, window_composite
 from .measure.window.measured_window import MeasureWindow, measure_window
 from .measure.window.window_request import InspectionSettings, WindowRequest
@@ -93,12 +93,14 @@ def pictures_job(request: PictureRequest) -> Job:
     return lambda cancelled: iter([(1.0, make_pictures(request, cancelled))])
 
 
-def candidates_job(mosaic: RasterRef, candidates: Sequence[SourceCandidate], known: Collection[str]) -> Job:
-    """Looks at rasters that may be sources; yields the key and the Suitability of each."""
+def copies_job(mosaic: RasterRef, candidates: Mapping[str, RasterRef]) -> Job:
+    """Looks for copies of the mosaic among rasters; yields the Likeness of each by its key."""
 
-    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        for done, found in enumerate(look_at_candidates(mosaic, candidates, known, cancelled), 1):
-            yield done / len(candidates), found
+    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        raster = describe_mosaic(mosaic)
+        sources, _ = gather_sources(candidates.values(), (), raster.wkt, raster.ref)
+        found = {sources[number].ref: one for number, one in likenesses(raster, sources).items()}
+        yield 1.0, {key: found.get(ref, Likeness.OTHER) for key, ref in candidates.items()}
 
     return job
 
@@ -272,13 +274,14 @@ def scan_job(order: ScanOrder, files: ScanFiles) -> Job:
 
 
 def _request(order: ScanOrder) -> tuple[ScanRequest, tuple[Message, ...]]:
-    if order.read_seams is None:
-        request, notices = scan_request(order.mosaic, order.sources, order.settings)
-        return request, tuple(notices)
-    features, lost = order.read_seams()
-    given = given_seams(features, order.mosaic.grid, paths=[one.ref.path for one in order.sources])
-    request, notices = scan_request(order.mosaic, order.sources, order.settings, given)
-    return request, (*(() if lost is None else (lost,)), *notices)
+    sources, told = leave_out_copies(order.mosaic, order.sources)
+    given: GivenSeams | None = None
+    if order.read_seams is not None:
+        features, lost = order.read_seams()
+        given = given_seams(features, order.mosaic.grid, paths=[one.ref.path for one in sources])
+        told += [] if lost is None else [lost]
+    request, notices = scan_request(order.mosaic, sources, order.settings, given)
+    return request, (*told, *notices)
 
 
 def _workers() -> int:

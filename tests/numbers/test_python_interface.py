@@ -137,6 +137,20 @@ def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
         open_block(tmp_path / "none.tif")
 
 
+@pytest.mark.slow
+def test_a_copy_of_the_mosaic_takes_part_only_if_it_is_asked_for(folder: Path, tmp_path: Path) -> None:
+    sources, copy = sorted(folder.glob("strip*.tif")), tmp_path / "copy.tif"
+    gdal.Translate(str(copy), str(folder / "mosaic.tif"))
+    with pytest.warns(SeamInspectorWarning, match=r"copy\.tif goes with the mosaic") as told:
+        found = open_block(folder / "mosaic.tif", [*sources, copy])
+    assert len(told) == 1
+    assert [one.ref.name for one in found.sources] == [path.name for path in sources]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        kept = open_block(folder / "mosaic.tif", [*sources, copy], keep_copies=True)
+    assert [one.ref.name for one in kept.sources] == [*(path.name for path in sources), "copy.tif"]
+
+
 def test_cells_say_which_source_is_where(folder: Path) -> None:
     sources, cells = sorted(folder.glob("strip*.tif")), f"{folder}/seamlines.gpkg|layername=cells"
     found = open_block(folder / "mosaic.tif", sources, cells)

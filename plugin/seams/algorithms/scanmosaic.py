@@ -140,10 +140,14 @@ class ScanMosaic(SeamInspectorAlgorithm):
         """The orthoimages; none where only seamlines are given."""
         if not _names_sources(run):
             return ()
+        from ..measure.inputs.mosaic_copies import leave_out_copies
+
         sources = gathered_sources(run, self._given, crs, self._mosaic.wkt, self._mosaic.ref)
         if not sources:
             raise SettingsError(messages.NO_SOURCE_USABLE())
-        return tuple(sources)
+        kept, notices = leave_out_copies(self._mosaic, sources)
+        run.tell_once(notices)
+        return tuple(kept)
 
     def _given_seams(self, run: Run, crs: QgsCoordinateReferenceSystem, paths: list[str]) -> GivenSeams | None:
         """What the seamlines say; None without them. ``paths``: of the orthoimages."""

@@ -75,8 +75,6 @@ class Explanation:
     """Share of pixels in which two sources are mixed."""
     shares: tuple[float, ...]
     """Share of the pixels that follow each source, in their order."""
-    left_out: tuple[int, ...] = ()
-    """Sources that explain nothing but what others do, as copies of the mosaic; they took no part."""
     visibility: float | None = None
     """The loss beside the seam in just noticeable differences of contrast; None where no profile is."""
     loss: LossPicture | None = field(default=None, compare=False, repr=False)
@@ -165,7 +163,6 @@ def explain(
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         shares=following.shares,
-        left_out=cut.around.followed.left_out,
         visibility=window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster),
         loss=loss_picture(detail, cut.around.expected.labels, cut.inside),
     )

@@ -74,13 +74,16 @@ class Block:
         return self.window(grid.window_extent(window), settings, window_id)
 
 
-def open_block(mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLike = "") -> Block:
+def open_block(
+    mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLike = "", *, keep_copies: bool = False
+) -> Block:
     """Open a mosaic with the orthoimages that it may have been made from.
 
     ``mosaic``: a north-up raster with a reference system. ``sources``: rasters in any reference system, each opened for
     its footprint; without any the block can be scanned along given seamlines only. ``cells``: a vector file of polygons
     that name in a field which source each part of the mosaic was cut from, as ``file.gpkg|layername=cells`` where it
-    has several layers.
+    has several layers. ``keep_copies``: whether copies of the mosaic among the sources take part, though they hide
+    every loss; without it they are looked for, and doubtful ones take part and are told.
 
     What is left out (sources that can't be opened, copies of the mosaic) is told by a SeamInspectorWarning each. Raises
     RasterError when the mosaic can't be used, SettingsError when none of the sources can, SeamlineError when the cells
@@ -93,8 +96,10 @@ def open_block(mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLi
     if not refs:
         return Block(raster, (), tuple(known), paths)
     block, notices = make_block(raster, refs, (), known)
-    block, of_copies = without_copies(block)
-    for notice in (*notices, *of_copies):
+    if not keep_copies:
+        block, of_copies = without_copies(block)
+        notices += of_copies
+    for notice in notices:
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
     if not block.sources:
         raise SettingsError(scan_messages.NO_SOURCE_USABLE())

@@ -117,9 +117,6 @@ SOURCE_RESAMPLED = Message(
 CELLS_OF_OTHERS = Message(
     "No seam cell names a source that is given, so the cells say nothing; the first one names '{name}'.", WARNING
 )
-SOURCE_LIKE_MOSAIC = Message(
-    "{name} shows nothing in the window that the other sources don't; it takes no part there.", INFO
-)
 ALL_RESAMPLED = Message(
     "All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the "
     "verdict is uncertain by that.", WARNING

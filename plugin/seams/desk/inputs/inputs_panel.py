@@ -128,7 +128,7 @@ class InputsPanel(QWidget):
         """When all windows are inspected: what they say of the sources."""
         if asked:
             return
-        found = source_doubts(self._session.source_uses(), self.suggesting.sources.followed())
+        found = source_doubts(self._session.source_uses())
         self._doubted = self._session.inputs.sources
         self.doubts.setText(" ".join(map(sentence, found)))
         self.doubts.setVisible(bool(self.doubts.text()))

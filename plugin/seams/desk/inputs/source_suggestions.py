@@ -22,7 +22,7 @@ from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, tr
 from ....toolkit.version_differences import ALPHA, PALETTE, band_roles
 from ... import jobs
-from ...measure.inputs.candidate_look import SourceCandidate
+from ...measure.inputs.mosaic_copies import Likeness
 from ...measure.inputs.raster_facts import (
     COLOURS,
     RasterFacts,
@@ -30,6 +30,7 @@ from ...measure.inputs.raster_facts import (
     Suitability,
     likely_mosaic,
     suitable_by_header,
+    suitable_by_pixels,
 )
 from ...measure.scan.lines.seam_fields import seam_fields
 from ...tables.input_layers import LOCATION_FIELD
@@ -39,32 +40,30 @@ from .project_inputs import Inputs, load_inputs
 if TYPE_CHECKING:
     from ..session import Session
 
-_TOGETHER_MS = 300  # layers that are added, and standings that are found, within this time are one change
+_TOGETHER_MS = 300  # layers that are added within this time are one change
 
 Sources = tuple[str, ...]
 
 
 class SourceSuggestions(QObject):
-    """By the rasters' headers at once, then by a look at their pixels in the background."""
+    """By the rasters' headers at once; copies of the mosaic are looked for among them in the background."""
 
     changed = pyqtSignal()
-    """Something was found by the pixels."""
+    """What was open is known."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._background = BackgroundTasks(self)
         self._looker = single_shot(self, self._look, _TOGETHER_MS)
-        self._teller = single_shot(self, self.changed, _TOGETHER_MS)
-        self._mosaic: QgsRasterLayer | None = None
         self._key: object = None
         self._turn = 0
         self._by_header: dict[str, Suitability] = {}
-        self._by_pixels: dict[str, Suitability] = {}
+        self._likeness: dict[str, Likeness] = {}  # of those that were compared
 
     @property
     def is_looking(self) -> bool:
         """Whether more may be found."""
-        return self._looker.isActive() or self._teller.isActive() or self._background.is_under_way(self._turn)
+        return self._looker.isActive() or self._background.is_under_way(self._turn)
 
     def follow(self, mosaic_id: str) -> None:
         """The mosaic is this one, and the project's rasters are what they are now."""
@@ -77,58 +76,45 @@ class SourceSuggestions(QObject):
         self._key = key
         self._turn += 1
         self._background.cancel_others({self._turn})
+        if not is_same:
+            self._likeness = {}
         if mosaic_id not in {layer.id() for layer in rasters}:
-            self._by_header, self._by_pixels = {}, {}
+            self._by_header = {}
             return
         facts = {one.key: one for one in facts_of(rasters, mosaic)}
-        others = [one for name, one in facts.items() if name != mosaic_id]
-        self._by_header = suitable_by_header(facts[mosaic_id], others)
-        self._by_pixels = {name: one for name, one in self._by_pixels.items() if is_same and name in self._by_header}
+        self._by_header = suitable_by_header(facts[mosaic_id], [one for one in facts.values() if one.key != mosaic_id])
         self._looker.start()
 
     def standing(self, layer_id: str) -> Suitability | None:
         """Of one raster; None where nothing is known of it."""
         by_header = self._by_header.get(layer_id)
-        if by_header is None or by_header.standing is Standing.LEFT_OUT:
+        if by_header is None or by_header.standing is Standing.LEFT_OUT or layer_id not in self._likeness:
             return by_header
-        return self._by_pixels.get(layer_id, by_header)
+        return suitable_by_pixels(self._likeness[layer_id])
 
     def suggested(self) -> Sources:
         """Layer ids of the suggested sources, by their names."""
         found = ((name, self.standing(name)) for name in self._by_header)
         return tuple(name for name, standing in found if standing is not None and standing.is_suggested)
 
-    def followed(self) -> set[str]:
-        """File names of those that the mosaic is like somewhere."""
-        project = QgsProject.instance()
-        refs = (_ref(project.mapLayer(name)) for name, one in self._by_pixels.items() if one.is_followed)
-        return {ref.name for ref in refs if ref is not None}
-
     def close(self) -> None:
         """Look no more."""
         self._looker.stop()
-        self._teller.stop()
         self._background.close()
 
     def _look(self) -> None:
         project, mosaic_id = QgsProject.instance(), self._key[0] if isinstance(self._key, tuple) else ""
         mosaic = _ref(project.mapLayer(mosaic_id))
         wanted = [name for name, one in self._by_header.items() if one.standing is not Standing.LEFT_OUT]
-        found = ((name, project.mapLayer(name)) for name in wanted)
-        candidates = [
-            SourceCandidate(name, layer.name(), ref) for name, layer in found if (ref := _ref(layer)) is not None
-        ]
-        if mosaic is None or not candidates:
-            return
-        job = jobs.candidates_job(mosaic, candidates, set(self._by_pixels))
-        self._background.start(tr("Look at the sources"), job, partial(self._take, self._turn), self._turn)
+        found = {name: ref for name in wanted if (ref := _ref(project.mapLayer(name))) is not None}
+        if mosaic is not None and found:
+            job = jobs.copies_job(mosaic, found)
+            self._background.start(tr("Look at the sources"), job, partial(self._take, self._turn), self._turn)
 
     def _take(self, turn: int, found: Any) -> None:
-        name, standing = found
-        if turn == self._turn and name in self._by_header and self._by_pixels.get(name) != standing:
-            self._by_pixels[name] = standing
-            if not self._teller.isActive():
-                self._teller.start()
+        if turn == self._turn and found != self._likeness:
+            self._likeness = found
+            self.changed.emit()
 
 
 def _ref(layer: object) -> RasterRef | None:

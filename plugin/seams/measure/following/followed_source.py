@@ -89,10 +89,6 @@ NEAR_CELLS, WIDE_CELLS = 3, 9
 """A side of what is looked at together: 12 px, in which a mixture's weights are even, and 36 px where those do not
 decide."""
 _MIXED = 2  # cells a side in which the weights of a mixture are taken as constant: 8 px, less than a feather's width
-_LOOKED_ROWS, _LOOKED_EVERY = 64, 256  # of a window, to see whether a source is one among others
-_AS_GOOD, _HARDLY = 1.1, 0.005  # times as much is left over of the detail, and a share that rounding leaves
-_MOST_OF_COPY = 0.05  # of the detail, that compression changes in a copy
-_BADLY, _FEW = 0.3, 0.05  # of the detail that others leave over, and of the places where they do
 _STRIP, _MARGIN = 1024, 32  # rows worked on at a time, and how far their neighbours matter
 
 
@@ -192,43 +188,6 @@ def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
     """The same of planes that are held, the mosaic's first."""
     rows, columns = fine[0].shape
     return follow(lambda start, stop: [plane[start:stop] for plane in fine], (rows, columns), len(fine) - 1)
-
-
-def like_the_mosaic(fine: Sequence[np.ndarray], followed: Sequence[int]) -> int | None:
-    """Of the sources that are followed the one that explains nothing but what others do, if there is any: as a copy of
-    the mosaic, or of a part of it, explains all of that, the seam included. ``fine``: the mosaic's and all sources'
-    fine detail (rows, columns), which is looked at in strips."""
-    strips = [
-        [one[start : start + _LOOKED_ROWS] for one in fine]
-        for start in range(0, max(len(fine[0]) - _LOOKED_ROWS, 0) + 1, _LOOKED_EVERY)
-    ]
-    alone = {i: float(np.mean([_follow_cells(one[0], [one[1 + i]])[3].mean() for one in strips])) for i in followed}
-    looks = [_follow_cells(mosaic, sources) for mosaic, *sources in strips]
-    spanned = {i: _explained_by_others(strips, looks, i) for i in sorted(followed, key=lambda i: -alone[i])}
-    copy = max(spanned, key=lambda i: spanned[i], default=None)
-    return copy if copy is not None and spanned[copy] > 1 else None
-
-
-def _explained_by_others(strips: Sequence[Sequence[np.ndarray]], looks: Sequence[tuple], suspect: int) -> int:
-    """How many others it takes to explain what a source does: two or more for what spans a seam, one for what is there
-    twice; 0 where they don't."""
-    left_with, left_without, instead = [], [], []
-    for (mosaic, *sources), (winner, _, _, fit, own, _) in zip(strips, looks):
-        at = (winner == suspect) & (own > LEAST_ENERGY * CELL_PX**2)
-        if not at.any():
-            continue
-        others = _follow_cells(mosaic, [one for number, one in enumerate(sources) if number != suspect])
-        left_with.append(1 - fit[at])
-        left_without.append(1 - others[3][at])
-        instead.append(others[0][at])
-    if not left_with:
-        return 0
-    own_left, left, shares = np.concatenate(left_with), np.concatenate(left_without), np.bincount(np.hstack(instead))
-    if np.median(own_left) > _MOST_OF_COPY or np.median(left) > _AS_GOOD * np.median(own_left) + _HARDLY:
-        return 0
-    if np.mean(left > _BADLY) > _FEW + np.mean(own_left > _BADLY):
-        return 0
-    return int(np.count_nonzero(shares >= _FEW * len(left)))
 
 
 def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:

@@ -169,7 +169,7 @@ def judged_ground(
     image: ComparedImage, images: Sequence[ComparedImage], known: np.ndarray | None
 ) -> JudgedGround:
     """Follow the mosaic through its sources. ``known``: as for ``cut_hard``, of all that was read."""
-    followed = follow_sources(image, images, known is None)
+    followed = follow_sources(image, images)
     if known is not None:
         known = _of_planes(known, followed.source_of)
         followed = replace(followed, following=followed.following.with_known(known))

@@ -11,7 +11,7 @@ import numpy as np
 
 from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
 from ..compared_image import ComparedImage
-from .followed_source import FollowedSource, follow_planes, high_pass, like_the_mosaic
+from .followed_source import FollowedSource, follow_planes, high_pass
 from .source_filters import filtered, fit_filter
 
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
@@ -22,7 +22,6 @@ ALIKE_SHIFTS_PX = 0.2
 MIN_BOTH_SHARE = 0.05  # of the pixels: an image that lies where it should and also elsewhere is kept in both places
 MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when moved sources tell more
 MIN_UNCLEAR_SHARE = 0.3  # of the pixels: sources moved to where the mosaic lies may tell more
-_FEWEST_WITH_COPY = 3  # sources: of two that are one image, or of one, nothing can be told
 MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
 MIN_IDLE_FIT = 0.97  # of the fine detail: with less, one that is hardly followed is looked for elsewhere
 MAX_IDLE_LEFT = 0.5  # of what was left over, when it is found there
@@ -38,29 +37,17 @@ class PlacedSources:
     """The fine detail of the mosaic, then of the planes."""
     source_of: tuple[int, ...]
     """Number of the source that each plane is of."""
-    left_out: tuple[int, ...] = ()
-    """Sources that explain nothing but what others do, as copies of the mosaic: they would hide what happened."""
     moves: Mapping[int, Shift] = field(default_factory=dict)
     """By how much those planes were moved that were."""
 
 
-def follow_sources(
-    image: ComparedImage, images: Sequence[ComparedImage], without_copies: bool
-) -> PlacedSources:
-    """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies.
-
-    ``without_copies``: what explains nothing but what other sources do is left out.
-    """
+def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> PlacedSources:
+    """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies."""
     shape = (image.bands.shape[1], image.bands.shape[2])
     count = len(images)
     planes = tuple(one.plane for one in images)
     fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
     plain = follow_planes(fine)
-    if without_copies and len(images) >= _FEWEST_WITH_COPY:
-        own = [one if image.valid is None else one * image.valid for one, image in zip(fine[1:], images)]
-        copy = like_the_mosaic([fine[0], *own], plain.followed)
-        if copy is not None:
-            return _without(copy, follow_sources(image, [one for i, one in enumerate(images) if i != copy], True))
     plain = _clearer(plain, fine, images, shape)
     first = PlacedSources(plain, planes, fine, tuple(range(count)))
     unexplained, unclear = int(np.count_nonzero(plain.unexplained)) / plain.unexplained.size, plain.unclear_share
@@ -91,12 +78,6 @@ def follow_sources(
     finds_idle = may_lie_elsewhere and 1 - found.following.fit <= MAX_IDLE_LEFT * (1 - plain.fit)
     is_better = found.following.fit >= plain.fit + MIN_FIT_GAIN
     return found if explains_part or is_clearer or finds_idle or is_better else first
-
-
-def _without(copy: int, found: PlacedSources) -> PlacedSources:
-    """With the numbers that sources have beside one that was left out."""
-    source_of, left_out = (tuple(i + (i >= copy) for i in of) for of in (found.source_of, found.left_out))
-    return replace(found, source_of=source_of, left_out=(copy, *left_out))
 
 
 def _clearer(

@@ -11,29 +11,16 @@ LARGER_PIXELS = Message("Pixels {factor:.1f} times as large as the mosaic's: an 
 SMALLER_PIXELS = Message("Pixels {factor:.1f} times smaller than the mosaic's: another flight.", INFO)
 OTHER_SYSTEM = Message("In another reference system than the mosaic and others here: a reprojected copy.", INFO)
 OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a converted copy.", INFO)
+LIES_AS_MOSAIC = Message(
+    "Lies where the mosaic does, as a copy or another mosaic would; tick it if it is one of the orthoimages.", INFO
+)
 # by its pixels
 BEING_LOOKED_AT = Message("Covers the whole mosaic: being compared with it ...", INFO)
-MOSAIC_AGAIN = Message("A copy of the mosaic: alike wherever they were compared. It would hide every loss.", INFO)
-MOSAIC_OR_ITS_SOURCE = Message(
-    "Like the mosaic wherever they were compared: a copy of it, or the one orthoimage that it was made from; tick it "
-    "in that case.", INFO
+MOSAIC_AGAIN = Message("A copy of the mosaic: it goes with it across its seams. It would hide every loss.", INFO)
+MOSAIC_OR_SOURCE = Message(
+    "The mosaic itself wherever they were compared: one of its orthoimages, or a copy of it or of a part of it; "
+    "untick it in that case.", INFO
 )
-MOSAIC_PART_AGAIN = Message(
-    "A copy of a part of the mosaic: alike wherever they were compared, though other sources lie there.", INFO
-)
-MOSAIC_ALTERED = Message(
-    "Another state of the mosaic: where they are alike, it goes with the mosaic from one orthoimage to the next.", INFO
-)
-MADE_OF_MOSAIC = Message("A VRT of the mosaic. It would hide every loss.", INFO)
-ANOTHER_MOSAIC = Message("Another mosaic: partly {first}, partly {second}.", INFO)
-SAME_IMAGE = Message("The same image as {name}.", INFO)
-NOT_FOLLOWED = Message("Covers the whole mosaic and resembles it nowhere.", INFO)
-HOLDS_LABELS = Message("Holds labels, not an image: {count} different values.", INFO)
-OTHER_CONTENT = Message("Shows something other than the mosaic: a map, or another time.", INFO)
-MAY_BE_MOSAIC = Message(
-    "Covers the whole mosaic, as another mosaic would; tick it if it is one of the orthoimages.", INFO
-)
-PIXELS_NOT_READ = Message("Could not be compared with the mosaic: {why}", INFO)
 # after windows were inspected
 SOURCE_NOT_FOLLOWED = Message(
     "The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?",
@@ -49,17 +36,18 @@ SOURCES_RESAMPLED = Message(
 )
 # sources that were made from the mosaic, and are given
 COPY_AMONG_SOURCES = Message(
-    "{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would "
-    "hide every loss and is left out of the sources.", WARNING
+    "{name} goes with the mosaic across its seams, so it is a copy or an overview of it, or the mosaic that this one "
+    "was cut from. It would hide every loss and is left out of the sources.", WARNING
+)
+MAY_BE_COPY = Message(
+    "{name} is the mosaic itself wherever they were compared. It takes part, as it may be one of the orthoimages; if "
+    "it is a copy of the mosaic or of a part of it, it hides every loss there, so take it out of the sources.", WARNING
+)
+MAY_BE_ALTERED_COPY = Message(
+    "{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from "
+    "the mosaic, it hides losses, so take it out of the sources.", INFO
 )
 ONE_IMAGE_IN_PARTS = Message(
     "{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated "
     "as one.", INFO
-)
-OVERVIEW_AMONG_SOURCES = Message(
-    "{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.", WARNING
-)
-ONLY_SOURCE_IS_EQUAL = Message(
-    "{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, nothing can be "
-    "told of its seams, so give the orthoimages that it was made from.", WARNING
 )

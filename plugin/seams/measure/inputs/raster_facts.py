@@ -1,8 +1,8 @@
-"""Which rasters of a project may be sources, by what their headers say; and what inspected windows say of them."""
+"""Which rasters of a project may be sources, by their headers; and what inspected windows say of them."""
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -11,13 +11,14 @@ from ....imagery.grids import Extent, extents_meet
 from ..window.window_result import WindowResult
 from ..window_records import COMPOSITE
 from . import messages
-from .mosaic_copies import SAME_PLACE, covered_share
+from .mosaic_copies import Likeness, covered_share
 
 MOST_LARGER = 1.25  # pixel size over the mosaic's: nobody makes detail that the source does not have
 MOST_SMALLER = 4.0  # the mosaic's pixel size over a source's
 COLOURS = 3  # bands: rasters of fewer are grey
 RIVAL_AREA = 0.8  # of the likely mosaic's: another one as large may be the mosaic as well
 MOST_MOSAICS = 5  # the largest rasters, one of which may be the mosaic
+SAME_PLACE = 0.9  # of a rectangle, that another one covers nearly
 
 
 @dataclass(frozen=True)
@@ -57,8 +58,7 @@ class Suitability:
 
     standing: Standing
     reason: Message | None = None
-    is_followed: bool = False
-    """Whether the mosaic is like it somewhere."""
+    """Why it is none, or may be none."""
 
     @property
     def is_suggested(self) -> bool:
@@ -78,7 +78,8 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
     """The standing of each raster by its key.
 
     Other systems and other types of pixels are left out only where there are as many rasters or more that share the
-    mosaic's, since all of the sources of a mosaic may have been converted. One that covers the mosaic stays open.
+    mosaic's, since all of the sources of a mosaic may have been converted; one that lies where the mosaic does only
+    where there are as many that do not, since all may lie on one canvas. One that covers the mosaic stays open.
     """
     found = {one.key: reason for one in rasters if (reason := _unfit(mosaic, one)) is not None}
     fit = [one for one in rasters if one.key not in found]
@@ -87,6 +88,7 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
         ([one.pixel_type == mosaic.pixel_type for one in fit], {
             one.key: messages.OTHER_TYPE(own=one.pixel_type, mosaic=mosaic.pixel_type) for one in fit
         }),
+        ([not _lies_as(mosaic, one) for one in fit], {one.key: messages.LIES_AS_MOSAIC() for one in fit}),
     ):
         if 2 * sum(group) >= len(group):
             found |= {one.key: reasons[one.key] for one, shares in zip(fit, group) if not shares}
@@ -100,6 +102,17 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
 def covers(mosaic: RasterFacts, raster: RasterFacts) -> bool:
     """Whether a raster covers the mosaic, or nearly."""
     return bool(mosaic.extent and raster.extent and covered_share(mosaic.extent, raster.extent) >= SAME_PLACE)
+
+
+def _lies_as(mosaic: RasterFacts, raster: RasterFacts) -> bool:
+    return covers(mosaic, raster) and covers(raster, mosaic)
+
+
+def suitable_by_pixels(likeness: Likeness) -> Suitability:
+    """The standing of a raster by what it is to the mosaic."""
+    if likeness is Likeness.COPY:
+        return left_out(messages.MOSAIC_AGAIN())
+    return Suitability(Standing.SUGGESTED, messages.MOSAIC_OR_SOURCE()) if likeness is Likeness.EQUAL else SUGGESTED
 
 
 def likely_mosaic(rasters: Sequence[RasterFacts]) -> str | None:
@@ -171,10 +184,10 @@ def source_use(result: WindowResult) -> SourceUse:
     )
 
 
-def source_doubts(uses: Iterable[SourceUse], followed: Collection[str] = ()) -> Iterator[Message]:
-    """Sentences on sources by their file names; ``followed``: those that the mosaic is known to follow somewhere."""
+def source_doubts(uses: Iterable[SourceUse]) -> Iterator[Message]:
+    """Sentences on sources by their file names."""
     took_part: Counter[str] = Counter()
-    is_followed = set(followed)
+    is_followed: set[str] = set()
     resampled: set[str] = set()
     for use in uses:
         resampled.update(use.resampled if use.own else ())

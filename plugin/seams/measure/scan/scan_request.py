@@ -14,7 +14,6 @@ from ....imagery.open_raster import check_readable
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from ..inputs.grey_values import grey_factor
-from ..inputs.mosaic_copies import leave_out_copies
 from ..inputs.whole_images import whole_images
 from ..limits import FULL
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
@@ -223,9 +222,7 @@ def scan_request(
         raise SettingsError(messages.SCAN_MOSAIC_TOO_SMALL(
             width=mosaic.columns, height=mosaic.rows, fewest=imagery_limits.MIN_SIDE_PX
         ))
-    kept, notices = leave_out_copies(mosaic, sources)
-    kept, in_parts = whole_images(mosaic, kept)
-    notices += in_parts
+    kept, notices = whole_images(mosaic, sources)
     needed = SHORTEST_PIECE_PX * mosaic.ground_sample_distance
     if settings.piece_m < needed:
         settings = replace(settings, piece_m=needed)

@@ -45,7 +45,6 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
         for one in judged
         if one.clip.valid is not None
     ]
-    notices += [messages.SOURCE_LIKE_MOSAIC(name=judged[i].clip.raster.ref.name) for i in found.left_out]
     found = _in_file_values(found, mosaic.grey_factor, [one.grey_factor for one in judged])
     pairs = [pair for one, changes in zip(judged, found.changes) for pair in _pairs(mosaic, one, changes)]
     pairs += [pair for one in measured.only_shown for pair in _pairs(mosaic, one, {})]

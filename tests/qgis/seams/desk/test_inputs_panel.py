@@ -55,12 +55,15 @@ class Desk:
         self.session.set_inputs(Inputs(mosaic=self.id("mosaic"), sources=(self.id("east"), self.id("west"))))
 
     def add_cut_mosaic_and_part(self, scene: Scene, folder: Path) -> None:
-        """Layers ``cut``, a hard cut of both sources, and ``part``, a piece of it with the seam."""
+        """Layers ``cut``, a hard cut of both sources, ``part``, a piece of it with the seam, and ``larger``, from which
+        it was cut."""
         west, east = noisy(scene)
         pixels = np.concatenate([west[..., :256], east[..., 256:]], axis=-1)
         write_raster(folder / "cut.tif", pixels)
         write_raster(folder / "part.tif", pixels[..., 64:400], origin=(ORIGIN[0] + 64 * PIXEL, ORIGIN[1]))
-        for name in ("cut", "part"):
+        around = np.pad(pixels, ((0, 0), (0, 60), (0, 60)), mode="reflect")
+        write_raster(folder / "larger.tif", around)
+        for name in ("cut", "part", "larger"):
             self.rasters[name] = QgsRasterLayer(str(folder / f"{name}.tif"), name)
             QgsProject.instance().addMapLayer(self.rasters[name])
 
@@ -136,7 +139,7 @@ def test_what_is_no_source_by_its_header_is_left_out_with_the_reason(desk: Desk,
     assert list(desk.listed())[:2] == ["east", "west"]  # what is left out comes last
     for name, words in {
         "apart": "not overlap", "height": "1 and not 3", "half": "2.0 times as large", "deep": "16 bit",
-        "turned": "another reference system", "copy": "being compared", "again": "mosaic itself",
+        "turned": "another reference system", "copy": "Lies where the mosaic does", "again": "mosaic itself",
     }.items():
         assert words in desk.reason(name)
     desk.check("height", True)  # the operator may know better
@@ -145,16 +148,17 @@ def test_what_is_no_source_by_its_header_is_left_out_with_the_reason(desk: Desk,
     assert desk.sources == {"east", "west"}
 
 
-def test_what_is_no_source_by_its_pixels_is_unchecked_once_it_was_looked_at(
+def test_a_copy_is_unchecked_once_it_was_looked_at_and_a_part_of_the_mosaic_is_questioned(
     desk: Desk, scene: Scene, tmp_path: Path
 ) -> None:
     desk.add_cut_mosaic_and_part(scene, tmp_path)
     desk.choose("mosaic", desk.id("cut"))
     assert desk.listed()["part"]
-    desk.check("part", True)
     wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
-    assert not desk.listed()["part"]
-    assert "copy of a part of the mosaic" in desk.reason("part")
+    assert desk.listed()["part"]
+    assert "or a copy of it or of a part of it" in desk.reason("part")
+    assert not desk.listed()["larger"]
+    assert "it goes with it across its seams" in desk.reason("larger")
 
 
 @pytest.mark.parametrize("is_suggested_before", [False, True])
@@ -162,20 +166,21 @@ def test_sources_that_somebody_set_stay_whatever_the_look_finds(
     desk: Desk, scene: Scene, tmp_path: Path, is_suggested_before: bool
 ) -> None:
     desk.add_cut_mosaic_and_part(scene, tmp_path)
-    sources = tuple(desk.id(name) for name in ("east", "part", "west"))
+    sources = tuple(desk.id(name) for name in ("east", "larger", "west"))
     if is_suggested_before:
         desk.choose("mosaic", desk.id("cut"))
         sources = (*desk.session.inputs.sources,)  # another tuple, as a script has
         assert {"east", "part", "west"} <= desk.sources
+        sources = (*sources, desk.id("larger"))
     before = set(sources)
     desk.session.set_inputs(replace(desk.session.inputs, mosaic=desk.id("cut"), sources=sources))
     desk.panel.refresh()
     wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
-    assert "copy of a part of the mosaic" in desk.reason("part")
+    assert "it goes with it across its seams" in desk.reason("larger")
     assert set(desk.session.inputs.sources) == before
     desk.panel.sources.suggested.click()
     assert {"east", "west"} <= desk.sources
-    assert "part" not in desk.sources
+    assert "larger" not in desk.sources
 
 
 def test_another_mosaic_of_the_same_block_keeps_the_sources(desk: Desk, scene: Scene) -> None:

@@ -76,7 +76,7 @@ def measure_part(
     if known_filters is not None and known_filters.taps:
         followed = _follow_filtered(image, images, known_filters)
     else:
-        followed = follow_sources(image, images, without_copies=False)  # which a scan leaves out as a whole
+        followed = follow_sources(image, images)
         if sides is not None and followed.following.unclear_share >= MIN_UNCLEAR_SHARE:
             followed = clearer_by_parts(followed, sides.parts(around))
     valid = {k: mask for k, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
