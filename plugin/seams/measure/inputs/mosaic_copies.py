@@ -73,10 +73,12 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
     )
     if len(copies) == len(sources) > 0:  # nothing could be said without any
         equal.append(copies.pop(0))
-    told = ((copies, messages.COPY_AMONG_SOURCES), (equal, messages.MAY_BE_COPY), (like, messages.MAY_BE_ALTERED_COPY))
-    notices = [message(name=sources[n].ref.name) for numbers, message in told for n in numbers]
     left_out = set(copies)
-    return [one for n, one in enumerate(sources) if n not in left_out], notices
+    return [one for n, one in enumerate(sources) if n not in left_out], [
+        *(messages.COPY_AMONG_SOURCES(name=sources[n].ref.name) for n in copies),
+        *(messages.MAY_BE_COPY(name=sources[n].ref.name) for n in equal),
+        *(messages.MAY_BE_ALTERED_COPY(name=sources[n].ref.name) for n in like),
+    ]
 
 
 def likenesses(mosaic: Raster, sources: Sequence[Source]) -> dict[int, Likeness]:
@@ -102,7 +104,7 @@ def likenesses(mosaic: Raster, sources: Sequence[Source]) -> dict[int, Likeness]
     return found
 
 
-class _Place(NamedTuple):
+class _ComparedPlace(NamedTuple):
     """A patch of the mosaic with content."""
 
     window: PixelWindow
@@ -133,14 +135,14 @@ class _Look:
         """Numbers of the sources over each place."""
         self._lacking: dict[tuple[int, int], float] = {}
 
-    def _place(self, window: PixelWindow) -> _Place | None:
+    def _place(self, window: PixelWindow) -> _ComparedPlace | None:
         try:
             values, valid = self._read(self._mosaic.ref, window)
         except NotCoveredError:
             return None
         differences = _differences(values * grey_factor(self._mosaic), valid)
         has_content = valid.mean() > LEAST_BOTH and differences @ differences > LEAST_CONTENT * len(differences)
-        return _Place(window, values, valid) if has_content else None
+        return _ComparedPlace(window, values, valid) if has_content else None
 
     def _read(self, ref: RasterRef, window: PixelWindow) -> tuple[np.ndarray, np.ndarray]:
         clip = read_clip(self._pool.open(ref), self._mosaic, window, partly=True)
@@ -175,7 +177,7 @@ class _Turn(NamedTuple):
     """Of what the mosaic prefers the first by to the best of the beaten, how much a raster does: 1 for a copy."""
 
 
-class _Alike(NamedTuple):
+class _LikeMosaic(NamedTuple):
     """A raster that is like the mosaic wherever it lies."""
 
     look: _Look
@@ -227,7 +229,7 @@ class _Judge:
     def likenesses(self, candidates: Iterable[int]) -> dict[int, Likeness]:
         """What each of those that are like the mosaic wherever they lie is to it, by number."""
         found: dict[int, Likeness] = {}
-        alike: dict[int, _Alike] = {}
+        alike: dict[int, _LikeMosaic] = {}
         for number in candidates:
             if is_made_of(self._sources[number].ref, self._mosaic.ref):
                 found[number] = Likeness.COPY
@@ -248,7 +250,7 @@ class _Judge:
             self._looks[step] = _Look(self._mosaic, step, self._sources, self._pool)
         return self._looks[step]
 
-    def _alike(self, number: int) -> _Alike | None:
+    def _alike(self, number: int) -> _LikeMosaic | None:
         """None where it is unlike the mosaic somewhere, or can't be read."""
         try:
             return self._compared(number)
@@ -256,7 +258,7 @@ class _Judge:
             self.has_failed = True
             return None
 
-    def _compared(self, number: int) -> _Alike | None:
+    def _compared(self, number: int) -> _LikeMosaic | None:
         source = self._sources[number]
         width = (source.extent[2] - source.extent[0]) / self._pool.open(source.ref).columns
         step = max(round(width / self._mosaic.grid.pixel_width), 1)
@@ -271,7 +273,7 @@ class _Judge:
             if len(lacking) % FEWEST == 0 and not _is_like(lacking):
                 return None
         is_known = np.count_nonzero(~np.isnan(lacking)) >= FEWEST and _is_like(lacking)
-        return _Alike(look, np.array(lacking), is_part) if is_known else None
+        return _LikeMosaic(look, np.array(lacking), is_part) if is_known else None
 
 
 def _is_like(lacking: Sequence[float]) -> bool:
