@@ -197,7 +197,8 @@ class _LikeMosaic(NamedTuple):
         for k in np.flatnonzero(self.lacking < 1).tolist():
             (least, first), *others = self._others(k, aside) or [(np.nan, -1)]
             beaten = [(more, n) for more, n in others if _plainly(more, least) and more > least + LITTLE]
-            if beaten:
+            # What the mosaic was made of explains it as well as a copy does; neighbours of its one image do not.
+            if beaten and not _plainly(least, self.lacking[k] + HARDLY_LACKING):
                 more, second = beaten[0]
                 preferred = self._lacked_by(number, second, k) - self._lacked_by(number, first, k)
                 share = preferred / ((more - least) * (1 - self.lacking[k]))
