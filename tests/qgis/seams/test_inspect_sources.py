@@ -88,7 +88,7 @@ def test_a_copy_of_the_mosaic_is_dropped_with_a_warning(scene: Scene, tmp_path: 
     outcome = inspect(scene, MOSAIC=str(mosaic), SOURCES=[copy, west, east])
     (warning,) = outcome.log.warnings
     assert_sentence(warning, "east_2.tif goes with the mosaic across its seams, so it is a copy")
-    assert {row["source"] for row in outcome.rows("PAIRS")} == {"west.tif", "east.tif"}
+    assert {row["source"] for row in outcome.rows("PAIRS")} == {"west.tif", "east.tif", "composite"}
 
 
 def test_a_reference_system_set_in_the_layer_stands_in_for_the_files(
