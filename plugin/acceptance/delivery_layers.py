@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsCoordinateTransformContext,
     QgsCsException,
     QgsDistanceArea,
@@ -33,7 +32,7 @@ from ..imagery.reference_systems import utm_wkt
 from ..imagery.seam_totals import TOTALS_DOMAIN, possible_kept
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.reference_systems import reference_system
+from ..toolkit.reference_systems import known_system, reference_system, transformation
 from ..toolkit.table_fields import Attributes, attributes, number, text, whole_number
 from ..toolkit.translation import tr
 from .measure import messages
@@ -116,15 +115,16 @@ def seam_layers(
         found.append(layer)
     if not found:
         raise SettingsError(messages.NO_LAYERS())
-    systems = [layer.crs().isValid() for layer in found]
-    if any(systems) and not all(systems):
-        raise SettingsError(messages.LAYER_WITHOUT_CRS(name=found[systems.index(False)].name()))
+    systems = [known_system(layer.crs()) for layer in found]
+    are_known = [crs.isValid() for crs in systems]
+    if any(are_known) and not all(are_known):
+        raise SettingsError(messages.LAYER_WITHOUT_CRS(name=found[are_known.index(False)].name()))
     made = [
         SeamLayer(
-            name, layers.layer_address(layer), QgsVectorLayerFeatureSource(layer), layer.crs(),
+            name, layers.layer_address(layer), QgsVectorLayerFeatureSource(layer), crs,
             tuple(layer.fields().names()), layers.layer_notes(layer, TOTALS_DOMAIN), _folder(layer),
         )
-        for name, layer in zip(_names(found), found)
+        for name, layer, crs in zip(_names(found), found, systems)
     ]
     return made, told
 
@@ -232,8 +232,8 @@ def common_system(
         return first.crs
     wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
     try:
-        place = QgsCoordinateTransform(first.crs, wgs84, transforms).transform(middle)
-    except QgsCsException:
+        place = transformation(first.crs, wgs84, transforms).transform(middle)
+    except (QgsCsException, WindowError):
         raise SettingsError(messages.NOT_TRANSFORMED(name=first.sheet)) from None
     return reference_system(utm_wkt(place.x(), place.y()))
 
@@ -243,7 +243,10 @@ def _pieces(
     sheet_fields: Sequence[str], doubts: LayerDoubts,
 ) -> Iterator[tuple[Attributes, DeliveredPiece]]:
     """Each row that has a line and a length, with its piece."""
-    transform = QgsCoordinateTransform(layer.crs, crs, transforms)
+    try:
+        transform = transformation(layer.crs, crs, transforms)
+    except WindowError:
+        raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
     ruler = QgsDistanceArea()
     ruler.setSourceCrs(layer.crs, transforms)
     if layer.crs.isValid():  # Web Mercator's metres are none

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsCoordinateTransformContext,
     QgsFeatureRequest,
     QgsGeometry,
@@ -25,7 +24,7 @@ from ..imagery.reference_systems import transform_points
 from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, sealed_notes
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.reference_systems import reference_system
+from ..toolkit.reference_systems import reference_system, transformation
 from ..toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
 from . import stated_rules as stated
@@ -76,8 +75,9 @@ def _cut(
     layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext, piece_m: float,
     step_m: float,
 ) -> list[DeliveredPiece]:
-    transform, unit = QgsCoordinateTransform(layer.crs, crs, transforms), metres_in_unit(crs)
+    unit = metres_in_unit(crs)
     try:
+        transform = transformation(layer.crs, crs, transforms)
         lines = [layers.line_wkb(row, transform) for row in layer.source.getFeatures(QgsFeatureRequest())]
     except WindowError:
         raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None

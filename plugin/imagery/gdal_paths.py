@@ -9,6 +9,7 @@
 | here | tile indexes of a raster (GTI) | `FEATURES` |
 | here | an image, alone, for what it names inside | the driver that knows it |
 | `layers`, `point_tables`, `feature_sinks` | a file that QGIS has open, or that was just written | `FEATURES` |
+| `geopackages` | a file of ours that is being written | `FEATURES` |
 | `raster_writer`, `orthorectification`, `mended_mosaic` | what was read or written just before | `RASTERS` |
 | `window_layer` | `windows*.gpkg` beside a project, which nobody chose | SQLite, after `holds_only_tables` |
 | `keeping` | the windows of a project that had no file, to move them | SQLite, as QGIS has them open |

@@ -23,6 +23,7 @@ from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
+from ..toolkit.reference_systems import transformation
 from .measure.assessment import Assessment, judge
 from .measure.image_statistics import known_range, range_of_set
 from .measure.measured_image import MeasuredImage, measure
@@ -74,7 +75,7 @@ def with_features(
     steps: Iterable[SeamStep], seamlines: QgsProcessingFeatureSource, image: Raster, run: Run
 ) -> tuple[SeamStep, ...]:
     """Each seam with the numbers of the features that run along it where its tone steps."""
-    back = QgsCoordinateTransform(layers.mosaic_crs(image), seamlines.sourceCrs(), run.context.transformContext())
+    back = transformation(layers.mosaic_crs(image), seamlines.sourceCrs(), run.context.transformContext())
     reach = _REACH_PX * max(image.grid.pixel_width, image.grid.pixel_height)
     name = seamlines.sourceName()
     return tuple(

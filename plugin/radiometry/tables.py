@@ -6,19 +6,18 @@ from typing import NamedTuple
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsCoordinateTransformContext,
-    QgsCsException,
     QgsFeature,
     QgsFields,
     QgsWkbTypes,
 )
 
+from ..imagery.errors import WindowError
 from ..imagery.grids import PixelWindow
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
-from ..toolkit.layers import rectangle
-from ..toolkit.reference_systems import reference_system
+from ..toolkit.layers import rectangle, transformed
+from ..toolkit.reference_systems import reference_system, transformation
 from ..toolkit.table_fields import column_features, column_fields, feature, table_fields
 from ..toolkit.translation import sentence
 from .image_set import has_map
@@ -82,15 +81,17 @@ def maybe_grey_features(
     found, image = result.maybe_grey, result.image
     if found is None or not has_map(image):
         return
-    system = reference_system(image.wkt)
-    transform = QgsCoordinateTransform(system, _first_system(images), transforms)
+    try:
+        transform = transformation(reference_system(image.wkt), _first_system(images), transforms)
+    except WindowError:
+        return
     fields = table_fields(*_AREA_FIELDS)
     for (column, row), means, spread in zip(found.corners.tolist(), found.means.tolist(), found.spreads.tolist()):
         window = PixelWindow(column, row, limits.AREA_PX, limits.AREA_PX)
         outline = rectangle(image.grid.window_extent(window))
         try:
-            outline.transform(transform)
-        except QgsCsException:
+            outline = transformed(outline, transform)
+        except WindowError:
             continue
         yield feature(fields, [image.ref.name, *means, spread], outline)
 

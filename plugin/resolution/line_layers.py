@@ -23,7 +23,7 @@ from qgis.core import (
 )
 
 from ..imagery import messages as imagery_messages
-from ..imagery.errors import Message, SettingsError, WindowLayerError
+from ..imagery.errors import Message, SettingsError, WindowError, WindowLayerError
 from ..imagery.grids import Grid
 from ..imagery.records import Column
 from ..imagery.statistics import DECIDED, VISIBLE
@@ -31,6 +31,7 @@ from ..toolkit import messages as toolkit_messages
 from ..toolkit.geopackages import free_path, write_table
 from ..toolkit.layer_styles import load_style
 from ..toolkit.layers import edit_step
+from ..toolkit.reference_systems import keep_system, transformation
 from ..toolkit.table_fields import column_fields, column_values, feature, table_fields, text, whole_number
 from ..toolkit.translation import sentence, tr
 from .measure import messages
@@ -146,13 +147,15 @@ _LAYER_NAME = "bar_groups"
 _MOST_LINES = 1000
 
 
-def create_bar_layer(crs: QgsCoordinateReferenceSystem, folder: Path) -> QgsVectorLayer:
-    """A new, empty GeoPackage in a folder, styled. Raises WindowLayerError when it can't be written there."""
+def create_bar_layer(wkt: str, folder: Path) -> QgsVectorLayer:
+    """A new, empty GeoPackage in a folder, styled; ``wkt``: its reference system. Raises WindowLayerError when it can't
+    be written there."""
     path, fields = free_path(folder, _LAYER_NAME), table_fields((GROUP, "integer"), (DIRECTION, "text"))
-    error = write_table(path, _LAYER_NAME, fields, QgsWkbTypes.Type.LineString, crs)
+    error = write_table(path, _LAYER_NAME, fields, QgsWkbTypes.Type.LineString, wkt)
     layer = QgsVectorLayer(f"{path}|layername={_LAYER_NAME}", tr("Bar groups"), "ogr")
     if error is not None or not layer.isValid():
         raise WindowLayerError(messages.BAR_LAYER_NOT_CREATED(folder=folder))
+    keep_system(layer)
     load_style(layer, "bar_groups")
     return layer
 
@@ -192,6 +195,9 @@ def drawn_lines(layer: QgsVectorLayer | None, grid: Grid, crs: QgsCoordinateRefe
     """The lines of a layer in pixels of an image, as far as they can be measured; the first thousand, to stay quick."""
     if layer is None or not {GROUP, DIRECTION} <= set(layer.fields().names()):
         return []
-    transform = QgsCoordinateTransform(layer.crs(), crs, QgsProject.instance().transformContext())
+    try:
+        transform = transformation(layer.crs(), crs, QgsProject.instance().transformContext())
+    except WindowError:
+        return []
     lines = (bar_line(row, grid, transform) for row in islice(layer.getFeatures(), _MOST_LINES))
     return [line for line in lines if line.reason is None]

@@ -1,20 +1,24 @@
-"""New GeoPackages of ours."""
+"""New GeoPackages of ours, written by GDAL alone: QGIS's writer leaves the reference system out where PROJ fails it."""
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable
+from contextlib import suppress
 from itertools import chain, count
 from pathlib import Path
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransformContext,
-    QgsFeature,
-    QgsFeatureSink,
-    QgsFields,
-    QgsVectorFileWriter,
-    QgsWkbTypes,
-)
+from osgeo import gdal, ogr, osr
+from qgis.core import QgsFeature, QgsFields, QgsWkbTypes
+
+from ..imagery.errors import WindowLayerError
+from ..imagery.gdal_calls import gdal_silenced
+from ..imagery.gdal_paths import FEATURES, open_dataset
+from ..imagery.reference_systems import same_system
+from . import messages
+from .table_fields import is_known
+from .version_differences import field
+
+_TYPES = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString}
 
 
 def free_path(folder: Path, name: str) -> Path:
@@ -24,19 +28,56 @@ def free_path(folder: Path, name: str) -> Path:
 
 
 def write_table(
-    path: Path, name: str, fields: QgsFields, geometry: QgsWkbTypes.Type, crs: QgsCoordinateReferenceSystem,
-    rows: Iterable[QgsFeature] = (),
+    path: Path, name: str, fields: QgsFields, geometry: QgsWkbTypes.Type, wkt: str, rows: Iterable[QgsFeature] = ()
 ) -> str | None:
-    """Write a table into a file, beside those that it has; None, or what is said of why it can't be."""
-    options = QgsVectorFileWriter.SaveVectorOptions()
-    options.driverName, options.layerName, options.fileEncoding = "GPKG", name, "UTF-8"
-    if path.exists():
-        options.actionOnExistingFile = QgsVectorFileWriter.ActionOnExistingFile.CreateOrOverwriteLayer
-    writer = QgsVectorFileWriter.create(str(path), fields, geometry, crs, QgsCoordinateTransformContext(), options)
-    is_whole = writer.hasError() == QgsVectorFileWriter.WriterError.NoError
-    if is_whole:
-        is_whole = all(writer.addFeature(row, QgsFeatureSink.Flag.FastInsert) for row in rows)
-        is_whole = writer.flushBuffer() and is_whole
-    error = str(writer.errorMessage())
-    del writer  # closes the file
-    return None if is_whole else error
+    """Write a table into a file, beside those that it has; None, or what is said of why it can't be.
+
+    Raises WindowLayerError when the table does not have the reference system that it should have; a file that was made
+    for it is removed.
+    """
+    is_new = not path.exists()
+    with gdal_silenced():
+        gdal.ErrorReset()
+        try:
+            _write(path, name, fields, geometry, wkt, rows)
+        except (RuntimeError, AttributeError) as error:  # AttributeError: nothing is open and GDAL's exceptions are off
+            return gdal.GetLastErrorMsg() or str(error)
+        if gdal.GetLastErrorType() >= gdal.CE_Failure:
+            return gdal.GetLastErrorMsg()
+    if wkt and not same_system(wkt, _written_system(path, name)):
+        if is_new:
+            path.unlink()
+        raise WindowLayerError(messages.SYSTEM_NOT_WRITTEN(name=path.name))
+    return None
+
+
+def _write(
+    path: Path, name: str, fields: QgsFields, geometry: QgsWkbTypes.Type, wkt: str, rows: Iterable[QgsFeature]
+) -> None:
+    dataset = open_dataset(str(path), FEATURES, gdal.OF_UPDATE) if path.exists() else (
+        gdal.GetDriverByName("GPKG").Create(str(path), 0, 0, 0, gdal.GDT_Unknown))  # fmt: skip
+    system = osr.SpatialReference()
+    with suppress(RuntimeError):  # a text that means nothing is seen when the file is read
+        system.SetFromUserInput(wkt)
+    layer = dataset.CreateLayer(name, system if wkt else None, int(geometry), ["OVERWRITE=YES"])
+    kinds = {field("", kind).type(): of_gdal for kind, of_gdal in _TYPES.items()}
+    for one in fields:
+        layer.CreateField(ogr.FieldDefn(one.name(), kinds[one.type()]))
+    layer.StartTransaction()
+    for row in rows:
+        written = ogr.Feature(layer.GetLayerDefn())
+        for index, value in enumerate(row.attributes()):
+            if is_known(value):
+                written.SetField(index, value)
+        if row.hasGeometry():
+            written.SetGeometryDirectly(ogr.CreateGeometryFromWkb(bytes(row.geometry().asWkb())))
+        layer.CreateFeature(written)
+    layer.CommitTransaction()
+    dataset.FlushCache()
+
+
+def _written_system(path: Path, name: str) -> str:
+    """What the file says when it is opened anew."""
+    dataset = open_dataset(str(path), FEATURES)
+    system = dataset and dataset.GetLayerByName(name).GetSpatialRef()
+    return str(system.ExportToWkt(["FORMAT=WKT2_2019"])) if system else ""

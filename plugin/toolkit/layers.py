@@ -36,7 +36,7 @@ from ..imagery.gdal_paths import FEATURES, open_dataset
 from ..imagery.grids import Extent
 from ..imagery.rasters import Raster, RasterRef
 from . import messages
-from .reference_systems import reference_system
+from .reference_systems import reference_system, transformation
 from .translation import tr
 
 
@@ -204,7 +204,7 @@ def transformed_extent(
     """The bounding box of an extent in another reference system. Raises WindowError when there is none."""
     if crs == target:
         return bounds
-    return extent(transformed(rectangle(bounds), QgsCoordinateTransform(crs, target, project.transformContext())))
+    return extent(transformed(rectangle(bounds), transformation(crs, target, project.transformContext())))
 
 
 def transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) -> QgsGeometry:
@@ -224,20 +224,18 @@ def transformed_point(
     point: QgsPointXY, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
 ) -> QgsPointXY | None:
     """By the project's choice of transformations."""
-    try:
-        return QgsCoordinateTransform(crs, target, QgsProject.instance()).transform(point)
-    except QgsCsException:
-        return None
+    with suppress(QgsCsException, WindowError):
+        return transformation(crs, target, QgsProject.instance().transformContext()).transform(point)
+    return None
 
 
 def transformed_box(
     box: QgsRectangle, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
 ) -> QgsRectangle | None:
     """The rectangle around a transformed one."""
-    try:
-        return QgsCoordinateTransform(crs, target, QgsProject.instance()).transformBoundingBox(box)
-    except QgsCsException:
-        return None
+    with suppress(QgsCsException, WindowError):
+        return transformation(crs, target, QgsProject.instance().transformContext()).transformBoundingBox(box)
+    return None
 
 
 def start_editing(layer: QgsVectorLayer) -> None:

@@ -9,6 +9,10 @@ NOT_A_FILE = Message("{name} is not a file that GDAL reads but comes from a serv
 WINDOW_LAYER_READ_ONLY = Message(
     "The window layer {name} can't be edited; choose another one, or let a new one be made."
 )
+SYSTEM_NOT_WRITTEN = Message(
+    "{name} would not lie in the mosaic's reference system, which can't be written into a GeoPackage; give the mosaic "
+    "another one, such as one with an EPSG code."
+)
 NO_WINDOWS = Message("The window layer is empty; draw windows or place them along the seamlines first.")
 # the outline of a window
 WINDOW_EMPTY = Message("The window has no outline; draw it anew.")

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Optional
 
 from qgis.core import (
     QgsApplication,
-    QgsCoordinateTransform,
     QgsGeometry,
     QgsMapLayerProxyModel,
     QgsPointXY,
@@ -40,6 +39,7 @@ from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import ClippedLabel
 from ...toolkit.layers import layer_ref, mosaic_crs, transformed_point
+from ...toolkit.reference_systems import transformation
 from ...toolkit.translation import sentence, tr
 from .. import line_layers
 from ..distance_words import verdict_text
@@ -237,7 +237,7 @@ class BarDock(ToolDock):
         try:
             layer = self.line_layer() or self._new_layer(raster)
             map_crs = self._canvas.mapSettings().destinationCrs()
-            transform = QgsCoordinateTransform(map_crs, layer.crs(), QgsProject.instance().transformContext())
+            transform = transformation(map_crs, layer.crs(), QgsProject.instance().transformContext())
             shape = QgsGeometry.fromPolylineXY([start, end])
             line_layers.add_bar_line(layer, shape, transform, self.group.value(), self.direction.currentData())
         except SeamInspectorError as error:
@@ -258,7 +258,7 @@ class BarDock(ToolDock):
 
     def _new_layer(self, raster: Raster) -> QgsVectorLayer:
         folder = Path(QgsProject.instance().homePath() or QgsApplication.qgisSettingsDirPath())
-        layer = line_layers.create_bar_layer(mosaic_crs(raster), folder)
+        layer = line_layers.create_bar_layer(raster.wkt, folder)
         QgsProject.instance().addMapLayer(layer)
         self.lines.show_layer(layer.id())
         return layer

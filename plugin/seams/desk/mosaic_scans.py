@@ -28,6 +28,7 @@ from ...toolkit.background_tasks import BackgroundTasks, Cancelled, End, Job, Ou
 from ...toolkit.desk.message_bar import BarQuestion, bar_level, write_log
 from ...toolkit.desk.widgets import single_shot
 from ...toolkit.layer_styles import load_style
+from ...toolkit.reference_systems import keep_system
 from ...toolkit.translation import filled, grouped_number, sentence, tr
 from ..jobs import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job, time_left
 from ..measure.scan import messages
@@ -336,6 +337,7 @@ class ScanGroup(QObject):
 
     def _add(self, layer: QgsMapLayer, group: QgsLayerTreeGroup) -> QgsLayerTreeLayer:
         """On top of the group."""
+        keep_system(layer)
         self._project.addMapLayer(layer, False)
         return group.insertLayer(0, layer)
 

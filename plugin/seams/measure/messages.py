@@ -59,10 +59,6 @@ NO_WINDOW_PLACED = Message("No window could be placed along the seams; the log m
 WINDOW_LAYER_NOT_CREATED = Message(
     "No window layer can be written to {folder}; save the project in a folder that you may write to."
 )
-NO_SYSTEM_FOR_WINDOWS = Message(
-    "QGIS does not know the mosaic's reference system, so windows would lie nowhere; restart QGIS, or give the mosaic "
-    "another one."
-)
 # why a window is not comparable
 NO_SOURCES = Message("No source covers the window; add the orthoimages that overlap it or move the window.", INFO)
 NO_SOURCE_COMPARABLE = Message("No source can be compared here: {why}", INFO)

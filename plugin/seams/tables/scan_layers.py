@@ -21,7 +21,7 @@ from ...imagery.errors import SettingsError
 from ...imagery.records import Column
 from ...imagery.seam_totals import TOTALS_DOMAIN
 from ...toolkit.geopackages import write_table
-from ...toolkit.layers import mosaic_crs, rectangle, write_layer_notes
+from ...toolkit.layers import rectangle, write_layer_notes
 from ...toolkit.table_fields import column_fields, column_values, feature
 from ..measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, seam_notes
 from .result_tables import PLACED_COLUMNS
@@ -97,7 +97,7 @@ def write_scan_file(path: Path, result: ScanResult, request: ScanRequest) -> Non
     with whole_file(path) as unfinished:
         for layer in SCAN_LAYERS:
             fields, rows = layer.fields(request.settings.levels), layer.rows(result, request)
-            error = write_table(unfinished, layer.name, fields, layer.geometry, mosaic_crs(request.mosaic), rows)
+            error = write_table(unfinished, layer.name, fields, layer.geometry, request.mosaic.wkt, rows)
             if error is not None:
                 raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error))
         notes = seam_notes(result, request.settings, request.mosaic.wkt)

@@ -25,13 +25,14 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ...imagery.errors import WindowLayerError
+from ...imagery.errors import WindowError, WindowLayerError
 from ...imagery.gdal_paths import holds_only_tables
 from ...imagery.statistics import FIRST, JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.geopackages import free_path, write_table
 from ...toolkit.layer_styles import load_style, name_fields
-from ...toolkit.layers import change_quietly, edit_step
+from ...toolkit.layers import change_quietly, edit_step, transformed
+from ...toolkit.reference_systems import keep_system, transformation
 from ...toolkit.table_fields import column_fields, column_values, is_known
 from ...toolkit.translation import tr
 from ...toolkit.version_differences import field
@@ -54,13 +55,13 @@ _SHAPEFILE_NAME = 10  # letters at most, so it goes without background_ratio
 _SHAPEFILE_LENGTHS = {"integer": (9, 0), "real": (20, 15), "text": (254, 0)}  # and decimals
 
 
-def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Path) -> Path:
+def write_window_file(wkt: str, levels: int, folder: Path) -> Path:
     """The file of a new, empty window layer. Raises WindowLayerError when it can't be written to the folder, or would
-    have no reference system: GeoPackage takes that for degrees."""
-    if not crs.isValid():
-        raise WindowLayerError(messages.NO_SYSTEM_FOR_WINDOWS())
+    not have the mosaic's reference system: GeoPackage takes none for degrees."""
     path = free_path(folder, TABLE)
-    if write_table(path, TABLE, output_fields(levels, ()), QgsWkbTypes.Type.Polygon, crs) is not None:
+    if not wkt:
+        raise WindowLayerError(toolkit_messages.SYSTEM_NOT_WRITTEN(name=path.name))
+    if write_table(path, TABLE, output_fields(levels, ()), QgsWkbTypes.Type.Polygon, wkt) is not None:
         raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=folder))
     return path
 
@@ -70,6 +71,7 @@ def open_window_layer(path: Path) -> QgsVectorLayer:
     layer = QgsVectorLayer(f"{path}|layername={TABLE}", tr("Windows"), "ogr")
     if not layer.isValid():
         raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=path.parent))
+    keep_system(layer)
     load_style(layer, "windows")
     return layer
 
@@ -103,10 +105,13 @@ def read_layer(layer: QgsVectorLayer, fids: Iterable[int] | None = None) -> list
 
 def boxed_windows(layer: QgsVectorLayer, fids: Iterable[int], crs: QgsCoordinateReferenceSystem) -> int:
     """How many windows leave much of the box around them free, in the mosaic's system, which is what is measured."""
-    request = QgsFeatureRequest().setFilterFids(list(fids)).setNoAttributes()
-    request.setDestinationCrs(crs, QgsProject.instance().transformContext())
-    shapes = (feature.geometry() for feature in layer.getFeatures(request))
-    return sum(0 < shape.area() < _FULL_BOX * shape.boundingBox().area() for shape in shapes)
+    count = 0
+    with contextlib.suppress(WindowError):  # which is told of each window that is inspected
+        transform = transformation(layer.crs(), crs, QgsProject.instance().transformContext())
+        for shape in read_shapes(layer, fids).values():
+            shape = transformed(shape, transform)
+            count += 0 < shape.area() < _FULL_BOX * shape.boundingBox().area()
+    return count
 
 
 def lacks_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str] = ()) -> bool:

@@ -180,8 +180,10 @@ class Run:
     def transform(
         self, source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem
     ) -> QgsCoordinateTransform:
-        """From the reference system of a layer to another one."""
-        return QgsCoordinateTransform(source.sourceCrs(), crs, self.context.transformContext())
+        """From the reference system of a layer to another one. Raises WindowError when PROJ has no way."""
+        from ..reference_systems import transformation
+
+        return transformation(source.sourceCrs(), crs, self.context.transformContext())
 
     # results
 

@@ -25,10 +25,11 @@ from seam_inspector.plugin.seams.tables.window_layer import UNNUMBERED
 from seam_inspector.plugin.toolkit import layers as layer_editing
 from seam_inspector.plugin.toolkit.version_differences import field
 
+from tests.numbers.synthetic import wkt
 from tests.qgis.runs import assert_sentence
 from tests.qgis.scenes import BLURRED, SHARP, UTM33, Scene, layer, outline, windows
 
-CRS = QgsCoordinateReferenceSystem(f"EPSG:{UTM33}")
+CRS, WKT = QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"), wkt(UTM33)
 OLD_FIELDS = (
     ["window_id", "verdict", "reason", "sources", "ratio_1", "ratio_2", "ratio_3", "background_ratio", "observer"]
 )
@@ -75,7 +76,7 @@ def drawn_layer(kind: str, folder: Path) -> QgsVectorLayer:
 
 def test_a_new_layer_has_all_fields_and_a_style(qgis_app: object, tmp_path: Path) -> None:
     first, second = (
-        window_layer.open_window_layer(window_layer.write_window_file(CRS, levels, tmp_path)) for levels in (3, 2)
+        window_layer.open_window_layer(window_layer.write_window_file(WKT, levels, tmp_path)) for levels in (3, 2)
     )
     assert first.fields().names() == ["fid", *FIELDS]
     assert "ratio_3" not in second.fields().names()
@@ -89,13 +90,13 @@ def test_a_layer_that_cant_be_written_is_told(qgis_app: object, tmp_path: Path) 
     (tmp_path / "file").touch()
     for folder in (tmp_path / "missing", tmp_path / "file"):
         with pytest.raises(WindowLayerError) as raised:
-            window_layer.write_window_file(CRS, 3, folder)
+            window_layer.write_window_file(WKT, 3, folder)
         assert_sentence(str(raised.value), folder.name)
 
 
 def test_windows_of_no_system_are_not_written_as_degrees(qgis_app: object, tmp_path: Path) -> None:
     with pytest.raises(WindowLayerError) as raised:
-        window_layer.write_window_file(QgsCoordinateReferenceSystem(), 3, tmp_path)
+        window_layer.write_window_file("", 3, tmp_path)
     assert_sentence(str(raised.value), "reference system")
     assert not list(tmp_path.iterdir())
 

@@ -1,14 +1,30 @@
-"""Texts of reference systems."""
+"""Reference systems of texts and layers, whatever threads have asked QGIS for them, and what leads between them."""
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem
-from seam_inspector.plugin.toolkit import reference_systems
-from seam_inspector.plugin.toolkit.reference_systems import reference_system
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsPointXY
+from seam_inspector.plugin.imagery.errors import WindowError
+from seam_inspector.plugin.toolkit.layers import system_wkt
+from seam_inspector.plugin.toolkit.reference_systems import known_system, reference_system, transformation
 
 from tests.numbers.synthetic import UTM33, wkt
+from tests.qgis.emptied import asked_in_thread, emptied_system
+from tests.qgis.runs import assert_sentence
 
 pytestmark = pytest.mark.usefixtures("qgis_app")
+
+NOWHERE = QgsCoordinateTransformContext()
+PLACE = QgsPointXY(500_000, 5_000_000)
+CUSTOM = "+proj=tmerc +lat_0=0 +lon_0=19.3 +k=0.9993 +x_0=77 +y_0=0 +ellps=GRS80 +units=m +type=crs"
+
+
+@pytest.fixture(autouse=True)
+def _forgotten() -> Iterator[None]:
+    """What was emptied is of one test."""
+    yield
+    QgsCoordinateReferenceSystem.invalidateCache()
 
 
 def test_a_text_is_known_by_its_code() -> None:
@@ -20,30 +36,64 @@ def test_what_means_nothing_is_invalid(text: str) -> None:
     assert not reference_system(text).isValid()
 
 
-def test_an_answer_that_could_not_be_given_once_is_asked_for_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    answers = [QgsCoordinateReferenceSystem(), QgsCoordinateReferenceSystem(f"EPSG:{UTM33}")]
-    forgotten = []
-
-    class Once(QgsCoordinateReferenceSystem):
-        @staticmethod
-        def fromWkt(text: str) -> QgsCoordinateReferenceSystem:
-            return answers.pop(0)
-
-        @staticmethod
-        def invalidateCache(disableCache: bool = False) -> None:
-            forgotten.append(True)
-
-    monkeypatch.setattr(reference_systems, "QgsCoordinateReferenceSystem", Once)
-    assert reference_system(wkt(UTM33)).authid() == f"EPSG:{UTM33}"
-    assert forgotten == [True]
+@pytest.mark.parametrize("system", [UTM33, CUSTOM])
+def test_a_system_is_whole_when_the_thread_that_asked_qgis_first_has_ended(system: str | int) -> None:
+    text = wkt(system)
+    assert not emptied_system(text).toWkt()  # what QGIS still gives to everybody
+    assert reference_system(text).isValid()
+    assert reference_system(text).toWkt()
 
 
-def test_what_qgis_can_not_read_is_known_by_the_code_in_the_text(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Never(QgsCoordinateReferenceSystem):
-        @staticmethod
-        def fromWkt(text: str) -> QgsCoordinateReferenceSystem:
-            return QgsCoordinateReferenceSystem()
+def test_a_system_stays_whole_when_another_thread_that_asked_ends() -> None:
+    with asked_in_thread(lambda: reference_system(wkt(UTM33))):
+        held = reference_system(wkt(UTM33))
+        assert held.toWkt()
+    assert held.toWkt()
 
-    monkeypatch.setattr(reference_systems, "QgsCoordinateReferenceSystem", Never)
-    assert reference_system(wkt(UTM33)).authid() == f"EPSG:{UTM33}"
-    assert not reference_system("nothing that means any").isValid()
+
+def test_a_layers_system_is_whole_again() -> None:
+    emptied = emptied_system(wkt(UTM33))
+    assert known_system(emptied).toWkt()
+    assert known_system(emptied) == emptied
+
+
+def test_nothing_is_transformed_from_what_a_thread_has_emptied() -> None:
+    emptied, degrees = emptied_system(wkt(UTM33)), QgsCoordinateReferenceSystem("EPSG:4326")
+    place = transformation(emptied, degrees, NOWHERE).transform(PLACE)
+    assert (place.x(), place.y()) == pytest.approx((15.0, 45.15), abs=0.01)
+    assert transformation(degrees, emptied, NOWHERE).transform(place).x() == pytest.approx(PLACE.x(), abs=1e-3)
+
+
+def test_an_emptied_system_that_nothing_names_is_refused() -> None:
+    emptied = emptied_system(wkt(CUSTOM))
+    assert not emptied.authid()
+    with pytest.raises(WindowError) as raised:
+        transformation(emptied, QgsCoordinateReferenceSystem("EPSG:4326"), NOWHERE)
+    assert_sentence(str(raised.value), "reference system")
+
+
+def test_no_way_between_two_systems_is_told() -> None:
+    moon = reference_system(wkt("+proj=longlat +R=1737400 +no_defs +type=crs"))
+    assert moon.isValid()
+    with pytest.raises(WindowError) as raised:
+        transformation(moon, reference_system(wkt(UTM33)), NOWHERE)
+    assert_sentence(str(raised.value), "reference system")
+
+
+@pytest.mark.parametrize("undefined", [
+    QgsCoordinateReferenceSystem(),
+    QgsCoordinateReferenceSystem.fromWkt(
+        'GEOGCS["Undefined geographic SRS",DATUM["unknown",SPHEROID["unknown",6378137,298.257223563]],'
+        'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]'
+    ),
+])  # fmt: skip
+def test_what_has_no_system_stays_where_it_is(undefined: QgsCoordinateReferenceSystem) -> None:
+    assert not known_system(undefined).isValid()
+    assert transformation(undefined, reference_system(wkt(UTM33)), NOWHERE).transform(PLACE) == PLACE
+
+
+def test_an_epoch_is_kept() -> None:
+    dated = QgsCoordinateReferenceSystem("EPSG:7912")
+    dated.setCoordinateEpoch(2020.5)
+    assert known_system(dated).coordinateEpoch() == 2020.5
+    assert system_wkt(known_system(dated))

@@ -30,6 +30,7 @@ from ....imagery.rasters import Raster, RasterRef
 from ....toolkit import layers
 from ....toolkit import messages as toolkit_messages
 from ....toolkit.background_tasks import BackgroundTasks, Cancelled, Job, Outcome
+from ....toolkit.reference_systems import reference_system, transformation
 from ....toolkit.translation import tr
 from ...jobs import ScanOrder
 from ...measure import messages
@@ -166,7 +167,7 @@ class BlockCache(QObject):
         inputs, mosaic, read_seams = self.inputs, self._opened.mosaic, None
         if (seamlines := LayerFeatures.of(self._project.mapLayer(inputs.seamlines))) is not None:
             crs = layers.mosaic_crs(mosaic)
-            transform = QgsCoordinateTransform(seamlines.crs, crs, self._project.transformContext())
+            transform = transformation(seamlines.crs, crs, self._project.transformContext())
             read_seams = partial(_read_seams, seamlines, transform)
         is_without = not self._opened.indexed and not layer_sources(self._project, inputs, mosaic)
         sources = () if is_without and read_seams is not None else self.required().sources
@@ -234,7 +235,7 @@ class BlockCache(QObject):
         if not isinstance(layer, QgsVectorLayer):
             return None
         crs = layers.mosaic_crs(block.mosaic)
-        transform = QgsCoordinateTransform(layer.crs(), crs, self._project.transformContext())
+        transform = transformation(layer.crs(), crs, self._project.transformContext())
         return _geometries(QgsVectorLayerFeatureSource(layer), transform)
 
     def outlines(self, block: Block, layer: QgsVectorLayer, windows: Sequence[PixelWindow]) -> list[QgsGeometry]:
@@ -243,7 +244,7 @@ class BlockCache(QObject):
         Raises WindowError when they can't be transformed.
         """
         crs = layers.mosaic_crs(block.mosaic)
-        transform = QgsCoordinateTransform(crs, layer.crs(), self._project.transformContext())
+        transform = transformation(crs, layer.crs(), self._project.transformContext())
         found = [layers.rectangle(block.mosaic.grid.window_extent(window)) for window in windows]
         if not all(_is_transformed(geometry, transform) for geometry in found):
             raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
@@ -256,7 +257,7 @@ class BlockCache(QObject):
 
         Raises WindowError when they can't be transformed.
         """
-        transform = QgsCoordinateTransform(layer.crs(), crs, self._project.transformContext())
+        transform = transformation(layer.crs(), crs, self._project.transformContext())
         found = window_layer.read_shapes(layer, fids)
         shapes = [found[fid] for fid in fids if fid in found]
         if not all(_is_transformed(geometry, transform) for geometry in shapes):
@@ -265,9 +266,9 @@ class BlockCache(QObject):
 
     def requests(self, block: Block, layer: QgsVectorLayer, rows: Sequence[WindowRecord]) -> Iterator[WindowRequest]:
         """The requests for windows, to be made in any thread, as there may be thousands."""
-        crs = layers.mosaic_crs(block.mosaic)
-        transform = QgsCoordinateTransform(layer.crs(), crs, self._project.transformContext())
-        shapes = {}
+        crs, transform, shapes = layers.mosaic_crs(block.mosaic), None, {}
+        with contextlib.suppress(WindowError):  # each window tells
+            transform = transformation(layer.crs(), crs, self._project.transformContext())
         if layer.crs() != crs:  # the box of a polygon that is not upright there is too large
             shapes = window_layer.read_shapes(layer, [row.fid for row in rows])
         return _requests(block, list(rows), shapes, transform, self.settings())
@@ -277,7 +278,7 @@ def _requests(
     block: Block,
     rows: list[WindowRecord],
     shapes: dict[int, QgsGeometry],
-    transform: QgsCoordinateTransform,
+    transform: QgsCoordinateTransform | None,
     settings: InspectionSettings,
 ) -> Iterator[WindowRequest]:
     """A generator, so that nothing is done before it is asked."""
@@ -285,7 +286,7 @@ def _requests(
         why = toolkit_messages.WINDOW_EMPTY()
         if row.extent is not None:
             geometry = shapes.get(row.fid, layers.rectangle(row.extent))
-            if _is_transformed(geometry, transform):
+            if transform is not None and _is_transformed(geometry, transform):
                 yield window_request(block, row.window_id, layers.extent(geometry), settings)
                 continue
             why = imagery_messages.EXTENT_NOT_TRANSFORMED()
@@ -372,22 +373,22 @@ class LayerFeatures:
 
 def opening_job(project: QgsProject, inputs: Inputs, files: InputFiles) -> Job:
     """Opens them; yields the OpenedFiles, or the Message why there are none."""
-    context = project.transformContext()
+    context, crs = project.transformContext(), reference_system(files.mosaic.wkt)
     index, cells = (LayerFeatures.of(project.mapLayer(layer_id)) for layer_id in (inputs.source_index, inputs.cells))
 
     def opened() -> OpenedFiles:
         mosaic = describe_mosaic(files.mosaic)
         check_readable(OpenRaster(files.mosaic))
-        crs = layers.mosaic_crs(mosaic)
+        target = crs if crs.isValid() else layers.mosaic_crs(mosaic)
         indexed: list[Source] = []
         known: list[Cell] = []
         if index is not None:
-            transform = QgsCoordinateTransform(index.crs, crs, context)
+            transform = transformation(index.crs, target, context)
             indexed = input_layers.indexed_sources(index.source.getFeatures(), index.names, index.path, transform)
         if cells is not None:
             if input_layers.CELL_FIELD not in cells.names:
                 raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
-            transform = QgsCoordinateTransform(cells.crs, crs, context)
+            transform = transformation(cells.crs, target, context)
             known = input_layers.seam_cells(cells.source.getFeatures(), transform)
         return OpenedFiles(mosaic, tuple(indexed), tuple(known), content_of(files.mosaic.path))
 

@@ -12,8 +12,10 @@ from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QImage, QPainter, QPainterPath, QPolygonF, QTransform
 from qgis.PyQt.QtWidgets import QStyleOptionGraphicsItem, QWidget
 
+from ....imagery.errors import WindowError
 from ....imagery.grids import Extent
 from ....toolkit.painting import painting
+from ....toolkit.reference_systems import transformation
 
 if TYPE_CHECKING:
     import numpy as np
@@ -110,9 +112,11 @@ class _PictureItem(QgsMapCanvasItem):
         painter.drawImage(QPointF(), together)
 
     def _paint_pictures(self, painter: QPainter) -> None:
-        transform = QgsCoordinateTransform(
-            self._crs, self._canvas.mapSettings().destinationCrs(), QgsProject.instance()
-        )
+        map_crs, context = self._canvas.mapSettings().destinationCrs(), QgsProject.instance().transformContext()
+        try:
+            transform = transformation(self._crs, map_crs, context)
+        except WindowError:
+            return
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, self._smooth)
         for picture in self.pictures:
             try:

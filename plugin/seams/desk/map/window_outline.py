@@ -6,7 +6,6 @@ from enum import Enum
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsCsException,
     QgsGeometry,
     QgsPointXY,
@@ -19,6 +18,9 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QRect, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QPolygonF
 from qgis.PyQt.QtWidgets import QLabel
+
+from ....imagery.errors import WindowError
+from ....toolkit.reference_systems import transformation
 
 _CASING = QColor(0, 0, 0, 170)  # around the outline, so that it shows on bright ground as well as on dark
 _MARK = QColor("#ff00ff")  # as QGIS marks a snapped vertex
@@ -70,13 +72,13 @@ class WindowOutline:
         spot = QgsGeometry.fromPointXY(mark) if mark is not None else None
         map_crs = self._canvas.mapSettings().destinationCrs()
         if crs is not None and crs != map_crs:
-            transform = QgsCoordinateTransform(crs, map_crs, QgsProject.instance())
             outline = outline.densifyByCount(_EDGE_VERTICES)
             try:
+                transform = transformation(crs, map_crs, QgsProject.instance().transformContext())
                 outline.transform(transform)
                 if spot is not None:
                     spot.transform(transform)
-            except QgsCsException:
+            except (QgsCsException, WindowError):
                 self.hide()
                 return
         if self._items is None:

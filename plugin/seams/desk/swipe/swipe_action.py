@@ -21,6 +21,7 @@ from ....toolkit.connections import Connections
 from ....toolkit.desk.message_bar import bar_level
 from ....toolkit.desk.widgets import allow, plain_tip
 from ....toolkit.layers import box_extent, transformed_box
+from ....toolkit.reference_systems import keep_system
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
@@ -213,6 +214,7 @@ class Swipe(QObject):
         if turn != self._turn:
             return
         if isinstance(layer, QgsRasterLayer):
+            keep_system(layer)
             self._layer = layer
             self._draw()
         else:

@@ -122,7 +122,7 @@ class NewWindows(QObject):
         if self._watch.layer is not None:
             return
         folder = home_of(self._project)
-        path = window_layer.write_window_file(layers.mosaic_crs(block.mosaic), self._block.inputs.levels, folder)
+        path = window_layer.write_window_file(block.mosaic.wkt, self._block.inputs.levels, folder)
         yield
         made = window_layer.open_window_layer(path)
         yield

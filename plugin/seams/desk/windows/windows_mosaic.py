@@ -9,6 +9,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery.documents import json_document
 from ....imagery.rasters import RasterRef
 from ....toolkit import layers
+from ....toolkit.reference_systems import known_system
 from .. import messages
 from ..inputs.block_cache import BlockCache, KnownMosaic
 
@@ -56,8 +57,10 @@ class WindowsMosaic(QObject):
         self._block.doubt = None
         layer, now, before = self._watch.layer, self._block.known_mosaic(), self._of_layer()
         block = self._block.silent()
-        if layer is not None and block is not None and not layer.crs().isValid():
-            layer.setCrs(layers.mosaic_crs(block.mosaic))  # else the map goes nowhere while keys judge
+        if layer is not None and block is not None:
+            system = known_system(layer.crs())
+            if not system.isValid() or not layer.crs().toWkt():  # else the map goes nowhere while keys judge
+                layer.setCrs(system if system.isValid() else layers.mosaic_crs(block.mosaic))
         if layer is None or now is None or before is None or before == now:
             return
         if before.content == now.content or not self._holds_something():

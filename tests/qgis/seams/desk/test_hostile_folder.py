@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsFeatureRequest,
     QgsGeometry,
     QgsLineString,
@@ -28,6 +27,7 @@ from seam_inspector.plugin.seams.desk.windows.windows_mosaic import KnownMosaic,
 from seam_inspector.plugin.seams.jobs import ScanFiles
 from seam_inspector.plugin.toolkit.geopackages import free_path
 
+from tests.numbers.synthetic import UTM33, wkt
 from tests.qgis.scenes import layer, saved, windows
 from tests.qgis.seams.desk.session_desk import Desk
 
@@ -99,7 +99,7 @@ def test_links_by_the_names_of_our_own_files_are_not_followed(qgis_app: object, 
         (home / name).symlink_to(outside)
     os.mkfifo(home / "b.gpkg.unsaved")
     assert free_path(home, "windows").name == "windows_2.gpkg"
-    made = create_bar_layer(QgsCoordinateReferenceSystem("EPSG:32633"), home)
+    made = create_bar_layer(wkt(UTM33), home)
     assert "bar_groups_2.gpkg" in made.source()
     assert left_by(home / "a.gpkg.unsaved") is None
     assert left_by(home / "b.gpkg.unsaved") is None

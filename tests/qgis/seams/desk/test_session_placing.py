@@ -1,14 +1,20 @@
 """What the desk tells after it placed windows: one short sentence, and the rest in the log."""
 from __future__ import annotations
 
+import sqlite3
 from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
 
 import pytest
-from qgis.core import Qgis, QgsApplication, QgsGeometry
+from qgis.core import Qgis, QgsApplication, QgsCoordinateReferenceSystem, QgsGeometry, QgsProject
+from qgis.PyQt.QtCore import QThreadPool
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.toolkit.layers import system_wkt
 
-from tests.qgis.scenes import layer, line
-from tests.qgis.seams.desk.session_desk import Desk, wait_for_tasks
+from tests.qgis.emptied import emptied_system
+from tests.qgis.scenes import UTM33, Scene, layer, line
+from tests.qgis.seams.desk.session_desk import Desk, settle, wait_for_tasks
 
 _WHOLE = line((256, 0), (256, 256))
 _ALONG_THE_EDGE = line((300, 2), (500, 2))  # windows would stick out of the mosaic
@@ -91,3 +97,49 @@ def test_placing_twice_doubles_nothing(desk: Desk) -> None:
     said = place(desk, [_WHOLE])
     assert said.startswith(f"Windows placed along the seams: 1; places that had theirs already: {len(before) - 1}.")
     assert sorted(row.extent for row in desk.session.windows()) == sorted(before.values())
+
+
+@pytest.mark.slow
+def test_windows_lie_in_the_mosaics_system_when_a_thread_has_emptied_qgis_s(desk: Desk) -> None:
+    """The task that opened the mosaic was the first to ask for its system, and ended 30 s later."""
+    emptied = emptied_system(system_wkt(desk.mosaic.crs()))
+    assert not emptied.toWkt()
+    try:
+        desk.session.place_windows()
+        desk.wait()
+        made = desk.layer()
+        with closing(sqlite3.connect(made.source().partition("|")[0])) as file:
+            assert file.execute("SELECT srs_id FROM gpkg_geometry_columns").fetchall() == [(UTM33,)]
+        assert made.crs().toWkt()
+        desk.session.inspect_pending()
+        desk.wait()
+        assert all(row.verdict for row in desk.session.windows())
+    finally:
+        QgsCoordinateReferenceSystem.invalidateCache()
+
+
+@pytest.mark.slow
+def test_many_projects_in_one_process(scene: Scene, project: QgsProject, tmp_path: Path) -> None:
+    """New project, load, place, inspect, while threads that asked for systems end; ``make soak`` plays more rounds."""
+    pool = QThreadPool.globalInstance()
+    before = pool.expiryTimeout()
+    pool.setExpiryTimeout(20)  # ms, not half a minute
+    try:
+        for number in range(3):
+            (tmp_path / str(number)).mkdir()
+            desk = Desk(scene, tmp_path / str(number))
+            desk.set(desk.inputs(spacing_m=12.0))
+            settle(0.1)
+            desk.session.place_windows()
+            desk.wait()
+            assert desk.layer().crs() == desk.mosaic.crs()
+            assert desk.layer().crs().toWkt()
+            settle(0.1)
+            desk.session.inspect_pending()
+            desk.wait()
+            assert all(row.verdict for row in desk.session.windows())
+            desk.session.close()
+            wait_for_tasks()
+            project.clear()
+    finally:
+        pool.setExpiryTimeout(before)

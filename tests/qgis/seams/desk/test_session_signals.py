@@ -20,6 +20,7 @@ from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
 from seam_inspector.plugin.seams.tables import window_layer
 from seam_inspector.plugin.toolkit.background_tasks import BackgroundTasks
 
+from tests.numbers.synthetic import UTM33, wkt
 from tests.qgis.conftest import wait_for_tasks
 from tests.qgis.scenes import BLURRED, SHARP, Scene, outline, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle
@@ -251,7 +252,7 @@ def test_another_data_source_is_taken_in_any_order(reordered: Desk, tmp_path: Pa
     desk = reordered
     desk.add(BLURRED_WINDOW)
     assert desk.layer().commitChanges()
-    path = window_layer.write_window_file(desk.layer().crs(), 3, tmp_path)
+    path = window_layer.write_window_file(wkt(UTM33), 3, tmp_path)
     listener = Listener(desk.session)
     desk.layer().setDataSource(f"{path}|layername=windows", "other", "ogr")
     assert listener.take("windowsChanged") == [([], [])]

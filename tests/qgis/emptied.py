@@ -1,0 +1,40 @@
+"""Reference systems as QGIS leaves them when a thread ends that was the first to ask for them."""
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Callable
+
+from qgis.core import QgsCoordinateReferenceSystem
+
+
+@contextmanager
+def asked_in_thread(ask: Callable[[], object]) -> Iterator[None]:
+    """Something is asked in a thread that ends with the block."""
+    asked, over = threading.Event(), threading.Event()
+
+    def work() -> None:
+        held = ask()
+        asked.set()
+        over.wait()
+        del held
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    assert asked.wait(60)
+    try:
+        yield
+    finally:
+        over.set()
+        thread.join()
+
+
+def emptied_system(wkt: str) -> QgsCoordinateReferenceSystem:
+    """A system that was asked for in a thread which has ended: valid, without a text, and what QGIS gives to everybody
+    who asks for it, until its cache is invalidated."""
+    QgsCoordinateReferenceSystem.invalidateCache()
+    with asked_in_thread(lambda: QgsCoordinateReferenceSystem.fromWkt(wkt)):
+        held = QgsCoordinateReferenceSystem.fromWkt(wkt)
+        held.toWkt()  # so that QGIS does not forget it with the thread
+    return held
