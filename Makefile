@@ -141,8 +141,9 @@ translate: link ## Collect new texts into the translations, then compile them
 	$(PYTHON) -m tools.collect_translations i18n/seam_inspector_pl.ts
 	$(MAKE) link
 
-soak: link ## Inspect 5,000 windows and judge 500 in the real application, and tell what grows; FEWER=20 for a try
+soak: link ## Inspect 5,000 windows and judge 500 in the real application, and tell what grows, then 300 projects; FEWER=20 for a try
 	$(PYTHON) -m tests.desktop.soak $(if $(FEWER),--fewer $(FEWER))
+	$(PYTHON) -m tests.desktop.rounds $(if $(FEWER),--fewer $(FEWER))
 
 package: ## Make the plugin's zip and the wheel for Python without QGIS of the last commit, in build/, and check the zip
 	@tools/install.sh package

@@ -40,7 +40,7 @@ def write_table(
         gdal.ErrorReset()
         try:
             _write(path, name, fields, geometry, wkt, rows)
-        except (RuntimeError, AttributeError) as error:  # AttributeError: nothing is open and GDAL's exceptions are off
+        except RuntimeError as error:
             return gdal.GetLastErrorMsg() or str(error)
         if gdal.GetLastErrorType() >= gdal.CE_Failure:
             return gdal.GetLastErrorMsg()
@@ -56,10 +56,13 @@ def _write(
 ) -> None:
     dataset = open_dataset(str(path), FEATURES, gdal.OF_UPDATE) if path.exists() else (
         gdal.GetDriverByName("GPKG").Create(str(path), 0, 0, 0, gdal.GDT_Unknown))  # fmt: skip
+    if dataset is None:  # where GDAL's exceptions are off
+        raise RuntimeError
     system = osr.SpatialReference()
     with suppress(RuntimeError):  # a text that means nothing is seen when the file is read
         system.SetFromUserInput(wkt)
-    layer = dataset.CreateLayer(name, system if wkt else None, int(geometry), ["OVERWRITE=YES"])
+    shape = int(getattr(geometry, "value", geometry))  # an enum from QGIS 3.30 on
+    layer = dataset.CreateLayer(name, system if wkt else None, shape, ["OVERWRITE=YES"])
     kinds = {field("", kind).type(): of_gdal for kind, of_gdal in _TYPES.items()}
     for one in fields:
         layer.CreateField(ogr.FieldDefn(one.name(), kinds[one.type()]))

@@ -36,7 +36,7 @@ from ..imagery.gdal_paths import FEATURES, open_dataset
 from ..imagery.grids import Extent
 from ..imagery.rasters import Raster, RasterRef
 from . import messages
-from .reference_systems import reference_system, transformation
+from .reference_systems import known_system, reference_system, transformation
 from .translation import tr
 
 
@@ -125,7 +125,7 @@ def write_layer_notes(place: QgsVectorLayer | str, domain: str, notes: Mapping[s
 
 def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:
     """WKT as GDAL writes it; empty for an invalid system."""
-    return crs.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED_GDAL) if crs.isValid() else ""
+    return known_system(crs).toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED_GDAL)
 
 
 def mosaic_crs(mosaic: Raster) -> QgsCoordinateReferenceSystem:

@@ -126,15 +126,16 @@ class PredictLoss(SeamInspectorAlgorithm):
         """The reference system of the first source that can be read, else the index layer's, else the windows'."""
         from ...imagery.open_raster import describe_placed
         from ...toolkit import layers
+        from ...toolkit.reference_systems import known_system
 
         for ref in self._given.refs:
             with suppress(RasterError):  # it is named when the sources are gathered
                 raster = describe_placed(ref)
                 return layers.mosaic_crs(raster), raster.wkt
-        crs = windows.sourceCrs()
+        crs = known_system(windows.sourceCrs())
         if run.parameters.get(common.SOURCE_INDEX):
-            index = run.source(common.SOURCE_INDEX)
-            crs = index.sourceCrs() if index.sourceCrs().isValid() else crs
+            index = known_system(run.source(common.SOURCE_INDEX).sourceCrs())
+            crs = index if index.isValid() else crs
         return crs, layers.system_wkt(crs)
 
     def _settings(self, run: Run) -> ForecastSettings:

@@ -1,11 +1,14 @@
 """Reference systems of texts and layers, whatever threads have asked QGIS for them, and what leads between them."""
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsPointXY
 from seam_inspector.plugin.imagery.errors import WindowError
+from seam_inspector.plugin.toolkit import reference_systems
 from seam_inspector.plugin.toolkit.layers import system_wkt
 from seam_inspector.plugin.toolkit.reference_systems import known_system, reference_system, transformation
 
@@ -97,3 +100,12 @@ def test_an_epoch_is_kept() -> None:
     dated.setCoordinateEpoch(2020.5)
     assert known_system(dated).coordinateEpoch() == 2020.5
     assert system_wkt(known_system(dated))
+
+
+def test_systems_and_transformations_are_made_in_one_place() -> None:
+    """Which minds the threads that end and asks PROJ first; and QGIS's writer, which minds neither, writes nothing."""
+    made = re.compile(r"QgsCoordinateTransform\(|QgsCoordinateReferenceSystem\.from|QgsVectorFileWriter\.(create|write)"
+                      r"|\.setDestinationCrs\(")  # fmt: skip
+    one_place = Path(reference_systems.__file__).resolve()
+    sources = {path: path.read_text(encoding="utf-8") for path in one_place.parents[1].rglob("*.py")}
+    assert [path for path, text in sources.items() if made.search(text)] == [one_place]
