@@ -34,7 +34,7 @@ def emptied_system(wkt: str) -> QgsCoordinateReferenceSystem:
     """A system that was asked for in a thread which has ended: valid, without a text, and what QGIS gives to everybody
     who asks for it, until its cache is invalidated."""
     QgsCoordinateReferenceSystem.invalidateCache()
-    with asked_in_thread(lambda: QgsCoordinateReferenceSystem.fromWkt(wkt)):
+    with asked_in_thread(lambda: QgsCoordinateReferenceSystem.fromWkt(wkt).toWkt()):
         held = QgsCoordinateReferenceSystem.fromWkt(wkt)
-        held.toWkt()  # so that QGIS does not forget it with the thread
+        held.toWkt()  # without this, and that of the thread, QGIS forgets it when any thread ends
     return held
