@@ -40,6 +40,7 @@ from .measured_pieces import (
     state_of,
     windows_over,
 )
+from .seen_ground import SeenGround, ground_sentences, unseen_seams
 
 _WIDE = 2  # pieces: what is seen in a window that spans more is hardly about the piece in its middle
 _NAMED = 3  # layers that a sentence names
@@ -157,8 +158,9 @@ def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) ->
     if least is not None and unseen and (seen := whole.measured_m / (whole.judged_m + unseen)) < least:
         yield messages.SEAMS_UNSEEN(metres=unseen, value=seen, limit=least)
     for layer in delivery.layers:
-        if least is not None and layer.unexplained > 1 - least:
+        if least is not None and layer.unexplained > 1 - least and layer.settings.get("seams") != "given":
             yield messages.MOSAIC_LACKS(name=layer.name, share=layer.unexplained, limit=1 - least)
+    yield from unseen_seams(delivery, whole, rules)
 
 
 def _unseen(
@@ -344,6 +346,8 @@ def _would_decide(
         yield messages.WOULD_GIVE_LAYER()
     if any(layer.unexplained for layer in delivery.layers):
         yield messages.WOULD_GIVE_ORTHOIMAGES()
+    if any(unseen_seams(delivery, whole, rules)):
+        yield messages.WOULD_GIVE_SEAMS()
 
 
 def _would_narrow(
@@ -378,13 +382,14 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
 def _seen(layer: DeliveredLayer) -> Iterator[Message]:
     """Where its scan could not find or measure seams."""
     if layer.unexplained >= TOLD_UNEXPLAINED:
-        place = layer.settings.get("unexplained_at", "")
+        place = "; ".join(map(str, SeenGround.of_settings(layer.settings).unexplained_at))
         yield messages.SCAN_UNEXPLAINED(name=layer.name, share=layer.unexplained, place=place)
+    yield from ground_sentences(layer.name, layer.settings)
     if names := layer.settings.get("not_given"):
         yield messages.SOURCES_NOT_GIVEN(name=layer.name, names=names)
     if layer.settings.get("seams") == "found":
         yield messages.SEAMS_FOUND(name=layer.name)
-    elif layer.settings.get("seams") == "given" and "unexplained" not in layer.settings:
+    elif layer.settings.get("seams") == "given" and layer.settings.get("density") != "full":
         yield messages.SEAMS_GIVEN(name=layer.name)
 
 

@@ -253,13 +253,16 @@ def _points_of(
     return lambda number, share: (points_at(vertices, along, starts[number] + share * lengths[number]), lengths)
 
 
-def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery:
+def make_delivery(
+    sheets: Mapping[str, Iterable[SeamRow]], wkt: str, told: Mapping[str, Mapping[str, str]] | None = None
+) -> Delivery:
     """A delivery of what scans found, to be decided on.
 
     ``sheets``: by a name each, the rows of ``seam_rows``, or those of a layer SEAMS however they are read: mappings
     with ``kept_1``, ``kept_low``, ``kept_high``, ``length`` (m), ``verdict`` and so on, and ``geometry``, the line as
     WKT. None, NaN and fields that lack mean that nothing is known. ``wkt``: the reference system of all lines; those
-    in degrees are moved to their UTM zone.
+    in degrees are moved to their UTM zone. ``told``: by sheet what its scan tells of the ground (``ScanResult.told``);
+    without it nothing is known of seams that the rows lack.
 
     A sheet without rows leaves the decision open: leave one without seams out.
 
@@ -277,7 +280,7 @@ def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery
         wkt = target
     unit_m = metres_per_unit(wkt, 0.0)[0]
     pieces: list[DeliveredPiece] = []
-    told: list[Message] = []
+    notices: list[Message] = []
     layers: list[DeliveredLayer] = []
     for sheet, rows in given.items():
         if rows and not any("kept_1" in row for row in rows):
@@ -287,10 +290,10 @@ def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery
             drawn_m = float(vertex_stations(line)[-1]) * unit_m if len(line) else 0.0
             if (piece := doubts.piece(sheet, row, line, drawn_m)) is not None:
                 pieces.append(piece)
-        told += doubts.told()
-        layers.append(doubts.layer({}, is_asked=False))
+        notices += doubts.told()
+        layers.append(replace(doubts.layer({}, is_asked=False), settings=(told or {}).get(sheet, {})))
     delivery, doubled = united_delivery(pieces, wkt, unit_m, layers=layers)
-    for notice in [*told, *doubled]:
+    for notice in [*notices, *doubled]:
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
     return delivery
 

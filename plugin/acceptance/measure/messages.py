@@ -129,6 +129,19 @@ SEAMS_UNSEEN = Message(
     "parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no "
     "figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO
 )
+SEAMS_DIFFER = Message(
+    "{judged:.0f} m of seam are judged and the scan saw the mosaic change its orthoimage along {seen:.0f} m: "
+    "{unseen:.0f} m of these are in no figure (the longest around {place}), and along {unchanged:.0f} m nothing "
+    "changes; {limit:.0%} may differ", INFO
+)
+BORDER_WITHOUT_SEAM = Message(
+    "along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and "
+    "{limit:.1f} m may fail without a break", INFO
+)
+BORDER_HIDDEN = Message(
+    "along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these "
+    "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO
+)
 PLAN_KEPT = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})", INFO)
 PLAN_EXCEEDED = Message("{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})", INFO)
 BY_AQL = Message(
@@ -199,6 +212,10 @@ WOULD_GIVE_SCAN = Message("What would decide it: the layers of the whole scan, n
 WOULD_GIVE_ORTHOIMAGES = Message(
     "What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.",
     WARNING
+)
+WOULD_GIVE_SEAMS = Message(
+    "What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with "
+    "all SEAMLINES, or without any.", WARNING
 )
 WOULD_GIVE_LAYER = Message(
     "What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of "
@@ -345,13 +362,27 @@ SCAN_UNEXPLAINED = Message(
     "{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are "
     "in no figure and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING
 )
+SCAN_UNSEEN = Message(
+    "{name}: the mosaic passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, "
+    "the longest around {place}.", WARNING
+)
+SCAN_UNCHANGED = Message(
+    "{name}: along {metres:.0f} m of the given seamlines the mosaic shows one orthoimage on both sides; they are no "
+    "seams.", WARNING
+)
+SCAN_NODATA = Message(
+    "{name}: {share:.1%} of the mosaic within its outline have no pixels, most of it around {place}.", INFO
+)
+SCAN_PARTLY = Message(
+    "{name}: {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.", INFO
+)
 SOURCES_NOT_GIVEN = Message(
     "{name}: the seamlines name orthoimages that the scan was not given ({names}); seams beside them are not measured.",
     WARNING
 )
 SEAMS_GIVEN = Message(
-    "{name}: the seams are those of the given seamlines, and only what lies along them was looked at. Scan once more "
-    "without SEAMLINES to find seams that they do not show.", INFO
+    "{name}: the seams are those of the given seamlines; elsewhere the scan looked at samples only, which show a seam "
+    "that lacks where it is long.", INFO
 )
 SEAMS_FOUND = Message(
     "{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "

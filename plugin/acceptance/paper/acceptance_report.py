@@ -16,6 +16,7 @@ from ...toolkit.resources import plugin_commit
 from ...toolkit.translation import filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Observers, PlanOutcome
+from ..measure.seen_ground import SeenGround
 from .charts import STATE_COLOURS, empty_share, oc_figure, pale, seams_figure
 from .defect_files import DefectPicture
 from .inspection_record import InspectionRecord, file_name
@@ -183,6 +184,7 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
     failures = filled(tr("failures: {count}, in sheets: {sheets} of {all}"),
         count=len(decision.runs), sheets=sum(one.failed_count > 0 for one in decision.sheets), all=count)
     yield tr("detail kept along the seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
+    yield from _ground_parts(decision)
     found = sum(bool(one.findings) for one in decision.delivery.outlines)
     if decision.delivery.is_checked:
         words = filled(tr("sheets with findings: {count} of {all}"), count=found, all=count)
@@ -201,6 +203,34 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
         yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
     else:
         yield tr("radiometry"), outcome_title(worst), words, worst is not AcceptanceOutcome.ACCEPTED
+
+
+def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
+    """What the scans saw of the ground, beside the seams that are judged."""
+    ground, judged = SeenGround.of_delivery(decision.delivery), decision.whole.total_m
+    names = (
+        tr("seams given and found"), tr("ground that follows no orthoimage"), tr("no data within the mosaic's outline"),
+    )  # fmt: skip
+    if not ground.is_known or decision.delivery.is_part:
+        for name in names:
+            yield name, tr("Not checked"), tr("the layers of seams do not say it"), False
+        return
+    given = tr("given: {judged}, found: {seen}; found and not given: {unseen}, given and not found: {unchanged}")
+    found = tr("found: {judged}; borders that no seam tells of: {unseen}")
+    words = filled(given if "given" in ground.seams else found, judged=metres(judged),
+        seen=metres(ground.seen_m(judged)), unseen=metres(ground.unseen_m), unchanged=metres(ground.unchanged_m))
+    if ground.looked_at < 1:
+        words += filled(tr("; looked at: {share} of the mosaic"), share=share(ground.looked_at, 0))
+    apart = ground.unseen_m + ground.unchanged_m
+    for name, figure, figures, places in (
+        (names[0], apart, words, ground.unseen_at),
+        (names[1], ground.unexplained, filled(tr("{share} of what has texture"), share=share(ground.unexplained, 1)),
+         ground.unexplained_at),
+        (names[2], ground.nodata, share(ground.nodata, 1), ground.nodata_at),
+    ):
+        where = filled(tr("; around {places}"), places="; ".join(map(str, places))) if places else ""
+        is_reason = decision.accepted is not True and figure > 0 and name != names[2]
+        yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
 
 def _radiometry_rows(record: InspectionRecord) -> Iterator[list[str]]:

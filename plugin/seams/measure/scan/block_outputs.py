@@ -10,16 +10,14 @@ import numpy as np
 from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.records import packed, unpacked
-from ..following.boxes import in_squares
 from ..profile.cell_table import CellTable, whole_cells
 from ..profile.ground import EnergyResponse, LevelGround, grounds
-from ..seam_cells import UNKNOWN
 from ..while_measuring import measuring
 from . import messages
 from .block_files import BlockFiles
 from .block_runs import NOTHING, block_labels, global_numbers, whole_block
 from .blocks.block_grid import LABEL_PX, LABELS, UNITS, BlockKey
-from .blocks.scan_block import BlockScan
+from .blocks.scan_block import NOT_LOOKED
 from .lines.label_borders import MARGIN, Chain, LabelTile, cleaned_chains
 from .loss_raster import NODATA, loss_cells
 
@@ -42,10 +40,6 @@ class OutputsRequest:
     """Whether borders are wanted."""
 
 
-FOLLOWED, LACKING = 1, 2
-"""A unit some of which follows a source, and one that follows none anywhere."""
-
-
 @dataclass(frozen=True, eq=False)
 class BlockOutputs:
     """What comes back."""
@@ -56,8 +50,8 @@ class BlockOutputs:
     """``loss_cells``, packed, its sources numbered from 1 on as in the whole scan; None where nothing is shown."""
     sources: Sequence[int]
     """That are followed anywhere, ascending."""
-    units: np.ndarray
-    """(UNITS, UNITS) uint8: ``FOLLOWED``, ``LACKING``, or 0 where the mosaic has no pixels."""
+    ground: np.ndarray
+    """(UNITS, UNITS) int32: as ``BlockScan`` has it, with the numbers of the whole scan."""
 
     @property
     def cells(self) -> np.ndarray | None:
@@ -71,10 +65,11 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     can't be read any more, or nothing can be kept."""
     files, key = request.files, request.key
     scan = whole_block(files, key)
-    labels = None if scan is None else global_numbers(scan.sources, request.numbers)[scan.labels]
+    numbers = None if scan is None else global_numbers(scan.sources, request.numbers)
+    labels = None if scan is None or numbers is None else numbers[scan.labels]
     chains = cleaned_chains(_labels_around(request, labels), request.tile, LABEL_PX) if request.traces else []
-    if scan is None or labels is None:
-        return BlockOutputs(key, chains, None, (), np.zeros((UNITS, UNITS), np.uint8))
+    if scan is None or numbers is None or labels is None:
+        return BlockOutputs(key, chains, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
     whole = whole_cells(scan.cells)
     ground = grounds(scan.cells, whole, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
     try:
@@ -88,7 +83,8 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
         cells = loss_cells(scan, labels + 1, ground, request.cell_px, whole)
         picture = packed({_CELLS: cells}, (_CELLS,)) if (cells != NODATA).any() else None
     used = np.flatnonzero(np.bincount(labels.ravel() - NOTHING)[1:]).tolist()
-    return BlockOutputs(key, chains, picture, used, _units(scan))
+    ground = np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)])
+    return BlockOutputs(key, chains, picture, used, ground)
 
 
 def held_ground(files: BlockFiles, key: BlockKey) -> list[LevelGround | None]:
@@ -128,12 +124,6 @@ def _cells_around(files: BlockFiles, key: BlockKey) -> list[CellTable]:
     near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
     scans = [whole_block(files, one) for one in near]
     return [one.cells for one in scans if one is not None]
-
-
-def _units(scan: BlockScan) -> np.ndarray:
-    """As ``BlockOutputs`` has them."""
-    followed = (in_squares(scan.labels, LABELS // UNITS) != UNKNOWN).any(axis=(1, 3))
-    return np.where(scan.outside, 0, np.where(followed, FOLLOWED, LACKING)).astype(np.uint8)
 
 
 def _ground_name(key: BlockKey) -> str:

@@ -237,7 +237,7 @@ def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
 
 
 _OWN = {
-    "squares": SQUARES, "dense": UNITS, "outside": UNITS, "labels": LABELS, "mixture": CELLS, "clear": CELLS,
+    "squares": SQUARES, "dense": UNITS, "ground": UNITS, "labels": LABELS, "mixture": CELLS, "clear": CELLS,
     "grey": CELLS, "grain": CELLS,
 }
 """And how many samples each has along a side."""
@@ -431,12 +431,14 @@ def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
             (cells_px, second.grain, first.grain),
         )
     )
+    ground = np.where(second.dense, second.ground, first.ground)
     cells, beside = first.cells, first.beside
     replaced, was_beside = (
         second.dense[one.row % CELLS // cells_px, one.column % CELLS // cells_px] for one in (cells, beside)
     )
     return replace(
-        first, labels=labels, mixture=mixture, clear=clear, grey=grey, grain=grain, dense=first.dense | second.dense,
+        first, labels=labels, mixture=mixture, clear=clear, grey=grey, grain=grain, ground=ground,
+        dense=first.dense | second.dense,
         cells=CellTable.joined([cells.chosen(~replaced), second.cells]),
         beside=MixtureTable.joined([beside.chosen(~was_beside), second.beside]),
         notices=first.notices + second.notices,

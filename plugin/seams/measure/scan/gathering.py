@@ -11,26 +11,27 @@ from collections import defaultdict, deque
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import ExitStack
-from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from typing import Any, Callable
 
 import numpy as np
 from osgeo import ogr
-from scipy import ndimage
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import CancelledError, Message, SeamInspectorError
 from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import RasterRef
+from ....imagery.seam_totals import PieceState
 from ..inspection import in_order
 from ..profile.seam_sums import StripProfile
 from ..visibility import white_grey
 from . import messages
-from .block_outputs import FOLLOWED, LACKING, BlockOutputs, OutputsRequest, block_outputs
+from .block_outputs import BlockOutputs, OutputsRequest, block_outputs
 from .block_runs import several
 from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of
+from .blocks.scan_block import NOT_LOOKED
+from .lines.followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .lines.label_borders import Chain, LabelTile
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
@@ -40,14 +41,11 @@ from .mosaic_reading import MosaicReading
 from .piece_sums import REACH_PX, MeasuredPieces, PiecesRequest, around_pieces, measure_pieces, visibilities
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
-from .scan_result import ScanResult, judge_piece, without_verdict, worst_windows
+from .scan_result import ScanResult, judge_piece, metres, without_verdict, worst_windows
 
-LEAST_UNEXPLAINED = 0.03
-"""Of the mosaic, to be told."""
-LEAST_PART = 0.01
-"""Of the mosaic that follow no source together: an orthoimage that lacks leaves whole parts, chance leaves scatter."""
 _BLOCKS_OF_PIECES = 4
 """Side by side, whose pieces are measured together; it must not depend on who measures, as the last digits do on it."""
+_WITH_DETAIL = PieceState.PASSED, PieceState.FAILED, PieceState.NOT_MEASURED
 _TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
 """Shares of the time at the ends of what there is to do."""
 
@@ -58,26 +56,14 @@ def _listed(rasters: Iterable[RasterRef]) -> str:
     return json.dumps([os.path.abspath(path) if os.path.exists(path) else path for path in paths], ensure_ascii=False)
 
 
-@dataclass(frozen=True)
-class _Lacking:
-    """The parts of a mosaic that follow none of its sources."""
-
-    share: float
-    """Of the mosaic."""
-    place: tuple[float, float] | None
-    """x and y inside the largest of them; None where there is none."""
-    border_m: float
-    """Where they meet what follows a source: as much seam may be there. By the sides of units, whose staircases are
-    4 / pi times as long as lines of any direction (Cauchy)."""
-
-
 class Gathering:
     """Puts together what a journal holds."""
 
     def __init__(self, request: ScanRequest, journal: ScanJournal, reading: MosaicReading) -> None:
         self._request, self._journal, self._reading = request, journal, reading
         self._blocks = request.blocks
-        self._units = np.zeros((self._blocks.rows * UNITS, self._blocks.columns * UNITS), np.uint8)
+        number = np.min_scalar_type(-len(request.sources) - 1)
+        self._units = np.full((self._blocks.rows * UNITS, self._blocks.columns * UNITS), NOT_LOOKED, number)
 
     def result(
         self, loss_path: str, goes_on: Callable[[float], bool], executor: Executor, ahead: int
@@ -110,21 +96,31 @@ class Gathering:
         pieces = list(request.pieces) if request.seams else cut_in_pieces(
             seams_of(borders), request.settings.piece_m, grid
         )
+        for one in self._reading.unread:
+            first, last = (one.row, one.column), (one.row + one.height, one.column + one.width)
+            self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = NOT_LOOKED
+        ground = FollowedGround(self._units, self._blocks, pieces, request.settings.piece_m)
+        told = {**self._said, **ground.told}
+        if picture is not None:
+            sources = _listed(source.ref for source in request.sources)
+            picture.finish({**told, "mosaic": _listed([request.mosaic.ref]), "sources": sources}, request.source_names)
         crew.tell(_CUT)
-        pieces, found, seen, grains = self._measured(pieces, crew)
+        pieces, found, seen, grains, unchanged = self._measured(pieces, crew)
         judged = tuple(
             judge_piece(piece, (self._name(piece.left), self._name(piece.right)), profile,
                         request.mosaic.ground_sample_distance, jnd, grain)
             for piece, profile, jnd, grain in zip(pieces, found, seen, grains)
         )
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
-        notices = (*self._notices(), *without_verdict(judged))
+        if request.seams:
+            told["unchanged_metres"] = f"{metres([judged[number] for number in unchanged], *_WITH_DETAIL):.1f}"
+        notices = (*self._reading.notices, *_notices(ground), *without_verdict(judged))
         if not pieces and not request.seams:
             notices += self._no_seam(polygons.result())
         if picture is not None:
             picture.wait()
         crew.tell(1.0)
-        return ScanResult(judged, known or tuple(polygons.result()), tuple(worst), (), notices, self._told)
+        return ScanResult(judged, known or tuple(polygons.result()), tuple(worst), (), notices, told)
 
     def _name(self, side: Side) -> str | None:
         """Of a source as its file has it, else as the seams do."""
@@ -145,13 +141,9 @@ class Gathering:
         found: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
         for one in found:
             chains += one.chains
-            self._units[place_of(one.key, UNITS)] = one.units
+            self._units[place_of(one.key, UNITS)] = one.ground
             if picture is not None:
                 picture.add(one)
-        if picture is not None:
-            sources = _listed(source.ref for source in self._request.sources)
-            settings = {**self._told, "mosaic": _listed([mosaic.ref]), "sources": sources}
-            picture.finish(settings, self._request.source_names)
         return trace_borders(chains, mosaic.grid, columns, LABEL_PX)
 
     def _outputs(self, key: BlockKey, rows: int, columns: int, cell_px: int, traces: bool) -> OutputsRequest:
@@ -170,12 +162,14 @@ class Gathering:
 
     def _measured(
         self, pieces: Sequence[SeamPiece], crew: _Crew
-    ) -> tuple[list[SeamPiece], list[StripProfile], list[float | None], list[float | None]]:
-        """Pieces with what lies beside them, what each kept, its loss in just noticeable differences at 2x, and the
-        largest rms of its sources' finest detail as a share of white."""
+    ) -> tuple[list[SeamPiece], list[StripProfile], list[float | None], list[float | None], list[int]]:
+        """Pieces with what lies beside them, what each kept, its loss in just noticeable differences at 2x, the
+        largest rms of its sources' finest detail as a share of white; and which pieces have one source on both
+        sides."""
         index = PieceIndex(pieces, self._blocks.grid)
         groups = self._groups(pieces)
         whole, brightest = list(pieces), 0.0
+        unchanged: list[int] = []
         found: list[StripProfile] = [NOTHING] * len(pieces)
         grey, grain = np.full((2, len(pieces)), np.nan)
         requests = (self._pieces(pieces, index, numbers) for numbers in groups)
@@ -187,9 +181,10 @@ class Gathering:
                 found[number] = one.found[place]
                 if one.beside is not None:
                     whole[number] = sided(pieces[number], one.beside[place].tolist(), self._request.named[0])
+            unchanged += one.numbers[one.unchanged].tolist()
         white = white_grey(self._request.mosaic, brightest)
         grains = [None if np.isnan(one) else one / white for one in grain.tolist()]
-        return whole, found, visibilities(found, grey, white), grains
+        return whole, found, visibilities(found, grey, white), grains, unchanged
 
     def _groups(self, pieces: Sequence[SeamPiece]) -> list[np.ndarray]:
         """Numbers of the pieces that are measured together, by where their middles lie, row by row."""
@@ -209,56 +204,29 @@ class Gathering:
             self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, bool(self._request.seams),
         )
 
-    @cached_property
-    def _lacking(self) -> _Lacking | None:
-        """What of the mosaic follows no source, in parts that are no scatter; None where not all of it was looked at.
-        To be asked when all blocks are accounted for."""
-        if self._request.seam_squares is not None:
-            return None
-        for one in self._reading.unread:
-            first, last = (one.row, one.column), (one.row + one.height, one.column + one.width)
-            self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = 0
-        parts, _ = ndimage.label(self._units == LACKING)
-        sizes = np.bincount(parts.ravel())
-        total = np.count_nonzero(self._units)
-        sizes[0], sizes[sizes < LEAST_PART * total] = 0, 0
-        if not sizes.any():
-            return _Lacking(0.0, None, 0.0)
-        inside = ndimage.distance_transform_edt(np.pad(parts == sizes.argmax(), 1))
-        row, column = np.subtract(np.unravel_index(inside.argmax(), inside.shape), 0.5) * UNIT_PX
-        mosaic, lacks, followed = self._request.mosaic, sizes[parts] > 0, self._units == FOLLOWED
-        sides = sum(
-            np.count_nonzero(one[:-1] & other[1:]) for one, other in
-            ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))
-        )
-        border = np.pi / 4 * float(sides) * UNIT_PX * mosaic.ground_sample_distance
-        return _Lacking(float(sizes.sum() / total), mosaic.grid.to_map(float(column), float(row)), border)
-
     @property
-    def _told(self) -> dict[str, str]:
-        """What the layers and the picture say beside the settings."""
-        told = {"seams": "given" if self._request.seams else "found", **self._reading.told}
+    def _said(self) -> dict[str, str]:
+        """How the seams were come by."""
+        said = {"seams": "given" if self._request.seams else "found", **self._reading.told}
         if names := self._request.not_given:
-            told["not_given"] = ", ".join(names)
-        if self._lacking is not None:
-            told["unexplained"] = f"{self._lacking.share:.4f}"
-            if (place := self._lacking.place) is not None:
-                told["unexplained_at"] = f"{place[0]:.10g} {place[1]:.10g}"
-            if self._lacking.share >= LEAST_UNEXPLAINED:
-                told["unexplained_border"] = f"{self._lacking.border_m:.1f}"
-        return told
+            said["not_given"] = ", ".join(names)
+        return said
 
     def _no_seam(self, polygons: Sequence[SourcePolygon]) -> tuple[Message, ...]:
         """Where none was found, what the mosaic follows instead; ``polygons``: of what is followed."""
         names = ", ".join(self._request.source_names[one.source] for one in polygons)
         return (messages.SCAN_WITHOUT_SEAMS(name=names),) if names else ()
 
-    def _notices(self) -> tuple[Message, ...]:
-        one = self._lacking
-        if one is None or one.place is None or one.share < LEAST_UNEXPLAINED:
-            return self._reading.notices
-        unexplained = messages.MOSAIC_UNEXPLAINED(share=100 * one.share, x=one.place[0], y=one.place[1])
-        return (*self._reading.notices, unexplained)
+def _notices(ground: FollowedGround) -> Iterator[Message]:
+    """What of the ground is in no figure."""
+    if ground.unexplained >= LEAST_UNEXPLAINED:
+        place = ground.unexplained_places[0]
+        yield messages.MOSAIC_UNEXPLAINED(share=100 * ground.unexplained, x=place.x, y=place.y)
+    if ground.unseen:
+        place = ground.unseen[0]
+        yield messages.BORDERS_WITHOUT_SEAM(
+            metres=sum(one.metres for one in ground.unseen), longest=place.metres, x=place.x, y=place.y
+        )
 
 
 NOTHING = StripProfile(None, 0.0, 0.0, 0.0)

@@ -164,9 +164,13 @@ SEAMS_WITHOUT_VERDICT = Message(
     "why.", WARNING
 )
 MOSAIC_UNEXPLAINED = Message(
-    "{share:.0f} % of the mosaic follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is "
-    "measured there. Give those that it was made from there; ground without any texture, such as water, is counted as "
-    "well.", WARNING
+    "{share:.0f} % of the mosaic's textured ground follow none of the orthoimages, most of it around {x:.1f}, "
+    "{y:.1f}, so nothing is measured there. Give those that it was made from there.", WARNING
+)
+BORDERS_WITHOUT_SEAM = Message(
+    "The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest "
+    "{longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look "
+    "at it, and give the seamlines that lack or scan without SEAMLINES.", WARNING
 )
 MOSAIC_UNREAD = Message(
     "{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy "

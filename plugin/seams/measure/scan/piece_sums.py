@@ -64,6 +64,8 @@ class MeasuredPieces:
     """(pieces,) largest rms of the finest detail of its sources, DN; NaN where nothing was measured densely."""
     beside: np.ndarray | None
     """(pieces, 2) as in ``sources_beside``; None where it was not asked for."""
+    unchanged: np.ndarray
+    """(pieces,) bool: those along which the mosaic shows one source on both sides, as far as a line may lie aside."""
 
 
 @measuring()
@@ -89,7 +91,11 @@ def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
              for one in without_even(sums.profiles(), grain, grey)]
     labels = partial(_labels_at, request) if request.looks_beside else None
     beside = sources_beside(request.pieces, labels, grid, LABEL_PX) if labels is not None else None
-    return MeasuredPieces(request.numbers, found, grey, brightest, grain, beside)
+    unchanged = np.zeros(len(request.pieces), bool)
+    if labels is not None and beside is not None:
+        aside = sources_beside(request.pieces, labels, grid, LABEL_PX, (MOST_ASIDE_PX - 8, MOST_ASIDE_PX))
+        unchanged = (beside[:, 0] != NONE) & (np.hstack([beside, aside]) == beside[:, :1]).all(axis=1)
+    return MeasuredPieces(request.numbers, found, grey, brightest, grain, beside, unchanged)
 
 
 def without_even(found: Sequence[StripProfile], grain: np.ndarray, grey: np.ndarray) -> list[StripProfile]:

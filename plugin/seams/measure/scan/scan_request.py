@@ -20,7 +20,7 @@ from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
 from ..source_images import Footprints, Source
 from . import messages
-from .blocks.block_grid import BlockGrid, BlockKey
+from .blocks.block_grid import LOOK_EVERY, BlockGrid, BlockKey
 from .blocks.scan_block import BlockRequest
 from .blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
 from .lines.given_seams import GivenSeams
@@ -33,8 +33,6 @@ SHORTEST_PIECE_PX = 1.25 * MIN_STRIP_PX / (2 * STRIP_PX)
 """With a strip that is just large enough, and a quarter more as pieces may be shorter than asked for."""
 LEAST_BETWEEN = 0.5
 """Of the given seams that lie on two sources or more; with less the mosaic is scanned as one without orthoimages."""
-LOOK_EVERY = 4
-"""Squares along both sides of which one is looked at where seamlines are given."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -63,6 +63,8 @@ class SquareLook:
     """What came over the mosaic here; None where it is not known."""
     looked: np.ndarray | bool = True
     """bool: squares whose own patch was looked at."""
+    plain: np.ndarray | bool = False
+    """bool: those whose patch has no texture to tell a source by."""
 
 
 def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int = 1) -> SquareLook:
@@ -79,7 +81,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int =
     fines = {i: high_pass(plane) for i, plane in planes.sources.items()}
     told = _told(fine, fines, planes, with_patch, empty)
     if not told.sampled.any():
-        return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels))
+        return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels), plain=_is_plain(fine, shape))
 
     def cells_of(found: _Told) -> tuple[CellTable, Learned]:
         return _cells(planes, fine, fines, found.sampled_source, (rows, columns), wavelet, levels)
@@ -98,7 +100,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int =
         told = told.without(strangers)
         cells, learned = cells_of(told)
     learned = replace(learned, filters=replace(learned.filters, alike=alike))
-    return SquareLook(told.source, told.doubtful, empty, cells, learned)
+    return SquareLook(told.source, told.doubtful, empty, cells, learned, plain=_is_plain(fine, shape))
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,14 +200,15 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
 
 def spread_out(look: SquareLook, shape: tuple[int, int], every: int) -> SquareLook:
     """A look at ``every`` so many-th square as one at all: each stands for those around it."""
-    source, doubtful, empty = (
+    source, doubtful, empty, plain = (
         enlarged(np.pad(
             one, [(0, max(0, -(-length // every) - have)) for length, have in zip(shape, one.shape)], mode="edge"
         ), every)[: shape[0], : shape[1]]
-        for one in (look.source, look.doubtful, look.empty)
+        for one in (look.source, look.doubtful, look.empty, np.broadcast_to(look.plain, look.source.shape))
     )
     looked = [np.isin(np.arange(length), _every(np.arange(length), every)) for length in shape]
-    return replace(look, source=source, doubtful=doubtful, empty=empty, looked=np.logical_and.outer(*looked))
+    is_looked = np.logical_and.outer(*looked)
+    return replace(look, source=source, doubtful=doubtful, empty=empty, plain=plain, looked=is_looked)
 
 
 def _starts(length: int) -> np.ndarray:

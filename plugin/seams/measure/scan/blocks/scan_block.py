@@ -11,11 +11,11 @@ from scipy import ndimage
 from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
 from .....imagery.rasters import Raster
-from ...following.boxes import enlarged, widened
+from ...following.boxes import enlarged, in_squares, widened
 from ...following.source_filters import Learned
 from ...limits import FULL
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
-from ...seam_cells import UNKNOWN
+from ...seam_cells import UNKNOWN, present
 from ...source_images import Source
 from ...while_measuring import measuring
 from ..mosaic_reading import ALL_READ, BlockReading
@@ -30,6 +30,12 @@ WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
 MOST_MEASURED_PX = 5_200_000  # of a part, times its sources: memory grows with that, time still faster
 CROWDED_PX = 384  # side of a part that is measured at once however many they are
 MOST_UNEXPLAINED = 0.1  # of a part: beyond it sources that no patch follows are tried, too
+LACKING, NOT_LOOKED, EMPTY, PLAIN = -1, -2, -3, -4
+"""Units that no source explains, that nobody looked at, in which the mosaic has no pixels, and without texture to
+tell a source by where none is near."""
+MOST_LACKING = 3 / 8
+"""Of a unit: with as much it is lacking, or empty. A strip of 24 px, wider than those that labels are closed across,
+takes so much of one unit wherever it lies."""
 CELLS = BLOCK_PX // CELL_PX
 """Cells along a side of a block."""
 FARTHEST_FILLED_PX = 700
@@ -85,8 +91,9 @@ class BlockScan:
     cells: CellTable
     beside: MixtureTable
     """What is mixed of what along its seams."""
-    outside: np.ndarray
-    """(UNITS, UNITS) bool: where the mosaic has no pixels at all, as far as that was looked for."""
+    ground: np.ndarray
+    """(UNITS, UNITS) int16: number of the source that most of a unit follows, or ``LACKING``, ``NOT_LOOKED``, ``EMPTY``
+    or ``PLAIN``."""
     learned: Learned | None = None
     """What its patches tell of what came over the mosaic."""
     notices: tuple[Message, ...] = ()
@@ -109,7 +116,7 @@ def scan_block(request: BlockRequest) -> BlockScan:
     try:
         return _scanned(request)
     except NotCoveredError:
-        return BlockScan.nothing(request, ())
+        return replace(BlockScan.nothing(request, ()), ground=np.full((UNITS, UNITS), EMPTY, np.int16))
     except RasterError as error:
         return BlockScan.nothing(request, (error.message.as_warning(),))
 
@@ -155,7 +162,7 @@ def _scanned(request: BlockRequest) -> BlockScan:
             made.take_part(part)
     made.leave_out(pixels.valid)
     if every > 1:
-        made.take_outside(thin_valid(request.mosaic, request.window))
+        made.take_valid(thin_valid(request.mosaic, request.window))
     reading = BlockReading(tuple(unread), has_mosaic, pixels.has_sources)
     found = replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
     return replace(found, labels=filled(found)) if every > 1 else found
@@ -170,7 +177,7 @@ def filled(scan: BlockScan) -> np.ndarray:
         return scan.labels
     distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
     nearest = np.where(distance <= FARTHEST_FILLED_PX / LABEL_PX / step, labels[row, column], UNKNOWN).astype(np.uint8)
-    nearest[scan.dense | scan.outside] = UNKNOWN
+    nearest[scan.dense | (scan.ground == EMPTY)] = UNKNOWN
     return np.where(scan.labels == UNKNOWN, enlarged(nearest, step), scan.labels)
 
 
@@ -284,7 +291,8 @@ class _Block:
         self._clear = np.full((CELLS, CELLS), np.nan, np.float32)
         self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
         self._grain = np.full((CELLS, CELLS), np.nan, np.float32)
-        self._outside = np.zeros((UNITS, UNITS), bool)
+        self._valid = np.ones((LABELS, LABELS), bool)
+        self._looked, self._plain = (np.zeros((SQUARES, SQUARES), bool) for _ in range(2))
         self._learned: Learned | None = None
         self._tables: list[CellTable] = []
         self._mixtures: list[MixtureTable] = []
@@ -294,6 +302,8 @@ class _Block:
         self._learned = look.learned
         rows, columns = look.source.shape
         self._squares[:rows, :columns] = look.source
+        self._looked[:rows, :columns] = look.looked
+        self._plain[:rows, :columns] = look.plain & (look.source == UNKNOWN)
         side = SQUARE_PX // LABEL_PX
         source = np.where(look.looked, look.source, np.uint8(UNKNOWN))
         self._labels[: rows * side, : columns * side] = enlarged(source, side)
@@ -333,25 +343,45 @@ class _Block:
         self._tables.append(part.cells)
         self._mixtures.append(part.beside)
 
-    def take_outside(self, valid: np.ndarray | None) -> None:
+    def take_valid(self, valid: np.ndarray | None) -> None:
         """Units, as far as there are some, in which the mosaic has pixels."""
         if valid is not None:
-            self._outside[: valid.shape[0], : valid.shape[1]] = ~valid
-            self._labels[enlarged(self._outside, LABELS // UNITS)] = UNKNOWN
+            whole = np.ones((UNITS, UNITS), bool)
+            whole[: valid.shape[0], : valid.shape[1]] = valid
+            self._valid &= enlarged(whole, LABELS // UNITS)
+            self._labels[~self._valid] = UNKNOWN
 
     def leave_out(self, valid: np.ndarray | None) -> None:
         """Where the mosaic has no pixels nothing is followed."""
         window, half = self._request.window, LABEL_PX // 2
         rows, columns = -(-(window.height - half) // LABEL_PX), -(-(window.width - half) // LABEL_PX)
-        self._labels[rows:], self._labels[:, columns:] = UNKNOWN, UNKNOWN
-        units = -(-window.height // UNIT_PX), -(-window.width // UNIT_PX)
-        self._outside[units[0] :], self._outside[:, units[1] :] = True, True
+        self._valid[rows:], self._valid[:, columns:] = False, False
         if valid is not None:
-            valid = valid[: window.height, : window.width]
-            self._labels[:rows, :columns][~valid[half::LABEL_PX, half::LABEL_PX]] = UNKNOWN
-            firsts = [np.arange(0, length, UNIT_PX) for length in valid.shape]
-            some = np.logical_or.reduceat(np.logical_or.reduceat(valid, firsts[0], axis=0), firsts[1], axis=1)
-            self._outside[: units[0], : units[1]] = ~some
+            self._valid[:rows, :columns] &= valid[half : window.height : LABEL_PX, half : window.width : LABEL_PX]
+        self._labels[~self._valid] = UNKNOWN
+
+    def _ground(self) -> np.ndarray:
+        """As ``BlockScan`` has it."""
+        side, window = LABELS // UNITS, self._request.window
+        labels, valid = (in_squares(one, side) for one in (self._labels, self._valid))
+        rows, columns = (
+            np.clip(-(-(length - LABEL_PX // 2) // LABEL_PX) - side * np.arange(UNITS), 0, side)
+            for length in (window.height, window.width)
+        )
+        inside, has_pixels = np.outer(rows, columns), valid.sum(axis=(1, 3))
+        most, ground = np.zeros((2, UNITS, UNITS), np.int16)
+        for number in present(self._labels):
+            count = np.count_nonzero(labels == number, axis=(1, 3))
+            ground[count > most] = number
+            np.maximum(most, count, out=most)
+        lacking = ((labels == UNKNOWN) & valid).sum(axis=(1, 3)) >= MOST_LACKING * has_pixels
+        ground[lacking] = LACKING
+        per_square = SQUARE_PX // UNIT_PX
+        ground[enlarged(self._plain & self._looked, per_square) & ~self._dense] = PLAIN
+        ground[~enlarged(self._looked, per_square) & ~self._dense] = NOT_LOOKED
+        ground[inside - has_pixels >= np.maximum(MOST_LACKING * inside, 1)] = EMPTY
+        ground[inside == 0] = EMPTY
+        return ground
 
     def result(self, notices: tuple[Message, ...]) -> BlockScan:
         """All that was taken."""
@@ -361,6 +391,6 @@ class _Block:
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
             request.key, tuple(one.ref.path for one in request.sources), self._squares, self._dense, self._labels,
-            self._mixture, self._clear, self._grey, self._grain, table, beside, self._outside,
+            self._mixture, self._clear, self._grey, self._grain, table, beside, self._ground(),
             self._learned, notices,
         )

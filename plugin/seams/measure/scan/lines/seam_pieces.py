@@ -127,10 +127,13 @@ _TINY = np.finfo(float).tiny
 _LEAST_SHARE = 0.5  # of the samples on a side that have to agree
 
 
-def sources_beside(pieces: Sequence[SeamPiece], labels_at: LabelsAt, grid: Grid, label_px: int) -> np.ndarray:
-    """(pieces, 2) int: the source that most labels on the left and on the right hand of each piece show, ``NONE`` where
-    they don't agree."""
-    return _majorities(labels_at(*_places(pieces, grid, label_px)))
+def sources_beside(
+    pieces: Sequence[SeamPiece], labels_at: LabelsAt, grid: Grid, label_px: int,
+    offsets_px: tuple[float, ...] = _OFFSETS_PX,
+) -> np.ndarray:
+    """(pieces, 2) int: the source that most labels on the left and on the right hand of each piece show, so far from
+    it, ``NONE`` where they don't agree."""
+    return _majorities(labels_at(*_places(pieces, grid, label_px, offsets_px)))
 
 
 def sided(piece: SeamPiece, shown: Sequence[int], numbers: Mapping[str, int]) -> SeamPiece:
@@ -149,11 +152,13 @@ def sided(piece: SeamPiece, shown: Sequence[int], numbers: Mapping[str, int]) ->
     return piece
 
 
-def _places(pieces: Sequence[SeamPiece], grid: Grid, label_px: int) -> tuple[np.ndarray, np.ndarray]:
+def _places(
+    pieces: Sequence[SeamPiece], grid: Grid, label_px: int, offsets_px: tuple[float, ...]
+) -> tuple[np.ndarray, np.ndarray]:
     """Columns and rows of labels, (pieces, left and right, samples) each."""
-    places = np.empty((len(pieces), 2, _STATIONS, len(_OFFSETS_PX), 2))
+    places = np.empty((len(pieces), 2, _STATIONS, len(offsets_px), 2))
     shares = (np.arange(_STATIONS) + 0.5) / _STATIONS
-    offsets = np.array(_OFFSETS_PX)[:, np.newaxis]
+    offsets = np.array(offsets_px)[:, np.newaxis]
     for i, piece in enumerate(pieces):
         path = grid.to_pixels(piece.vertices)
         along = vertex_stations(path)
@@ -163,7 +168,7 @@ def _places(pieces: Sequence[SeamPiece], grid: Grid, label_px: int) -> tuple[np.
         left = np.column_stack([down, -across])  # rows run down
         aside = (left / np.maximum(np.hypot(across, down), _TINY)[:, np.newaxis])[:, np.newaxis] * offsets
         places[i] = middle + aside, middle - aside
-    found = np.floor(places / label_px).astype(np.int64).reshape(len(pieces), 2, _STATIONS * len(_OFFSETS_PX), 2)
+    found = np.floor(places / label_px).astype(np.int64).reshape(len(pieces), 2, _STATIONS * len(offsets_px), 2)
     return found[..., 0], found[..., 1]
 
 

@@ -32,6 +32,7 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
 from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import DensePart, measure_part
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
     CELLS,
+    EMPTY,
     BlockScan,
     _halves,
     called_for,
@@ -90,8 +91,8 @@ def test_labels_are_true_and_measured_densely_along_the_seam(tmp_path: Path, wid
     along = SEAM // UNIT_PX
     assert found.dense[:units, along - 1 : along + 1].all()
     assert found.dense.mean() < 0.2
-    assert not found.outside[:units, :units].any()
-    assert found.outside[units:].all()
+    assert set(np.unique(found.ground[:units, :units])) == {0, 1}
+    assert (found.ground[units:] == EMPTY).all()
     assert not found.notices
 
 
@@ -286,8 +287,8 @@ def test_where_the_mosaic_has_no_pixels_nothing_is_told(tmp_path: Path) -> None:
     made[: SIDE // 2] = NODATA
     found = scan_block(scene(tmp_path, made, given).request())
     units, labels = SIDE // 2 // UNIT_PX, SIDE // 2 // LABEL_PX
-    assert found.outside[:units].all()
-    assert not found.outside[units : 2 * units, : 2 * units].any()
+    assert (found.ground[:units] == EMPTY).all()
+    assert (found.ground[units : 2 * units, : 2 * units] >= 0).all()
     assert (found.labels[:labels] == UNKNOWN).all()
     assert (found.labels[labels : 2 * labels, : 2 * labels] == true_labels()[labels:]).mean() > 0.998
     assert (found.cells.row >= SIDE // 2 // CELL_PX).all()
@@ -401,7 +402,7 @@ def test_the_arrays_of_all_blocks_are_of_one_size(hard: Scene) -> None:
     assert found.squares.shape == (SQUARES, SQUARES)
     assert found.labels.shape == (LABELS, LABELS)
     assert found.mixture.shape == found.clear.shape == (CELLS, CELLS)
-    assert found.outside.shape == found.dense.shape == (UNITS, UNITS)
+    assert found.ground.shape == found.dense.shape == (UNITS, UNITS)
     assert CELLS * CELL_PX == BLOCK_PX
 
 

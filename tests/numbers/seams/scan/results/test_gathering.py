@@ -16,7 +16,9 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, PROD
 from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, both_looks, global_numbers
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
+    EMPTY,
     FARTHEST_FILLED_PX,
+    NOT_LOOKED,
     BlockScan,
     filled,
     scan_block,
@@ -272,7 +274,7 @@ def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
         (0, 0), ("a", "b"), np.full((16, 16), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool),
         np.full((LABELS, LABELS), UNKNOWN, np.uint8) if labels is None else labels,
         *np.full((4, 128, 128), np.nan, np.float32), CellTable.empty(3), MixtureTable.empty(3),
-        np.zeros((UNITS, UNITS), bool),
+        np.full((UNITS, UNITS), NOT_LOOKED, np.int16),
     )
     return replace(nothing, **arrays)
 
@@ -292,9 +294,9 @@ def test_between_samples_labels_are_those_of_the_nearest() -> None:
 def test_what_was_looked_at_and_what_lies_outside_is_not_filled() -> None:
     labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
     labels[:64, :64] = 1
-    dense, outside = (np.zeros((UNITS, UNITS), bool) for _ in range(2))
-    dense[0, 10], outside[0, 12] = True, True
-    found = filled(block(labels, dense=dense, outside=outside))
+    dense, ground = np.zeros((UNITS, UNITS), bool), np.full((UNITS, UNITS), NOT_LOOKED, np.int16)
+    dense[0, 10], ground[0, 12] = True, EMPTY
+    found = filled(block(labels, dense=dense, ground=ground))
     times = UNIT_PX // LABEL_PX
     assert (found[:times, 10 * times : 11 * times] == UNKNOWN).all()
     assert (found[:times, 12 * times : 13 * times] == UNKNOWN).all()

@@ -1,0 +1,154 @@
+"""What the scans of a delivery saw of its ground: seams found beside seams given, ground that follows no orthoimage,
+and pixels that lack within the mosaics.
+
+Figures are of the seams that a layer holds, and a seam that is in none can't fail. So what the scan saw beside them is
+held against them: where much of it may be seam, or one place as long as a failure may be, nothing is accepted.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from ...imagery.errors import Message, Stated
+from . import messages
+from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, AcceptanceRules
+from .decision import MetreFigures
+from .delivery import Delivery
+
+MOST_APART = 0.05
+"""Of the metres, that only the scan or only the seamlines have as a seam: sound seamlines, and what a scan finds of
+them in samples, differ by less."""
+
+
+@dataclass(frozen=True)
+class SeenPlace:
+    """A part of the ground."""
+
+    x: float
+    """Of its middle, in the reference system of its layer."""
+    y: float
+    width_m: float | None
+    """From west to east; None where the scan does not say."""
+    height_m: float | None
+
+    def __str__(self) -> str:
+        """For sentences; lengths are whole metres."""
+        size = "" if self.width_m is None or self.height_m is None else f" ({self.width_m:.0f} x {self.height_m:.0f} m)"
+        return f"{self.x:.1f}, {self.y:.1f}{size}"
+
+
+@dataclass(frozen=True)
+class SeenGround:
+    """What one scan says, or all scans of a delivery."""
+
+    seams: frozenset[str]
+    """``given``, ``found``; empty where nothing says."""
+    is_known: bool
+    """Whether it was looked at what the ground follows."""
+    unchanged_m: float = 0.0
+    """Metres of given seams along which the mosaic does not change its orthoimage."""
+    unseen_m: float = 0.0
+    """Metres of border between two orthoimages of which no seam tells, in places as long as a piece."""
+    longest_unseen_m: float = 0.0
+    hidden_m: float = 0.0
+    """Those of them along which no orthoimage explains the mosaic."""
+    longest_hidden_m: float = 0.0
+    unexplained: float = 0.0
+    """Share of the ground with texture that follows no orthoimage; the largest of the scans."""
+    nodata: float = 0.0
+    """Share of the mosaic within its outline that has no pixels; the largest of the scans."""
+    looked_at: float = 1.0
+    """Share of the mosaic that was looked at; the smallest of the scans."""
+    unseen_at: tuple[SeenPlace, ...] = ()
+    hidden_at: tuple[SeenPlace, ...] = ()
+    unexplained_at: tuple[SeenPlace, ...] = ()
+    nodata_at: tuple[SeenPlace, ...] = ()
+
+    @classmethod
+    def of_settings(cls, settings: Mapping[str, str]) -> SeenGround:
+        """As a scan wrote it beside its rows."""
+        def figures(name: str, nothing: float) -> list[float]:
+            return _numbers(settings.get(name, "").replace(",", " ")) or [nothing]
+
+        def places(name: str) -> tuple[SeenPlace, ...]:
+            held = map(_numbers, settings.get(name, "").replace(",", ";").split(";"))
+            return tuple(SeenPlace(*(*one, None, None)[:4]) for one in held if len(one) in (2, 4))
+
+        return cls(
+            frozenset({"given", "found"}.intersection(settings.get("seams", "").split(", "))),
+            "unexplained" in settings,
+            sum(figures("unchanged_metres", 0)), sum(figures("unseen_metres", 0)), max(figures("unseen_longest", 0)),
+            sum(figures("hidden_metres", 0)), max(figures("hidden_longest", 0)), max(figures("unexplained", 0)),
+            max(figures("nodata_inside", 0)), min(figures("looked_at", 1)), places("unseen_at"), places("hidden_at"),
+            places("unexplained_at"), places("nodata_at"),
+        )  # fmt: skip
+
+    @classmethod
+    def of_delivery(cls, delivery: Delivery) -> SeenGround:
+        """All scans together."""
+        every = [cls.of_settings(one.settings) for one in delivery.layers]
+        if not every:
+            return cls(frozenset(), False)
+        longest, hidden = (max(every, key=lambda one: getattr(one, name)) for name in (
+            "longest_unseen_m", "longest_hidden_m"
+        ))  # fmt: skip
+        poorest, emptiest = max(every, key=lambda one: one.unexplained), max(every, key=lambda one: one.nodata)
+        return cls(
+            frozenset().union(*(one.seams for one in every)), all(one.is_known for one in every),
+            sum(one.unchanged_m for one in every), sum(one.unseen_m for one in every), longest.longest_unseen_m,
+            sum(one.hidden_m for one in every), hidden.longest_hidden_m, poorest.unexplained, emptiest.nodata,
+            min(one.looked_at for one in every), longest.unseen_at, hidden.hidden_at, poorest.unexplained_at,
+            emptiest.nodata_at,
+        )  # fmt: skip
+
+    def seen_m(self, judged_m: float) -> float:
+        """Metres along which the scans saw the mosaic change its orthoimage; ``judged_m``: of the layers' seams."""
+        return judged_m - self.unchanged_m + self.unseen_m
+
+
+def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) -> Iterator[Message]:
+    """Why seams that are in no figure may be what decides."""
+    ground = SeenGround.of_delivery(delivery)
+    apart, every = ground.unseen_m + ground.unchanged_m, whole.total_m + ground.unseen_m
+    if apart > MOST_APART * every:
+        yield messages.SEAMS_DIFFER(
+            judged=whole.total_m, seen=ground.seen_m(whole.total_m), unseen=ground.unseen_m,
+            unchanged=ground.unchanged_m, limit=MOST_APART, place=_first(ground.unseen_at),
+        )
+    run = rules.rule(LONGEST_FAILURE)
+    if run is not None and not run.passes(ground.longest_unseen_m):
+        yield messages.BORDER_WITHOUT_SEAM(
+            metres=ground.longest_unseen_m, limit=Stated(run.limit), place=_first(ground.unseen_at)
+        )
+    share = rules.rule(FAILED_SHARE)
+    if ground.hidden_m and share is not None:
+        failed = (whole.failed_m + ground.hidden_m) / (whole.measured_m + ground.hidden_m)
+        if not share.passes(failed):
+            yield messages.BORDER_HIDDEN(
+                metres=ground.hidden_m, value=failed, limit=Stated(share.limit), place=_first(ground.hidden_at)
+            )
+
+
+def ground_sentences(name: str, settings: Mapping[str, str]) -> Iterator[Message]:
+    """What one scan saw beside its seams."""
+    ground = SeenGround.of_settings(settings)
+    if ground.unseen_m:
+        yield messages.SCAN_UNSEEN(name=name, metres=ground.unseen_m, place=_first(ground.unseen_at))
+    if ground.unchanged_m:
+        yield messages.SCAN_UNCHANGED(name=name, metres=ground.unchanged_m)
+    if ground.nodata:
+        yield messages.SCAN_NODATA(name=name, share=ground.nodata, place=_first(ground.nodata_at))
+    if ground.looked_at < 1:
+        yield messages.SCAN_PARTLY(name=name, share=ground.looked_at)
+
+
+def _first(places: tuple[SeenPlace, ...]) -> str:
+    return str(places[0]) if places else "-"
+
+
+def _numbers(text: str) -> list[float]:
+    """Of words that are all numbers; none otherwise."""
+    try:
+        return [float(word) for word in text.split()]
+    except ValueError:
+        return []

@@ -1,0 +1,276 @@
+"""What the ground of a whole mosaic follows, unit by unit, held against its seams: ground that no source explains or
+that has no pixels, and borders between sources that no seam tells of.
+
+A border runs midway between the nearest units of two sources. Where all ground was looked at that is where it is;
+between samples, or across a strip that was blurred or cut out, it has to be somewhere between the two: a seam that
+crosses the way from one to the other tells of it.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy import ndimage
+
+from ..blocks.block_grid import LOOK_EVERY, SQUARE_PX, UNIT_PX, UNITS, BlockGrid, place_of
+from ..blocks.scan_block import EMPTY, FARTHEST_FILLED_PX, LACKING, NOT_LOOKED, PLAIN
+from ..blocks.seam_sides import SeamSquares
+from ..scan_request import SHORTEST_PIECE_PX
+from .seam_pieces import SeamPiece
+
+LEAST_UNEXPLAINED = 0.03
+"""Of the ground, to be told."""
+LEAST_PART = 0.01
+"""Of the ground that follow no source together: an orthoimage that lacks leaves whole parts, chance leaves scatter."""
+WIDEST_GAP_PX = 256
+"""A strip without pixels that is wider parts two areas; a narrower one may hide a seam, and is no outline."""
+_AT_SEAM_PX, _ON_SEAM_PX = 64, 8  # borders that lie so near a seam are its own; what a seam crosses
+_OPPOSITE = 0.85  # of the way across a gap and back, from bank to bank: at a corner of the outline both are near
+_TILE = 32  # units: a border's length is that of straight lines across so many
+_FEWEST_UNITS = 3 * (LOOK_EVERY * SQUARE_PX // UNIT_PX) ** 2 // 2  # of one source: what a lone sample says is chance
+_PLACES = 3  # that are told, the largest first
+
+
+@dataclass(frozen=True)
+class GroundPlace:
+    """A part of the ground."""
+
+    x: float
+    """Of its middle, map units."""
+    y: float
+    width_m: float
+    """From west to east."""
+    height_m: float
+    metres: float = 0.0
+    """Of border between two sources in it."""
+
+    def __str__(self) -> str:
+        """As layers have it."""
+        return f"{self.x:.10g} {self.y:.10g} {self.width_m:.0f} {self.height_m:.0f}"
+
+
+class FollowedGround:
+    """The units of a mosaic, and the pieces of its seams."""
+
+    def __init__(self, units: np.ndarray, blocks: BlockGrid, pieces: Iterable[SeamPiece], piece_m: float) -> None:
+        """``units``: (rows, columns) int of whole blocks, as ``BlockScan.ground``, with numbers of all sources."""
+        self._grid, self._piece_m = blocks.grid, piece_m
+        self._unit_m, self._shortest_m = (
+            length * self._grid.ground_sample_distance for length in (UNIT_PX, SHORTEST_PIECE_PX)
+        )
+        self._rows, self._columns = (-(-length // UNIT_PX) for length in (self._grid.rows, self._grid.columns))
+        self._units = units[: self._rows, : self._columns]
+        self._at_seam, self._on_seam = (
+            self._marked(SeamSquares(pieces, blocks, beside_px=beside)) for beside in (_AT_SEAM_PX, _ON_SEAM_PX)
+        )
+
+    def _marked(self, squares: SeamSquares) -> np.ndarray:
+        found = np.zeros([-(-length // UNITS) * UNITS for length in (self._rows, self._columns)], bool)
+        for key in squares.met:
+            found[place_of(key, UNITS)] = squares.dense_in(key)
+        return found[: self._rows, : self._columns]
+
+    @property
+    def told(self) -> Mapping[str, str]:
+        """What layers and pictures say of it; metres, shares of 1, and places as ``GroundPlace`` writes them."""
+        told = {"unexplained": f"{self.unexplained:.4f}"}
+        if self.looked < 1:
+            told["looked_at"] = f"{self.looked:.4f}"
+        if self.unexplained >= LEAST_UNEXPLAINED and self._is_whole:
+            told["unexplained_border"] = f"{self._around_lacking_m:.1f}"
+        if self.empty:
+            told["nodata_inside"] = f"{self.empty:.6f}"
+        for name, borders in (("unseen", self.unseen), ("hidden", self.hidden)):
+            if borders:
+                told[f"{name}_metres"] = f"{sum(one.metres for one in borders):.1f}"
+                told[f"{name}_longest"] = f"{borders[0].metres:.1f}"
+        for name, places in (
+            ("unexplained", self.unexplained_places), ("nodata", self._places(self._inside)),
+            ("unseen", self.unseen), ("hidden", self.hidden),
+        ):
+            if places:
+                told[f"{name}_at"] = "; ".join(map(str, places[:_PLACES]))
+        return told
+
+    @property
+    def _is_whole(self) -> bool:
+        """Whether all of it was looked at, and no sample stands for more than itself."""
+        return not (self._units == NOT_LOOKED).any()
+
+    @property
+    def looked(self) -> float:
+        """Share of the mosaic that was looked at; samples stand for what lies around."""
+        count = np.count_nonzero(self._units != EMPTY)
+        return 1 - np.count_nonzero(self._stands_for == NOT_LOOKED) / count if count else 0.0
+
+    @property
+    def unexplained(self) -> float:
+        """Share of the ground with texture that follows no source, in parts that are no scatter."""
+        total = np.count_nonzero((self._stands_for >= 0) | (self._stands_for == LACKING))
+        return np.count_nonzero(self._lacking) / total if total else 0.0
+
+    @property
+    def unexplained_places(self) -> list[GroundPlace]:
+        """Its parts, the largest first."""
+        return self._places(self._lacking)
+
+    @property
+    def empty(self) -> float:
+        """Share of the mosaic within its outline that has no pixels."""
+        count = np.count_nonzero(self._inside)
+        return count / (count + np.count_nonzero(self._units != EMPTY)) if count else 0.0
+
+    @cached_property
+    def unseen(self) -> list[GroundPlace]:
+        """Borders between two sources that no seam tells of, in places that could hide the shortest piece that can be
+        measured, the longest first."""
+        return self._border_places(hidden=False)
+
+    @cached_property
+    def hidden(self) -> list[GroundPlace]:
+        """Those of them that ground hides which no source explains."""
+        return self._border_places(hidden=True)
+
+    @cached_property
+    def _stands_for(self) -> np.ndarray:
+        """Units, and those between samples as the nearest one."""
+        not_looked = self._units == NOT_LOOKED
+        if not not_looked.any() or not_looked.all():
+            return self._units
+        away, (row, column) = ndimage.distance_transform_edt(not_looked, return_indices=True)
+        return np.where(away <= FARTHEST_FILLED_PX / UNIT_PX, self._units[row, column], NOT_LOOKED)
+
+    @cached_property
+    def _lacking(self) -> np.ndarray:
+        """Units, bool, in parts large enough to hold a piece whichever way it runs, or much of the mosaic."""
+        lacks = self._stands_for == LACKING
+        parts, _ = ndimage.label(lacks)
+        sizes = np.bincount(parts.ravel())
+        sizes[0] = 0
+        total = np.count_nonzero((self._stands_for >= 0) | lacks)
+        is_part = sizes >= np.maximum(min(LEAST_PART * total, (self._piece_m / self._unit_m) ** 2), 1)
+        return np.asarray(is_part[parts])
+
+    @property
+    def _around_lacking_m(self) -> float:
+        """Where it meets what follows a source: as much seam may be there. By the sides of units, whose staircases are
+        4 / pi times as long as lines of any direction (Cauchy)."""
+        lacks, followed = self._lacking, self._stands_for >= 0
+        sides = sum(
+            np.count_nonzero(one[:-1] & other[1:]) for one, other in
+            ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))
+        )
+        return np.pi / 4 * float(sides) * self._unit_m
+
+    @cached_property
+    def _inside(self) -> np.ndarray:
+        """Units without pixels, bool, that no way as wide as a gap leads to from outside."""
+        empty = self._units == EMPTY
+        if not empty.any():
+            return empty
+        reach = WIDEST_GAP_PX // 2 // UNIT_PX
+        around = np.pad(empty, reach + 1, constant_values=True)
+        wide, _ = ndimage.label(ndimage.distance_transform_edt(np.pad(around, 1, constant_values=True)) > reach)
+        outside = ndimage.distance_transform_edt(wide != wide[0, 0]) <= reach
+        inside = empty & ~outside[reach + 2 : -reach - 2, reach + 2 : -reach - 2]
+        parts, _ = ndimage.label(inside)
+        sizes = np.bincount(parts.ravel())
+        touching = np.unique(parts[ndimage.binary_dilation(empty & ~inside) & inside])
+        sizes[touching[sizes[touching] < reach**2]] = 0  # corners of the outline
+        sizes[0] = 0
+        return np.asarray(sizes[parts] > 0)
+
+    def _places(self, mask: np.ndarray) -> list[GroundPlace]:
+        """The parts of some units, the largest first."""
+        parts, _ = ndimage.label(mask, np.ones((3, 3)))
+        order = np.argsort(-np.bincount(parts.ravel())[1:], kind="stable")
+        boxes = ndimage.find_objects(parts)
+        return [self._place(parts, int(number) + 1, boxes[number]) for number in order[:_PLACES]]
+
+    def _place(
+        self, parts: np.ndarray, number: int, box: tuple[slice, slice], metres: float = 0.0
+    ) -> GroundPlace:
+        """The unit in the middle of a part, and how far it reaches."""
+        inside = ndimage.distance_transform_edt(np.pad(parts[box] == number, 1))
+        deepest = np.argwhere(inside == inside.max())
+        row, column = (deepest[len(deepest) // 2] + [one.start - 0.5 for one in box]) * UNIT_PX
+        x, y = self._grid.to_map(float(column), float(row))
+        down, across = (one.stop - one.start for one in box)
+        return GroundPlace(x, y, across * self._unit_m, down * self._unit_m, metres)
+
+    @cached_property
+    def _borders(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Sides between units where the source changes and no seam tells of it: (n, 2) the unit above or to the left,
+        whether the other one lies below, and whether the ground there hides it."""
+        units, known = self._units, self._units >= 0
+        if not known.any() or (units == units[0, 0]).all():
+            return np.empty((0, 2), int), np.empty(0, bool), np.empty(0, bool)
+        away, nearest = ndimage.distance_transform_edt(~known, return_indices=True)
+        label = units[tuple(nearest)]
+        alone = np.zeros(label.shape, bool) if self._is_whole else _small(label, _FEWEST_UNITS)
+        found = []
+        for axis in (0, 1):
+            first = np.argwhere(np.diff(label, axis=axis) != 0)
+            other = first + (1 - axis, axis)
+            one, two = tuple(first.T), tuple(other.T)
+            way = away[one] + away[two] + 1
+            from_, to = (np.column_stack([part[place] for part in nearest]) for place in (one, two))
+            kinds = np.stack([units[one], units[two]])
+            gap, lacks = ((kinds == kind).any(axis=0) for kind in (EMPTY, LACKING))
+            straight = np.hypot(*(from_ - to).T) >= _OPPOSITE * way
+            farthest = np.where(gap, WIDEST_GAP_PX, 2 * FARTHEST_FILLED_PX) / UNIT_PX + 1
+            is_real = ~(kinds == PLAIN).any(axis=0) & (~gap | straight)
+            is_real &= (way <= farthest) | lacks
+            is_real &= ~((way <= 1) & (self._at_seam[one] | self._at_seam[two])) & ~(alone[one] | alone[two])
+            hides = lacks & ~gap & ~(kinds == NOT_LOOKED).any(axis=0)
+            is_real[is_real] = ~self._crossed(from_[is_real], to[is_real])
+            found.append((first[is_real], np.full(np.count_nonzero(is_real), axis == 0), hides[is_real]))
+        return tuple(np.concatenate(one) for one in zip(*found))  # type: ignore[return-value]
+
+    def _crossed(self, start: np.ndarray, stop: np.ndarray) -> np.ndarray:
+        """Whether a seam crosses the way from one unit to another, (n,) bool."""
+        steps = 2 * np.ceil(np.hypot(*(stop - start).T)).astype(int)
+        number = np.repeat(np.arange(len(steps)), steps + 1)
+        place = np.arange(len(number)) - np.repeat(np.cumsum(steps + 1) - steps - 1, steps + 1)
+        share = (place / np.maximum(steps, 1)[number])[:, np.newaxis]
+        row, column = np.rint(start[number] + share * (stop - start)[number]).astype(int).T
+        return np.bincount(number, self._on_seam[row, column], len(steps)) > 0
+
+    def _border_places(self, hidden: bool) -> list[GroundPlace]:
+        first, is_below, hides = self._borders
+        if hidden:
+            first, is_below = first[hides], is_below[hides]
+        if not len(first):
+            return []
+        mask = np.zeros(self._units.shape, bool)
+        mask[tuple(first.T)] = True
+        mask[tuple((first + np.column_stack([is_below, ~is_below])).T)] = True
+        # What is interrupted by less than a piece is one place.
+        near = ndimage.distance_transform_edt(~mask) <= self._piece_m / self._unit_m / 2
+        parts, count = ndimage.label(near, np.ones((3, 3)))
+        parts[~mask] = 0
+        part = parts[tuple(first.T)]
+        tile = first // _TILE @ (self._columns // _TILE + 1, 1)
+        _, group = np.unique(np.column_stack([part, tile]), axis=0, return_inverse=True)
+        group = group.ravel()
+        length = np.hypot(np.bincount(group, is_below), np.bincount(group, ~is_below)) * self._unit_m
+        of_part = np.zeros(len(length), int)
+        of_part[group] = part
+        metres = np.bincount(of_part, length, count + 1)
+        boxes = ndimage.find_objects(parts)
+        order = np.argsort(-metres, kind="stable")[: np.count_nonzero(metres >= self._shortest_m)].tolist()
+        return [self._place(parts, number, boxes[number - 1], float(metres[number])) for number in order]
+
+
+def _small(labels: np.ndarray, fewest: int) -> np.ndarray:
+    """What lies in parts of one label that are smaller, (rows, columns) bool."""
+    small = np.zeros(labels.shape, bool)
+    for number, box in enumerate(ndimage.find_objects(labels + 1)):
+        if box is not None:
+            parts, _ = ndimage.label(labels[box] == number)
+            sizes = np.bincount(parts.ravel(), minlength=1)
+            sizes[0] = fewest
+            small[box] |= (sizes < fewest)[parts]
+    return small

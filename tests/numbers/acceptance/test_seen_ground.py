@@ -1,0 +1,106 @@
+"""What scans saw beside the seams of a delivery is held against them."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
+from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
+from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer
+from seam_inspector.plugin.acceptance.measure.seen_ground import SeenGround
+
+from tests.numbers.acceptance.deliveries import delivery, rules, seam
+from tests.numbers.acceptance.made_decisions import UTM
+
+SOUND = [0.97] * 100  # 1 km
+PLACE = "500036.8 4999944 6 102"
+
+
+def decided(*scans: dict[str, str], share: float | None = 0.02, run: float | None = 50.0) -> Decision:
+    """On a kilometre of sound seam, by what its scans say."""
+    layers = tuple(DeliveredLayer(f"sheet {number}", True, 0.0, said) for number, said in enumerate(scans))
+    return decide(replace(delivery(seam(SOUND)), layers=layers), rules(share=share, run=run))
+
+
+def said(**figures: str) -> dict[str, str]:
+    return {"seams": "found", "unexplained": "0.0000", **figures}
+
+
+def test_nothing_beside_the_seams_changes_nothing() -> None:
+    found = decided(said(), said(seams="given", unchanged_metres="0.0", nodata_inside="0.2"))
+    assert found.outcome is AcceptanceOutcome.ACCEPTED
+
+
+@pytest.mark.parametrize(("unseen", "outcome"), [(40, AcceptanceOutcome.ACCEPTED), (60, AcceptanceOutcome.UNDECIDED)])
+def test_borders_that_no_seam_tells_of_leave_it_open(unseen: int, outcome: AcceptanceOutcome) -> None:
+    found = decided(said(unseen_metres=f"{unseen}.0", unseen_longest="20.0", unseen_at=PLACE))
+    assert found.outcome is outcome
+    told = " ".join(map(str, found.sentences))
+    assert f"along at least {unseen} m where no seam is measured" in told
+    assert "500036.8, 4999944.0 (6 x 102 m)" in told
+
+
+def test_lines_along_which_nothing_changes_leave_it_open() -> None:
+    found = decided(said(seams="given", unchanged_metres="60.0"))
+    assert found.outcome is AcceptanceOutcome.UNDECIDED
+    assert "along 60 m nothing changes" in str(found.sentences[0])
+
+
+def test_one_border_longer_than_a_failure_may_be_leaves_it_open() -> None:
+    one = said(unseen_metres="51.0", unseen_longest="51.0", unseen_at=PLACE)
+    found = decided(said(), one)
+    assert found.outcome is AcceptanceOutcome.UNDECIDED
+    assert "along 51 m around 500036.8, 4999944.0 (6 x 102 m)" in str(found.sentences[0])
+    assert decided(said(unseen_metres="49.0", unseen_longest="49.0")).accepted
+
+
+@pytest.mark.parametrize(("hidden", "accepted"), [("15.0", True), ("25.0", None)])
+def test_a_border_that_nothing_explains_counts_as_if_it_failed(hidden: str, accepted: bool | None) -> None:
+    found = decided(said(unseen_metres=hidden, unseen_longest="12.0", hidden_metres=hidden, hidden_longest="12.0",
+                         hidden_at=PLACE))
+    assert found.accepted is accepted
+    assert ("none explains the mosaic" in str(found.sentences[0])) == (accepted is None)
+
+
+def test_what_is_broken_stays_broken() -> None:
+    layer = DeliveredLayer("a", True, 0.0, said(unseen_metres="500.0", unseen_longest="500.0"))
+    found = decide(replace(delivery(seam([0.3] * 100)), layers=(layer,)), rules())
+    assert found.outcome is AcceptanceOutcome.REJECTED
+
+
+def test_all_scans_together() -> None:
+    layers = tuple(
+        DeliveredLayer(name, True, 0.0, said(**figures)) for name, figures in (
+            ("a", {"unseen_metres": "12.5, 7.5", "unseen_longest": "12.5, 7.5", "unseen_at": PLACE,
+                   "looked_at": "0.4"}),
+            ("b", {"unseen_metres": "30", "unseen_longest": "9", "unseen_at": "1 2", "seams": "given",
+                   "unchanged_metres": "5", "nodata_inside": "0.01", "nodata_at": f"{PLACE}; 7 8 9 10"}),
+        )
+    )  # fmt: skip
+    found = SeenGround.of_delivery(replace(delivery(seam(SOUND)), layers=layers))
+    assert found.seams == {"given", "found"}
+    assert (found.unseen_m, found.longest_unseen_m, found.unchanged_m) == (50, 12.5, 5)
+    assert (found.nodata, found.looked_at) == (0.01, 0.4)
+    assert [str(one) for one in found.unseen_at] == ["500036.8, 4999944.0 (6 x 102 m)"]
+    assert [one.width_m for one in found.nodata_at] == [6, 9]
+    assert found.seen_m(1000) == 1045
+
+
+def test_nothing_said_and_nonsense_are_nothing_known() -> None:
+    assert not SeenGround.of_settings({}).is_known
+    assert not SeenGround.of_delivery(delivery(seam(SOUND))).is_known
+    found = SeenGround.of_settings({"unexplained": "x", "unseen_metres": "many", "unseen_at": "here"})
+    assert (found.unexplained, found.unseen_m, found.unseen_at) == (0, 0, ())
+
+
+def test_what_a_scan_tells_of_the_ground_counts_for_its_rows() -> None:
+    rows = [
+        {"seam_id": 1, "station": 25.0 * place, "length": 25.0, "kept_1": 0.97, "kept_low": 0.9, "kept_high": 1.02,
+         "verdict": "preserved", "geometry": f"LINESTRING ({25 * place} 0, {25 * place + 25} 0)"}
+        for place in range(20)
+    ]  # fmt: skip
+    assert decide(make_delivery({"a": rows}, UTM), rules()).accepted
+    unseen = said(unseen_metres="400.0", unseen_longest="400.0", unseen_at=PLACE)
+    found = decide(make_delivery({"a": rows}, UTM, {"a": unseen}), rules())
+    assert found.outcome is AcceptanceOutcome.UNDECIDED

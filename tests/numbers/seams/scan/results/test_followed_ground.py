@@ -1,0 +1,261 @@
+"""What a scan saw beside its seams: borders that no seam tells of, ground without an orthoimage or pixels."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.imagery.grids import Grid
+from seam_inspector.plugin.imagery.open_raster import describe
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LOOK_EVERY, UNIT_PX, UNITS, BlockGrid
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
+from seam_inspector.plugin.seams.measure.scan.lines.followed_ground import FollowedGround
+from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, SidedSeam
+from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
+
+from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, as_bytes, beside, blended, images, scene
+from tests.numbers.seams.scan.results.test_gathering import GSD, SEAM, given_seam, result_of
+
+PIECE_M = 25.0
+SIDE_M = SIDE * GSD
+
+# --- mosaics of a few units -------------------------------------------------------------------------------------
+
+
+def ground_of(units: np.ndarray, lines: list[list[tuple[float, float]]] | None = None) -> FollowedGround:
+    """Units as they are given; ``lines``: columns and rows of their vertices, in units."""
+    grid = Grid(0.0, 0.0, GSD, GSD, units.shape[1] * UNIT_PX, units.shape[0] * UNIT_PX)
+    size = [-(-length // UNITS) * UNITS for length in units.shape]
+    whole = np.full(size, EMPTY, np.int32)
+    whole[: units.shape[0], : units.shape[1]] = units
+    pieces = [
+        SeamPiece(1, 0.0, 1.0, np.array(line, float) * UNIT_PX * GSD * (1, -1), None, None) for line in lines or []
+    ]
+    return FollowedGround(whole, BlockGrid(grid), pieces, PIECE_M)
+
+
+def halves(rows: int = 40, columns: int = 40) -> np.ndarray:
+    """Of two sources that meet in the middle."""
+    units = np.zeros((rows, columns), int)
+    units[:, columns // 2 :] = 1
+    return units
+
+
+DOWN_THE_MIDDLE = [[(20.0, 0.0), (20.0, 40.0)]]
+
+
+def test_a_border_with_a_seam_is_seen() -> None:
+    found = ground_of(halves(), DOWN_THE_MIDDLE)
+    assert (found.unseen, found.hidden, found.unexplained, found.empty, found.looked) == ([], [], 0, 0, 1)
+
+
+def test_a_border_without_a_seam_is_told_with_its_length_and_place() -> None:
+    (one,) = ground_of(halves()).unseen
+    assert one.metres == pytest.approx(40 * UNIT_PX * GSD)
+    assert (one.x, one.y) == (pytest.approx(20 * UNIT_PX * GSD, abs=4), pytest.approx(-20 * UNIT_PX * GSD, abs=4))
+
+
+def test_an_aslant_border_is_as_long_as_a_line() -> None:
+    row, column = np.indices((60, 60))
+    (one,) = ground_of((column > row).astype(int)).unseen
+    assert one.metres == pytest.approx(60 * 2**0.5 * UNIT_PX * GSD, rel=0.06)
+
+
+@pytest.mark.parametrize("covering", [LACKING, EMPTY])
+@pytest.mark.parametrize("width", [1, 2, 5])
+def test_a_strip_between_two_sources_hides_their_border(covering: int, width: int) -> None:
+    units = halves()
+    units[:, 20 : 20 + width] = covering
+    found = ground_of(units)
+    assert sum(one.metres for one in found.unseen) == pytest.approx(40 * UNIT_PX * GSD, rel=0.05)
+    assert bool(found.hidden) == (covering == LACKING)
+    assert (found.empty > 0) == (covering == EMPTY)
+
+
+@pytest.mark.parametrize("covering", [LACKING, EMPTY])
+def test_a_strip_through_one_source_hides_none(covering: int) -> None:
+    units = np.zeros((40, 40), int)
+    units[:, 20:22] = covering
+    assert ground_of(units).unseen == []
+
+
+def test_a_strip_too_short_for_a_piece_hides_none() -> None:
+    units = halves()
+    units[10:12, 19:21] = LACKING
+    lines = [[(20.0, 0.0), (20.0, 9.7)], [(20.0, 12.3), (20.0, 40.0)]]
+    assert ground_of(units, lines).unseen == []
+
+
+def test_what_is_interrupted_is_one_place() -> None:
+    units = halves()
+    units[[8, 9, 12, 13, 16], 20] = LACKING
+    ends = [(0.0, 7.7), (10.3, 11.7), (14.3, 15.7), (17.3, 40.0)]
+    lines = [[(20.0, first), (20.0, last)] for first, last in ends]
+    (one,) = ground_of(units, lines).hidden
+    assert one.metres == pytest.approx(5 * UNIT_PX * GSD)
+
+
+def test_a_lake_between_two_sources_hides_none() -> None:
+    units = halves()
+    units[:, 18:24] = PLAIN
+    found = ground_of(units)
+    assert (found.unseen, found.unexplained) == ([], 0)
+
+
+def test_two_parts_far_apart_and_the_corner_of_an_outline_hide_none() -> None:
+    units = halves()
+    units[:, 14:26] = EMPTY
+    apart = ground_of(units)
+    assert (apart.unseen, apart.empty) == ([], 0)
+    units = halves()
+    units[:20] = EMPTY  # the seam ends at the outline
+    assert ground_of(units, [[(20.0, 20.0), (20.0, 40.0)]]).unseen == []
+    row, column = np.indices((40, 40))
+    ell = np.where(row < column, 0, 1)
+    ell[:26, 14:] = EMPTY
+    corner = ground_of(ell, [[(0.0, 0.0), (40.0, 40.0)]])
+    assert corner.unseen == []
+    assert corner.empty == 0
+
+
+def test_a_collar_is_no_hole() -> None:
+    units = halves()
+    units[:2] = units[-3:] = units[:, 0] = units[:, -1] = EMPTY
+    assert ground_of(units, DOWN_THE_MIDDLE).empty == 0
+    units[10:12, 5:9] = EMPTY
+    found = ground_of(units, DOWN_THE_MIDDLE)
+    assert found.empty == pytest.approx(8 / (35 * 38))
+    assert found.told["nodata_at"].split(" ")[2:] == ["13", "6"]
+
+
+def test_scatter_is_not_unexplained_and_what_holds_a_piece_is() -> None:
+    units = np.zeros((200, 200), int)
+    units[::7, ::5] = LACKING
+    assert ground_of(units).unexplained == 0
+    units[50:60, 50:60] = LACKING
+    assert ground_of(units).unexplained == pytest.approx(100 / units.size, rel=0.05)
+
+
+def sampled(units: np.ndarray) -> np.ndarray:
+    """What is known of units where one square in so many is looked at."""
+    step = LOOK_EVERY * 4
+    looked = np.zeros(units.shape, bool)
+    for row in range(4):
+        for column in range(4):
+            looked[8 + row :: step, 8 + column :: step] = True
+    return np.where(looked, units, NOT_LOOKED)
+
+
+def test_samples_of_two_sources_that_no_line_parts_are_told() -> None:
+    units = sampled(halves(96, 96))
+    assert ground_of(units, [[(47.0, 0.0), (51.0, 96.0)]]).unseen == []
+    (one,) = ground_of(units).unseen
+    assert one.metres == pytest.approx(96 * UNIT_PX * GSD, rel=0.05)
+
+
+def test_a_lone_sample_of_another_source_is_chance() -> None:
+    units = np.zeros((96, 96), int)
+    units[40:44, 40:44] = 1
+    assert ground_of(sampled(units)).unseen == []
+    units[40:44, 56:60] = 1  # two of them are not
+    assert len(ground_of(sampled(units)).unseen) == 1
+
+
+def test_what_was_not_read_is_told() -> None:
+    units = halves(200, 200)
+    units[:, 50:] = NOT_LOOKED
+    found = ground_of(units)
+    assert found.unseen == []
+    assert found.looked == pytest.approx(50 / 200 + 22 / 200, abs=0.01)  # as far as the last unit may stand for
+
+
+# --- scans ------------------------------------------------------------------------------------------------------
+
+
+def metres(result: ScanResult, name: str) -> float:
+    return float(result.told.get(f"{name}_metres", 0))
+
+
+def spoilt(kind: str, width: int) -> np.ndarray:
+    """A sound mosaic of two images, and a strip along its seam in which that can't be seen any more."""
+    made = blended(*images(), beside(SEAM))
+    strip = np.s_[:, SEAM - width // 2 : SEAM + width // 2]
+    blurred = ndimage.gaussian_filter(made.astype(float), 4)
+    noisy = 120 + 25 * np.random.default_rng(1).standard_normal(made.shape)
+    spoiling = {"blurred": as_bytes(blurred), "noisy": as_bytes(noisy), "cut out": np.full_like(made, NODATA)}
+    made[strip] = spoiling[kind][strip]
+    return made
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("kind", "width"),
+    [("blurred", 24), ("blurred", 200), ("noisy", 24), ("noisy", 100), ("cut out", 32), ("cut out", 120)],
+)
+def test_a_strip_that_covers_a_seam_is_told_with_its_place(tmp_path: Path, kind: str, width: int) -> None:
+    result = result_of(tmp_path, scene(tmp_path, spoilt(kind, width), images()))
+    assert result.seam_metres + metres(result, "unseen") == pytest.approx(SIDE_M, rel=0.1)
+    assert metres(result, "unseen") > 0.25 * SIDE_M
+    assert (metres(result, "hidden") > 0) == (kind != "cut out")
+    assert ("nodata_at" in result.told) == (kind == "cut out")
+    x, y, across, down = map(float, result.told["unseen_at"].split(" "))
+    left, _, _, top = describe(RasterRef(str(tmp_path / "mosaic.tif"))).extent
+    assert x - left == pytest.approx(SEAM * GSD, abs=(width / 2 + 2 * UNIT_PX) * GSD)
+    assert 0 < top - y < SIDE_M
+    assert max(across, down) > 0.1 * SIDE_M
+    assert any("where no seam is measured" in str(one) for one in result.notices)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("given", [False, True])
+@pytest.mark.parametrize("feather", [0, 33])
+def test_a_sound_mosaic_and_a_feathered_one_hide_nothing(tmp_path: Path, given: bool, feather: int) -> None:
+    one = scene(tmp_path, blended(*images(), beside(SEAM, feather)), images())
+    told = result_of(tmp_path, one, (given_seam(one, SEAM),) if given else ()).told
+    assert told == {"seams": "given", "unexplained": "0.0000", "unchanged_metres": "0.0"} if given else (
+        {"seams": "found", "unexplained": "0.0000"}
+    )
+
+
+@pytest.mark.slow
+def test_an_outline_with_a_collar_hides_nothing(tmp_path: Path) -> None:
+    made = blended(*images(), beside(SEAM))
+    row, column = np.indices(made.shape)
+    made[(row < 40) | (column < 90) | (column + row > 1800) | (row - column > 700)] = NODATA
+    told = result_of(tmp_path, scene(tmp_path, made, images())).told
+    assert "unseen_metres" not in told
+    assert "nodata_inside" not in told
+
+
+WIDE = (1024, 2560)
+
+
+def of_three(folder: Path) -> Scene:
+    """Three images side by side."""
+    first, second, third = images(WIDE, 3)
+    made = blended(first, second, beside(700, 0, WIDE))
+    return scene(folder, blended(made, third, beside(1700, 0, WIDE)), (first, second, third))
+
+
+@pytest.mark.slow
+def test_a_seam_that_is_left_out_of_the_seamlines_is_seen(tmp_path: Path) -> None:
+    one = of_three(tmp_path)
+    whole: tuple[SidedSeam, ...] = given_seam(one, 700), given_seam(one, 1700)
+    assert metres(result_of(tmp_path, one, whole), "unseen") == 0
+    lacking = result_of(tmp_path, one, whole[:1])
+    assert metres(lacking, "unseen") == pytest.approx(WIDE[0] * GSD, rel=0.1)
+    assert metres(lacking, "unchanged") == 0
+
+
+@pytest.mark.slow
+def test_a_line_that_is_no_seam_is_no_seam(tmp_path: Path) -> None:
+    one = scene(tmp_path, blended(*images(), beside(SEAM)), images())
+    lines = given_seam(one, SEAM), given_seam(one, SEAM + 300)
+    assert metres(result_of(tmp_path, one, lines), "unchanged") == pytest.approx(SIDE_M, rel=0.01)
+
+
+def test_a_line_beside_its_seam_is_its_line(tmp_path: Path) -> None:
+    one = scene(tmp_path, blended(*images(), beside(SEAM)), images())
+    assert metres(result_of(tmp_path, one, (given_seam(one, SEAM + 30),)), "unchanged") == 0
