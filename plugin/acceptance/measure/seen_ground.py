@@ -27,9 +27,9 @@ class SeenPlace:
     x: float
     """Of its middle, in the reference system of its layer."""
     y: float
-    width_m: float | None
+    width_m: float | None = None
     """From west to east; None where the scan does not say."""
-    height_m: float | None
+    height_m: float | None = None
 
     def __str__(self) -> str:
         """For sentences; lengths are whole metres."""
@@ -72,7 +72,7 @@ class SeenGround:
 
         def places(name: str) -> tuple[SeenPlace, ...]:
             held = map(_numbers, settings.get(name, "").replace(",", ";").split(";"))
-            return tuple(SeenPlace(*(*one, None, None)[:4]) for one in held if len(one) in (2, 4))
+            return tuple(SeenPlace(*one) for one in held if len(one) in (2, 4))
 
         return cls(
             frozenset({"given", "found"}.intersection(settings.get("seams", "").split(", "))),

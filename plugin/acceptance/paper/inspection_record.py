@@ -111,8 +111,7 @@ class InspectionRecord:
 
 def scan_settings(loss: RasterRef) -> dict[str, str]:
     """What a scan wrote into its picture of losses: ``wavelet``, ``levels``, ``density``, ``piece_m``, ``corridor_m``,
-    as ``seams`` whether these were ``given`` or ``found``, and as ``unexplained`` the
-    share of the mosaic that follows no orthoimage.
+    as ``seams`` whether these were ``given`` or ``found``, and what the scan saw of the ground (``ScanResult.told``).
 
     Empty where it is another raster's. Raises RasterError when it can't be opened.
     """

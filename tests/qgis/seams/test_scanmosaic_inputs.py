@@ -150,7 +150,7 @@ def test_mosaic_of_another_band_than_its_sources(tmp_path: Path, feathered: File
     assert len(found.log.warnings) == 3
     for said in found.log.warnings[:2]:
         assert_sentence(said, "takes no part")
-    assert "100 % of the mosaic follow none of the orthoimages" in found.log.warnings[2]
+    assert "100 % of the mosaic's textured ground follow none of the orthoimages" in found.log.warnings[2]
     assert gdal.Open(found.results["LOSS"]).GetMetadata("SEAM_INSPECTOR")["unexplained"] == "1.0000"
     assert gdal.Open(found.results["LOSS"]).GetMetadata("SEAM_INSPECTOR")["seams"] == "found"
 

@@ -234,10 +234,15 @@ class ScanResult:
     notices: tuple[Message, ...] = ()
     """What was left out, assumed or could not be judged."""
     told: Mapping[str, str] = field(default_factory=dict)
-    """What its layers and its picture say of it beside the settings: whether ``seams`` were ``given`` or ``found``, and
-    which share of the mosaic is ``unread``, ``unread_at`` a place in it, which share is ``unexplained``,
-    ``unexplained_at`` where most of that lies together, and the metres of ``unexplained_border`` around it; which files
-    were scanned, by ``mosaic_files`` and ``source_files``."""
+    """What its layers and its picture say of it beside the settings: whether ``seams`` were ``given`` or ``found``;
+    which share of the textured ground is ``unexplained``, and the metres of ``unexplained_border`` around it; which
+    share of the mosaic within its outline has no pixels (``nodata_inside``); ``unseen_metres`` of border between two
+    orthoimages that no seam tells of, ``hidden_metres`` of these along which nothing explains the mosaic, the longest
+    of either in one place (``unseen_longest``, ``hidden_longest``); ``unchanged_metres`` of given seams along which the
+    mosaic shows one orthoimage; the share ``looked_at`` where a corridor leaves some out. ``unseen_at``, ``hidden_at``,
+    ``unexplained_at``, ``nodata_at``: up to three places each, the largest first, as ``x y width height`` (map units,
+    metres), joined by ``; ``; which share of the mosaic is ``unread``, and ``unread_at`` a place in it; which files
+    were scanned, by ``mosaic_files`` and ``source_files``. Figures of 0 are left out, but for ``unexplained``."""
 
     @property
     def features(self) -> tuple[JudgedPiece, ...]:

@@ -15,7 +15,7 @@ from ...following.boxes import enlarged, in_squares, widened
 from ...following.source_filters import Learned
 from ...limits import FULL
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
-from ...seam_cells import UNKNOWN, present
+from ...seam_cells import UNKNOWN
 from ...source_images import Source
 from ...while_measuring import measuring
 from ..mosaic_reading import ALL_READ, BlockReading
@@ -369,13 +369,10 @@ class _Block:
             for length in (window.height, window.width)
         )
         inside, has_pixels = np.outer(rows, columns), valid.sum(axis=(1, 3))
-        most, ground = np.zeros((2, UNITS, UNITS), np.int16)
-        for number in present(self._labels):
-            count = np.count_nonzero(labels == number, axis=(1, 3))
-            ground[count > most] = number
-            np.maximum(most, count, out=most)
-        lacking = ((labels == UNKNOWN) & valid).sum(axis=(1, 3)) >= MOST_LACKING * has_pixels
-        ground[lacking] = LACKING
+        held = np.sort(labels.transpose(0, 2, 1, 3).reshape(UNITS, UNITS, -1), axis=2)  # UNKNOWN last
+        known = np.count_nonzero(held != UNKNOWN, axis=2)
+        middle = np.take_along_axis(held, known[:, :, np.newaxis] // 2, axis=2)[:, :, 0]  # of two that which has more
+        ground = np.where(has_pixels - known >= MOST_LACKING * has_pixels, LACKING, middle.astype(np.int16))
         per_square = SQUARE_PX // UNIT_PX
         ground[enlarged(self._plain & self._looked, per_square) & ~self._dense] = PLAIN
         ground[~enlarged(self._looked, per_square) & ~self._dense] = NOT_LOOKED

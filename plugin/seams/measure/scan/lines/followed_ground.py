@@ -7,16 +7,15 @@ crosses the way from one to the other tells of it.
 """
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from scipy import ndimage
 
-from ..blocks.block_grid import LOOK_EVERY, SQUARE_PX, UNIT_PX, UNITS, BlockGrid, place_of
+from ..blocks.block_grid import LOOK_EVERY, SQUARE_PX, UNIT_PX, BlockGrid
 from ..blocks.scan_block import EMPTY, FARTHEST_FILLED_PX, LACKING, NOT_LOOKED, PLAIN
-from ..blocks.seam_sides import SeamSquares
 from ..scan_request import SHORTEST_PIECE_PX
 from .seam_pieces import SeamPiece
 
@@ -62,15 +61,24 @@ class FollowedGround:
         )
         self._rows, self._columns = (-(-length // UNIT_PX) for length in (self._grid.rows, self._grid.columns))
         self._units = units[: self._rows, : self._columns]
-        self._at_seam, self._on_seam = (
-            self._marked(SeamSquares(pieces, blocks, beside_px=beside)) for beside in (_AT_SEAM_PX, _ON_SEAM_PX)
-        )
+        self._on_seam = self._marked([self._grid.to_pixels(one.vertices) for one in pieces])
+        self._at_seam = ndimage.maximum_filter(self._on_seam, 2 * _AT_SEAM_PX // UNIT_PX + 1)
 
-    def _marked(self, squares: SeamSquares) -> np.ndarray:
-        found = np.zeros([-(-length // UNITS) * UNITS for length in (self._rows, self._columns)], bool)
-        for key in squares.met:
-            found[place_of(key, UNITS)] = squares.dense_in(key)
-        return found[: self._rows, : self._columns]
+    def _marked(self, paths: Sequence[np.ndarray]) -> np.ndarray:
+        """Units that lines run through, bool; columns and rows of their vertices in pixels."""
+        found = np.zeros((self._rows, self._columns), bool)
+        if paths:
+            places = np.concatenate(paths)
+            steps = np.diff(places, axis=0)
+            steps[np.cumsum([len(path) for path in paths])[:-1] - 1] = 0  # from line to line
+            count = np.ceil(np.hypot(*steps.T) / _ON_SEAM_PX).astype(int) + 1
+            number = np.repeat(np.arange(len(steps)), count)
+            share = (np.arange(len(number)) - np.repeat(np.cumsum(count) - count, count)) / count[number]
+            points = places[number] + share[:, np.newaxis] * steps[number]
+            for aside in (0, -_ON_SEAM_PX, _ON_SEAM_PX):
+                column, row = ((points + aside) // UNIT_PX).astype(int).T
+                found[row.clip(0, self._rows - 1), column.clip(0, self._columns - 1)] = True
+        return found
 
     @property
     def told(self) -> Mapping[str, str]:
@@ -227,7 +235,8 @@ class FollowedGround:
             hides = lacks & ~gap & ~(kinds == NOT_LOOKED).any(axis=0)
             is_real[is_real] = ~self._crossed(from_[is_real], to[is_real])
             found.append((first[is_real], np.full(np.count_nonzero(is_real), axis == 0), hides[is_real]))
-        return tuple(np.concatenate(one) for one in zip(*found))  # type: ignore[return-value]
+        first, is_below, hidden = (np.concatenate(one) for one in zip(*found))
+        return first, is_below, hidden
 
     def _crossed(self, start: np.ndarray, stop: np.ndarray) -> np.ndarray:
         """Whether a seam crosses the way from one unit to another, (n,) bool."""

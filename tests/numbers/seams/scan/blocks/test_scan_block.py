@@ -59,7 +59,7 @@ def assert_same(one: BlockScan, other: BlockScan) -> None:
     """But for the notices."""
     assert one.key == other.key
     assert one.sources == other.sources
-    for name in ("squares", "dense", "labels", "mixture", "clear", "outside"):
+    for name in ("squares", "dense", "labels", "mixture", "clear", "ground"):
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
     for name in ("row", "column", "bin", "area", "mm", "cc", "mc"):
         np.testing.assert_array_equal(getattr(one.cells, name), getattr(other.cells, name), err_msg=name)

@@ -200,7 +200,7 @@ def test_a_strip_that_covers_a_seam_is_told_with_its_place(tmp_path: Path, kind:
     assert metres(result, "unseen") > 0.25 * SIDE_M
     assert (metres(result, "hidden") > 0) == (kind != "cut out")
     assert ("nodata_at" in result.told) == (kind == "cut out")
-    x, y, across, down = map(float, result.told["unseen_at"].split(" "))
+    x, y, across, down = map(float, result.told["unseen_at"].split(";")[0].split())
     left, _, _, top = describe(RasterRef(str(tmp_path / "mosaic.tif"))).extent
     assert x - left == pytest.approx(SEAM * GSD, abs=(width / 2 + 2 * UNIT_PX) * GSD)
     assert 0 < top - y < SIDE_M
