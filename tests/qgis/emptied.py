@@ -8,6 +8,12 @@ from typing import Callable
 
 from qgis.core import QgsCoordinateReferenceSystem
 
+UNDEFINED = (
+    'GEOGCS["Undefined geographic SRS",DATUM["unknown",SPHEROID["unknown",6378137,298.257223563]],'
+    'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]'
+)
+"""As a GeoPackage says of a table without a system."""
+
 
 @contextmanager
 def asked_in_thread(ask: Callable[[], object]) -> Iterator[None]:

@@ -13,7 +13,7 @@ from seam_inspector.plugin.toolkit.layers import system_wkt
 from seam_inspector.plugin.toolkit.reference_systems import known_system, reference_system, transformation
 
 from tests.numbers.synthetic import UTM33, wkt
-from tests.qgis.emptied import asked_in_thread, emptied_system
+from tests.qgis.emptied import UNDEFINED, asked_in_thread, emptied_system
 from tests.qgis.runs import assert_sentence
 
 pytestmark = pytest.mark.usefixtures("qgis_app")
@@ -83,14 +83,9 @@ def test_no_way_between_two_systems_is_told() -> None:
     assert_sentence(str(raised.value), "reference system")
 
 
-@pytest.mark.parametrize("undefined", [
-    QgsCoordinateReferenceSystem(),
-    QgsCoordinateReferenceSystem.fromWkt(
-        'GEOGCS["Undefined geographic SRS",DATUM["unknown",SPHEROID["unknown",6378137,298.257223563]],'
-        'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]'
-    ),
-])  # fmt: skip
-def test_what_has_no_system_stays_where_it_is(undefined: QgsCoordinateReferenceSystem) -> None:
+@pytest.mark.parametrize("text", ["", UNDEFINED])
+def test_what_has_no_system_stays_where_it_is(text: str) -> None:
+    undefined = QgsCoordinateReferenceSystem.fromWkt(text)
     assert not known_system(undefined).isValid()
     assert transformation(undefined, reference_system(wkt(UTM33)), NOWHERE).transform(PLACE) == PLACE
 

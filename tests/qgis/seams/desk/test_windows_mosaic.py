@@ -8,6 +8,7 @@ import pytest
 from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsVectorLayer
 from seam_inspector.plugin.imagery.errors import Message
 
+from tests.qgis.emptied import UNDEFINED
 from tests.qgis.scenes import SHARP, Scene, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
 
@@ -49,10 +50,11 @@ def test_another_mosaic_asks_and_changes_nothing(
     assert len(asked) == 1
 
 
-def test_windows_that_lost_their_reference_system_have_the_mosaics(desk: Desk) -> None:
+@pytest.mark.parametrize("wkt", ["", UNDEFINED])
+def test_windows_that_lost_their_reference_system_have_the_mosaics(desk: Desk, wkt: str) -> None:
     """They lie where they were drawn, and the map goes there."""
     drawn = windows(SHARP)
-    drawn.setCrs(QgsCoordinateReferenceSystem())
+    drawn.setCrs(QgsCoordinateReferenceSystem.fromWkt(wkt))
     desk.use(drawn)
     settle()
     mosaic = desk.session.mosaic_layer()
