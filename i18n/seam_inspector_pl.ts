@@ -14,7 +14,7 @@
         <translation>Okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="51"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="52"/>
         <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured is the rectangle around each, snapped to the mosaic&apos;s pixels.</source>
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
@@ -29,12 +29,12 @@
         <translation>Scheduler Dask</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="83"/>
         <source>Detail by direction</source>
         <translation>Detale według kierunków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="84"/>
         <source>Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level&apos;s detail. Takes several times as long as the curves alone.</source>
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
@@ -54,7 +54,7 @@
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="94"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
@@ -64,17 +64,17 @@
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="95"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="102"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="104"/>
         <source>Windows with a significant loss</source>
         <translation>Okna z istotną stratą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="105"/>
         <source>Windows that can&apos;t be compared</source>
         <translation>Okna niedające się porównać</translation>
     </message>
@@ -149,7 +149,7 @@
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="81"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
@@ -159,7 +159,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="64"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="65"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
@@ -364,32 +364,32 @@
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="67"/>
+        <location filename="../plugin/seams/measure/messages.py" line="63"/>
         <source>No source covers the window; add the orthoimages that overlap it or move the window.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="68"/>
+        <location filename="../plugin/seams/measure/messages.py" line="64"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="69"/>
+        <location filename="../plugin/seams/measure/messages.py" line="65"/>
         <source>The mosaic has no variance in the window; move the window to where there is content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>{name} has no variance in the window; move the window to where there is content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="72"/>
+        <location filename="../plugin/seams/measure/messages.py" line="68"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="74"/>
+        <location filename="../plugin/seams/measure/messages.py" line="70"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
@@ -399,7 +399,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="127"/>
+        <location filename="../plugin/seams/measure/messages.py" line="120"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -414,27 +414,27 @@
         <translation>{name} nie jest plikiem odczytywanym przez GDAL, lecz pochodzi z usługi sieciowej; wybierz sam plik rastra.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="14"/>
+        <location filename="../plugin/toolkit/messages.py" line="18"/>
         <source>The window has no outline; draw it anew.</source>
         <translation>Okno nie ma obrysu; narysuj je od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="15"/>
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
         <source>The window is not a polygon; draw it as a rectangle.</source>
         <translation>Okno nie jest poligonem; narysuj je jako prostokąt.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="16"/>
+        <location filename="../plugin/toolkit/messages.py" line="20"/>
         <source>The window has several parts; split it into one window each.</source>
         <translation>Okno składa się z kilku części; podziel je tak, aby każda część była osobnym oknem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="17"/>
+        <location filename="../plugin/toolkit/messages.py" line="21"/>
         <source>The outline of the window crosses itself; draw it anew as a rectangle.</source>
         <translation>Obrys okna przecina sam siebie; narysuj okno od nowa jako prostokąt.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="12"/>
+        <location filename="../plugin/toolkit/messages.py" line="16"/>
         <source>The window layer is empty; draw windows or place them along the seamlines first.</source>
         <translation>Warstwa okien jest pusta; najpierw narysuj okna albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
@@ -444,17 +444,17 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="37"/>
+        <location filename="../plugin/toolkit/messages.py" line="41"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos; or leave the scheduler empty.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="47"/>
+        <location filename="../plugin/toolkit/messages.py" line="51"/>
         <source>The Dask scheduler at {address} has no workers; start some or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="218"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="222"/>
         <source>significant loss below</source>
         <translation>istotna strata poniżej</translation>
     </message>
@@ -514,7 +514,7 @@
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -764,12 +764,12 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="317"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="320"/>
         <source>Judge visible</source>
         <translation>Strata widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="319"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="322"/>
         <source>Judge invisible</source>
         <translation>Strata niewidoczna</translation>
     </message>
@@ -804,7 +804,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="292"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -839,22 +839,22 @@
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="313"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="316"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="314"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="317"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="315"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="315"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
@@ -869,22 +869,22 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="323"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="326"/>
         <source>Take judgement back</source>
         <translation>Wycofaj opinię</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="324"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="327"/>
         <source>Marks the selected windows as not judged.</source>
         <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="331"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="334"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="332"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="335"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
@@ -894,42 +894,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="157"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="157"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="160"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="160"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="177"/>
+        <location filename="../plugin/seams/desk/dock.py" line="178"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="177"/>
+        <location filename="../plugin/seams/desk/dock.py" line="178"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="180"/>
+        <location filename="../plugin/seams/desk/dock.py" line="181"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="180"/>
+        <location filename="../plugin/seams/desk/dock.py" line="181"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -944,7 +944,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="313"/>
+        <location filename="../plugin/seams/desk/dock.py" line="316"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -1089,82 +1089,82 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="140"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="144"/>
         <source>Save or copy what is shown: as a picture, or as a table of all values</source>
         <translation>Zapisz lub skopiuj to, co widać: jako obraz albo jako tabelę wszystkich wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="60"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
         <source>The picture, for documents</source>
         <translation>Obraz do dokumentów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
         <source>Save as SVG...</source>
         <translation>Zapisz jako SVG...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
         <source>The picture, sharp at every size</source>
         <translation>Obraz ostry w każdej wielkości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="63"/>
         <source>Save as CSV...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="141"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="145"/>
         <source>All rasters and bands of the windows</source>
         <translation>Wszystkie rastry i kanały w oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="63"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
         <source>Copy picture</source>
         <translation>Kopiuj obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="63"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
         <source>To the clipboard</source>
         <translation>Do schowka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="65"/>
         <source>Copy values</source>
         <translation>Kopiuj wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="58"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="59"/>
         <source>To the clipboard, for a spreadsheet</source>
         <translation>Do schowka, do arkusza kalkulacyjnego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="76"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="77"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="81"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="82"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="85"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="86"/>
         <source>Table with commas</source>
         <translation>Tabela rozdzielana przecinkami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="166"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="170"/>
         <source>Save curves</source>
         <translation>Zapisz krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="167"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="171"/>
         <source>The curves were not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano krzywych w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="166"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="170"/>
         <source>The curves were saved to {path}.</source>
         <translation>Zapisano krzywe w {path}.</translation>
     </message>
@@ -1249,12 +1249,12 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="34"/>
+        <location filename="../plugin/toolkit/messages.py" line="38"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="151"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="152"/>
         <source>Add fields</source>
         <translation>Dodaj pola</translation>
     </message>
@@ -1264,7 +1264,7 @@
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="186"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="191"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
@@ -1274,7 +1274,7 @@
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="236"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="241"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -1344,7 +1344,7 @@
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="60"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
         <source>Save as PNG...</source>
         <translation>Zapisz jako PNG...</translation>
     </message>
@@ -1384,7 +1384,7 @@
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="108"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="109"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
@@ -1399,12 +1399,12 @@
         <translation>Wycinki zaznaczonego okna obok siebie, do oceny straty okiem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="61"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="59"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
@@ -1424,27 +1424,27 @@
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="54"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="54"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="78"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="80"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="86"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="88"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="89"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="91"/>
         <source>{count} of them have no curves in it, as these are not kept with the project; inspect them again to have them.</source>
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
@@ -1714,17 +1714,17 @@
         <translation>Strona, jeden plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="60"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="61"/>
         <source>Verdict against</source>
         <translation>Ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="66"/>
         <source>Seam cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="66"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="67"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
@@ -2484,12 +2484,12 @@
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="43"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="44"/>
         <source>Check radiometry</source>
         <translation>Sprawdź radiometrię</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="54"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="55"/>
         <source>The images to be checked, each for itself.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
@@ -2499,7 +2499,7 @@
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
@@ -2509,22 +2509,22 @@
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="86"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="87"/>
         <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="99"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="100"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="100"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="101"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="101"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="102"/>
         <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
@@ -2704,32 +2704,32 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/messages.py" line="122"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/messages.py" line="125"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/messages.py" line="126"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="130"/>
+        <location filename="../plugin/seams/measure/messages.py" line="123"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="89"/>
+        <location filename="../plugin/toolkit/messages.py" line="88"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
@@ -2739,67 +2739,67 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="139"/>
+        <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="142"/>
+        <location filename="../plugin/seams/measure/messages.py" line="135"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="149"/>
+        <location filename="../plugin/seams/measure/messages.py" line="142"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="152"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola „contrast_1”, więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="178"/>
+        <location filename="../plugin/seams/measure/messages.py" line="171"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="194"/>
+        <location filename="../plugin/seams/measure/messages.py" line="187"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="175"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="198"/>
+        <location filename="../plugin/seams/measure/messages.py" line="191"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="202"/>
+        <location filename="../plugin/seams/measure/messages.py" line="195"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="169"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="175"/>
+        <location filename="../plugin/seams/measure/messages.py" line="168"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="207"/>
+        <location filename="../plugin/seams/measure/messages.py" line="200"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="206"/>
+        <location filename="../plugin/seams/measure/messages.py" line="199"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -2809,22 +2809,22 @@
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="31"/>
+        <location filename="../plugin/toolkit/messages.py" line="35"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="65"/>
+        <location filename="../plugin/imagery/messages.py" line="120"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="67"/>
+        <location filename="../plugin/imagery/messages.py" line="122"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="32"/>
+        <location filename="../plugin/toolkit/messages.py" line="36"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -2884,22 +2884,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="140"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="143"/>
+        <location filename="../plugin/imagery/messages.py" line="148"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="145"/>
+        <location filename="../plugin/imagery/messages.py" line="150"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="148"/>
+        <location filename="../plugin/imagery/messages.py" line="153"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2909,17 +2909,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="151"/>
+        <location filename="../plugin/imagery/messages.py" line="156"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="152"/>
+        <location filename="../plugin/imagery/messages.py" line="157"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="153"/>
+        <location filename="../plugin/imagery/messages.py" line="158"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -3574,37 +3574,37 @@
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="211"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="214"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="233"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="232"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="236"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="235"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="239"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="238"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="227"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
@@ -3614,27 +3614,27 @@
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="257"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="258"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="257"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
@@ -3644,7 +3644,7 @@
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="282"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="281"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -3798,7 +3798,7 @@
         <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layers.py" line="175"/>
+        <location filename="../plugin/resolution/line_layers.py" line="178"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę pasków</translation>
     </message>
@@ -4022,7 +4022,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="301"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -4121,7 +4121,7 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="223"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="222"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
@@ -4251,7 +4251,7 @@
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="56"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
@@ -4654,7 +4654,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="182"/>
+        <location filename="../plugin/seams/desk/dock.py" line="183"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4819,12 +4819,7 @@
         <translation>zachow.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="55"/>
-        <source>By the seam, a loss is significant when at most this share of the finest detail is kept along it</source>
-        <translation>Według linii mozaikowania strata jest istotna, gdy wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="57"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
@@ -4859,7 +4854,7 @@
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="56"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="57"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
@@ -5024,57 +5019,52 @@
         <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="109"/>
+        <location filename="../plugin/seams/measure/messages.py" line="105"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/messages.py" line="108"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="114"/>
+        <location filename="../plugin/seams/measure/messages.py" line="110"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="124"/>
+        <location filename="../plugin/seams/measure/messages.py" line="117"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="209"/>
+        <location filename="../plugin/seams/measure/messages.py" line="202"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="62"/>
         <source>seam: what is kept along the seam, against the hard-cut composite of the sources and the ground around. composite: the whole window against that composite. sources: the whole clip of each source, as in the paper; that verdict is always in the field &apos;paper_verdict&apos;, too.</source>
         <translation>seam: to, co zachowano wzdłuż linii mozaikowania, względem kompozycji ortoobrazów źródłowych z ostrym cięciem i terenu wokół. composite: całe okno względem tej kompozycji. sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule; ta ocena jest zawsze także w polu „paper_verdict”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="72"/>
         <source>Least share kept along the seam</source>
         <translation>Najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="73"/>
-        <source>A window is significant when this share of the finest detail, or less, is kept along its seam. 0.5 is what a 50:50 blend of two images leaves that have nothing in common.</source>
-        <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="79"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
         <source>By the paper&apos;s rule a window is significant when its ratio at level 1 is this or less.</source>
         <translation>Według reguły z artykułu okno otrzymuje ocenę „istotna strata” (significant), gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="99"/>
         <source>Seam profiles</source>
         <translation>Profile linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="100"/>
         <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
@@ -5095,7 +5085,7 @@
         <translation>mediana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="103"/>
+        <location filename="../plugin/seams/report/window_words.py" line="104"/>
         <source>kept 1</source>
         <translation>zachow. 1</translation>
     </message>
@@ -5105,82 +5095,82 @@
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="48"/>
+        <location filename="../plugin/toolkit/messages.py" line="52"/>
         <source>The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="50"/>
+        <location filename="../plugin/toolkit/messages.py" line="54"/>
         <source>The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} od {seconds:.0f} s nie ma procesów roboczych; uruchom je, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="57"/>
+        <location filename="../plugin/toolkit/messages.py" line="61"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="126"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="122"/>
+        <location filename="../plugin/imagery/messages.py" line="127"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="123"/>
+        <location filename="../plugin/imagery/messages.py" line="128"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="124"/>
+        <location filename="../plugin/imagery/messages.py" line="129"/>
         <source>The server of {name} does not answer ({why}); check the network, and try again.</source>
         <translation>Serwer pliku {name} nie odpowiada ({why}); sprawdź połączenie z siecią i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="129"/>
+        <location filename="../plugin/imagery/messages.py" line="134"/>
         <source>The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests.</source>
         <translation>Serwer pliku {name} wysyła tylko całe pliki; skopiuj go na dysk lokalny albo na serwer, który obsługuje żądania zakresu (Range).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="132"/>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="134"/>
+        <location filename="../plugin/imagery/messages.py" line="139"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address and GDAL&apos;s settings.</source>
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="163"/>
+        <location filename="../plugin/seams/desk/dock.py" line="164"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="163"/>
+        <location filename="../plugin/seams/desk/dock.py" line="164"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="168"/>
+        <location filename="../plugin/seams/desk/dock.py" line="169"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="168"/>
+        <location filename="../plugin/seams/desk/dock.py" line="169"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="255"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="261"/>
         <source>Open the scan&apos;s layers</source>
         <translation>Otwórz warstwy badania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="286"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="292"/>
         <source>Picture of losses, so far</source>
         <translation>Obraz strat (częściowy)</translation>
     </message>
@@ -5205,72 +5195,72 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="103"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="104"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="106"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="107"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="132"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="133"/>
         <source>Scan: putting the blocks together, {percent} %</source>
         <translation>Badanie: łączenie bloków, {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="133"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="134"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="125"/>
+        <location filename="../plugin/seams/jobs.py" line="127"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="127"/>
+        <location filename="../plugin/seams/jobs.py" line="129"/>
         <source>about {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="128"/>
+        <location filename="../plugin/seams/jobs.py" line="130"/>
         <source>about {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="191"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="192"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="193"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="194"/>
         <source>Scanned {metres} m of seams: no significant loss</source>
         <translation>Zbadano {metres} m linii: brak istotnej straty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="195"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="196"/>
         <source>Scanned {metres} m of seams: significant loss on {failed} m</source>
         <translation>Zbadano {metres} m linii: istotna strata na {failed} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="199"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="200"/>
         <source>Notes in the log: {count}.</source>
         <translation>Uwagi w dzienniku: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="427"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="434"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="427"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="434"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="430"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="437"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
@@ -5290,12 +5280,12 @@
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="63"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="64"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="66"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
@@ -5305,22 +5295,22 @@
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="68"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="62"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="63"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="65"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="66"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="68"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
@@ -5335,212 +5325,207 @@
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="37"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="46"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it takes no part.</source>
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="41"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="50"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic and are left out.</source>
         <translation>Z {given:.0f} m linii mozaikowania {outside:.0f} m leży poza ortofotomapą i zostało pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="100"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="109"/>
         <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="110"/>
         <source>The scan starts anew, since {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="102"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
         <source>The scan starts anew, since nothing in {path} can be read any more.</source>
         <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="107"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="116"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="109"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="118"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="122"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="117"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="126"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="129"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="121"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="130"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="122"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="131"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="124"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="125"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="134"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="135"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="137"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="146"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="127"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="136"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="46"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="55"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="57"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="51"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="60"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="59"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="68"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="63"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="72"/>
         <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="66"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="75"/>
         <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
         <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="69"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="78"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="72"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="81"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="76"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="85"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="80"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="89"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="84"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="93"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="96"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="105"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="164"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="181"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="172"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="189"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="60"/>
-        <source>{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.</source>
-        <translation>Raster {name} to ortofotomapa o większych pikselach, czyli jej podgląd, więc nie zalicza się do ortoobrazów źródłowych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="20"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="24"/>
         <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="176"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="193"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="184"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="201"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="23"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="27"/>
         <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
         <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="26"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="30"/>
         <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="33"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="42"/>
         <source>More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are taken.</source>
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="138"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="29"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="33"/>
         <source>None of the orthoimages can be used, for the reasons in the log; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="140"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="149"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -5645,27 +5630,22 @@
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="52"/>
-        <source>{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
-        <translation>{name} wszędzie jest taki jak ortofotomapa, jest więc jej kopią albo ortofotomapą, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako ortoobraz źródłowy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="148"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="157"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="160"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="16"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="20"/>
         <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="13"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="17"/>
         <source>The corridor applies only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała ortofotomapa.</translation>
     </message>
@@ -5680,12 +5660,12 @@
         <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="136"/>
+        <location filename="../plugin/imagery/messages.py" line="141"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>the file there is something else</source>
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
@@ -5760,52 +5740,52 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="286"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="280"/>
         <source>Swipe</source>
         <translation>Kurtyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="288"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="282"/>
         <source>Compare the mosaic with a source on the map: drag the handle, X swaps the sides, Esc ends</source>
         <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="377"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="375"/>
         <source>Compare the mosaic with {name}</source>
         <translation>Porównaj ortofotomapę z {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="381"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="379"/>
         <source>No source here</source>
         <translation>Nie ma tu ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="383"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="381"/>
         <source>Swap the sides (X)</source>
         <translation>Zamień strony (X)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="385"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="383"/>
         <source>Horizontal handle</source>
         <translation>Uchwyt poziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="386"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="384"/>
         <source>Compare above and below instead of left and right</source>
         <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="104"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="103"/>
         <source>Open {name}</source>
         <translation>Otwórz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="251"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="245"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="255"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="249"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -6205,27 +6185,27 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="175"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="179"/>
         <source>Save or copy the seam profile: as a picture, or as a table of all levels</source>
         <translation>Zapisz lub skopiuj profil linii mozaikowania: jako obraz albo jako tabelę wszystkich poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="176"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="180"/>
         <source>All levels and distances</source>
         <translation>Wszystkie poziomy i odległości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="200"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="204"/>
         <source>Save seam profile</source>
         <translation>Zapisz profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="201"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="205"/>
         <source>The seam profile was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano profilu linii mozaikowania w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="200"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="204"/>
         <source>The seam profile was saved to {path}.</source>
         <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
@@ -6270,12 +6250,12 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="466"/>
+        <location filename="../plugin/seams/desk/dock.py" line="387"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="467"/>
+        <location filename="../plugin/seams/desk/dock.py" line="388"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
@@ -6285,22 +6265,22 @@
         <translation>Przywróć okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="66"/>
+        <location filename="../plugin/seams/desk/dock.py" line="63"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="290"/>
+        <location filename="../plugin/seams/desk/dock.py" line="293"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="299"/>
+        <location filename="../plugin/seams/desk/dock.py" line="302"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="296"/>
+        <location filename="../plugin/seams/desk/dock.py" line="299"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -6308,11 +6288,6 @@
         <location filename="../plugin/seams/desk/map/lost_detail.py" line="42"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="44"/>
-        <source>Show where detail was lost, over the map and the images (L). One scale for all windows</source>
-        <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/map/window_tool.py" line="322"/>
@@ -6398,11 +6373,6 @@
         <location filename="../plugin/seams/desk/map/lost_detail.py" line="206"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="207"/>
-        <source>Detail kept (L hides it)</source>
-        <translation>Zachowane detale (L ukrywa)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/undo_actions.py" line="30"/>
@@ -6580,27 +6550,27 @@
         <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="321"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="324"/>
         <source>Judge not sure</source>
         <translation>Strata niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="326"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="329"/>
         <source>Copy rows</source>
         <translation>Kopiuj wiersze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="327"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="330"/>
         <source>The selected rows with their headings, for a spreadsheet.</source>
         <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="328"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="331"/>
         <source>Save as CSV ...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="329"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="332"/>
         <source>All windows that are shown, with all of their numbers.</source>
         <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
     </message>
@@ -6625,7 +6595,7 @@
         <translation>Zwykłe kolumny w zwykłej kolejności, tyle, na ile jest miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="80"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="81"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -6650,7 +6620,7 @@
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="124"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="112"/>
         <source>Look at the sources</source>
         <translation>Sprawdź ortoobrazy</translation>
     </message>
@@ -6665,12 +6635,12 @@
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="354"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="340"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="354"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="340"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -6725,22 +6695,22 @@
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="155"/>
+        <location filename="../plugin/seams/measure/messages.py" line="148"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/messages.py" line="149"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="162"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -6780,67 +6750,22 @@
         <translation>Piksele {own}, a w ortofotomapie i innych rastrach {mosaic}: kopia po konwersji.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="15"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="18"/>
         <source>Covers the whole mosaic: being compared with it ...</source>
         <translation>Pokrywa całą ortofotomapę: trwa porównanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="16"/>
-        <source>A copy of the mosaic: alike wherever they were compared. It would hide every loss.</source>
-        <translation>To znów ortofotomapa: taka sama wszędzie, gdzie je porównano. Ukryłaby każdą stratę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
-        <source>A copy of a part of the mosaic: alike wherever they were compared, though other sources lie there.</source>
-        <translation>To znów część ortofotomapy: taka sama wszędzie, gdzie je porównano, choć leżą tam inne ortoobrazy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="27"/>
-        <source>A VRT of the mosaic. It would hide every loss.</source>
-        <translation>VRT ortofotomapy. Ukryłby każdą stratę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="28"/>
-        <source>Another mosaic: partly {first}, partly {second}.</source>
-        <translation>Inna ortofotomapa: częściowo {first}, częściowo {second}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="29"/>
-        <source>The same image as {name}.</source>
-        <translation>Ten sam obraz co {name}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
-        <source>Covers the whole mosaic and resembles it nowhere.</source>
-        <translation>Pokrywa całą ortofotomapę i nigdzie nie jest do niej podobny.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="32"/>
-        <source>Shows something other than the mosaic: a map, or another time.</source>
-        <translation>Pokazuje co innego niż ortofotomapa: mapę albo inny czas.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="34"/>
-        <source>Covers the whole mosaic, as another mosaic would; tick it if it is one of the orthoimages.</source>
-        <translation>Pokrywa całą ortofotomapę, jak inna ortofotomapa; zaznacz go, jeśli jest jednym z ortoobrazów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="36"/>
-        <source>Could not be compared with the mosaic: {why}</source>
-        <translation>Nie można porównać z ortofotomapą: {why}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="26"/>
         <source>The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z {name} w żadnym z okien, w których brał on udział (liczba: {count}): czy to jeden z jej ortoobrazów?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
         <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="47"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="34"/>
         <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
         <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
     </message>
@@ -6907,47 +6832,42 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="298"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="301"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="250"/>
+        <location filename="../plugin/seams/desk/dock.py" line="253"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="157"/>
+        <location filename="../plugin/seams/measure/messages.py" line="150"/>
         <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
         <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/messages.py" line="153"/>
         <source>The filter can&apos;t use geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="163"/>
+        <location filename="../plugin/seams/measure/messages.py" line="156"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="18"/>
-        <source>Like the mosaic wherever they were compared: a copy of it, or the one orthoimage that it was made from; tick it in that case.</source>
-        <translation>Taki sam jak ortofotomapa wszędzie, gdzie je porównano: znów ortofotomapa albo jedyny ortoobraz, z którego powstała; zaznacz go, jeśli to ten ortoobraz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -7102,7 +7022,7 @@
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="88"/>
+        <location filename="../plugin/toolkit/messages.py" line="87"/>
         <source>What is written is {filters}, and {name} says something else; give it that ending.</source>
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
@@ -7237,112 +7157,112 @@
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="190"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
         <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
         <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="192"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="191"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="194"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="193"/>
         <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="197"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="196"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="202"/>
         <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="208"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="209"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="208"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="217"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="216"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
         <source>{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="221"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="224"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="227"/>
         <source>The constant height is {height:.6g} m, which no place on earth has; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="230"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="229"/>
         <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="245"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
         <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
         <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="261"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="262"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="265"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="266"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
@@ -7592,27 +7512,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="144"/>
+        <location filename="../plugin/imagery/messages.py" line="149"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="146"/>
+        <location filename="../plugin/imagery/messages.py" line="151"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="147"/>
+        <location filename="../plugin/imagery/messages.py" line="152"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="149"/>
+        <location filename="../plugin/imagery/messages.py" line="154"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="150"/>
+        <location filename="../plugin/imagery/messages.py" line="155"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -7922,7 +7842,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="147"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -7992,7 +7912,7 @@
         <translation>{names} i jeszcze {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="46"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="47"/>
         <source>Checks images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
@@ -8002,57 +7922,57 @@
         <translation>Gotowe reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="65"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="66"/>
         <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
         <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum i kontrast histogramu jasności. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="69"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="70"/>
         <source>A JSON file of your own with the limits and where they come from, instead of the ready rules; the documentation has one to start from.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast gotowych reguł; dokumentacja zawiera plik wyjściowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="73"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
         <source>Range of values</source>
         <translation>Zakres wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="75"/>
         <source>The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged.</source>
         <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="77"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
         <source>Grey areas</source>
         <translation>Szare obszary</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
         <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since no pixel tells a cast from the colour of the ground.</source>
         <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="89"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
         <source>What may be grey</source>
         <translation>Obszary, które mogą być szare</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="91"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="92"/>
         <source>Uniform areas with little colour, where no grey areas are given: look at them, delete what is not grey, and give the others as grey areas.</source>
         <translation>Jednorodne obszary o słabej barwie, gdy nie podano obszarów szarych: obejrzyj je, usuń to, co nie jest szare, a pozostałe podaj jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="95"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="96"/>
         <source>The decision and all figures with the histograms on one HTML page.</source>
         <translation>Decyzja i wszystkie wartości z histogramami na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="96"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
         <source>Decision: accepted, rejected or undecided</source>
         <translation>Decyzja: przyjęte, odrzucone lub nierozstrzygnięte</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="98"/>
         <source>Reasons of the decision</source>
         <translation>Uzasadnienie decyzji</translation>
     </message>
@@ -8157,7 +8077,7 @@
         <translation>ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="145"/>
+        <location filename="../plugin/seams/measure/messages.py" line="138"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -8202,42 +8122,42 @@
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="349"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="352"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="355"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="357"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="359"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="388"/>
         <source>{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s SEAMLINES to measure all of them.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="394"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="396"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
@@ -8322,7 +8242,7 @@
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="388"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="434"/>
         <source>can&apos;t be told</source>
         <translation>nie da się określić</translation>
     </message>
@@ -8337,192 +8257,192 @@
         <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="168"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="170"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="172"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="171"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="177"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="271"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="273"/>
         <source>what the operator saw</source>
         <translation>co widział operator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="273"/>
         <source>no loss in the window of a piece</source>
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="277"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="300"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="300"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="314"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="360"/>
         <source>{kept} kept</source>
         <translation>zachowano {kept}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="346"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="392"/>
         <source>{across} across.</source>
         <translation>Szerokość {across}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="347"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="393"/>
         <source>Left: {across} across</source>
         <translation>Po lewej: szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="348"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="394"/>
         <source>Left: a part of it, {across} across</source>
         <translation>Po lewej: jego część, szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="350"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="396"/>
         <source>{first}; right: where least is kept, {detail} across in full size.</source>
         <translation>{first}; z prawej: miejsce, gdzie zachowano najmniej, szerokość {detail}, w pełnej wielkości.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="358"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="404"/>
         <source>plan</source>
         <translation>plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="359"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="405"/>
         <source>code letter</source>
         <translation>znak literowy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="360"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="406"/>
         <source>lot</source>
         <translation>partia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="360"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="406"/>
         <source>{count} pieces of seam</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="407"/>
         <source>sample</source>
         <translation>próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="407"/>
         <source>{count} pieces of seam, of which {measured} were measured</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="363"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="409"/>
         <source>accepted up to</source>
         <translation>przyjęcie do</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="363"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="409"/>
         <source>{count} failed pieces in the sample</source>
         <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="364"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="410"/>
         <source>found</source>
         <translation>stwierdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="411"/>
         <source>producer&apos;s risk</source>
         <translation>ryzyko dostawcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="367"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="413"/>
         <source>consumer&apos;s risk</source>
         <translation>ryzyko odbiorcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="371"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="417"/>
         <source>seed of the drawing</source>
         <translation>ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="378"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="424"/>
         <source>first and second observer</source>
         <translation>pierwszy i drugi obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="378"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="424"/>
         <source>first observer and tool</source>
         <translation>pierwszy obserwator i narzędzie</translation>
     </message>
@@ -8827,197 +8747,197 @@
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się tylko {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
         <source>nothing was measured, so it can&apos;t be decided</source>
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
         <source>As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is accepted, and the next one is inspected normally.</source>
         <translation>Liczba niezgodnych odcinków leży między Ac {acceptance} a Re {rejection} kontroli ulgowej: ta partia jest przyjęta, a następna podlega kontroli normalnej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="143"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>A piece fails when it keeps less than 0, which none can, so every measured piece passes.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="265"/>
         <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
         <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
         <source>The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="286"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="290"/>
         <source>Both operators judged {count} windows and agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="305"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
         <source>The layers of seams are empty; choose those of a scan that found seams.</source>
         <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="309"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="310"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="265"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
         <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
         <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="285"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="336"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="338"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="288"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="345"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
@@ -9087,172 +9007,172 @@
         <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="173"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="177"/>
         <source>Least share of detail kept</source>
         <translation>Najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="174"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="178"/>
         <source>A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.</source>
         <translation>Odcinek linii mozaikowania jest niezgodny, gdy jego kept_1 jest mniejsze; odcinek, który zachowuje dokładnie tyle, jest zgodny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="175"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="179"/>
         <source>Largest share that may fail (%)</source>
         <translation>Największy udział niezgodnych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="175"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="179"/>
         <source>Of the metres of seam that were measured.</source>
         <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="177"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="181"/>
         <source>Failed pieces that follow each other, across seams and sheets where they touch.</source>
         <translation>Niezgodne odcinki, które następują po sobie, także na kolejnych liniach mozaikowania i arkuszach, jeśli się stykają.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="178"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="182"/>
         <source>Least share that has to be measured (%)</source>
         <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="37"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="38"/>
         <source>Plan an inspection</source>
         <translation>Zaplanuj kontrolę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="47"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="48"/>
         <source>Layers &apos;Seams&apos; of scans, a sheet each, or plain seamlines: these are cut into pieces first.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="56"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
         <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="57"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="58"/>
         <source>Unit</source>
         <translation>Jednostka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="58"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="59"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
         <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="61"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="62"/>
         <source>What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same seed, windows and pieces are one sample.</source>
         <translation>Na czym rozmieszczane są okna; odcinki, które na niej nie leżą, nie należą do partii. Z nią i przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="67"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="68"/>
         <source>Length of a piece (metres)</source>
         <translation>Długość odcinka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="68"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="69"/>
         <source>Plain seamlines are cut into pieces of about this length; those of a scan stay as they are.</source>
         <translation>Zwykłe linie mozaikowania są dzielone na odcinki mniej więcej tej długości; odcinki z badania pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="70"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="71"/>
         <source>Field of the sheets</source>
         <translation>Pole arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="71"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="72"/>
         <source>The sample is drawn from each of its values in proportion. Empty: layer by layer.</source>
         <translation>Pole, którego wartości są w próbie reprezentowane proporcjonalnie. Puste: warstwa po warstwie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="73"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="74"/>
         <source>Sample</source>
         <translation>Próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="74"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="75"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; says of how many.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="77"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="78"/>
         <source>Pieces in the sample</source>
         <translation>Odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="78"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="79"/>
         <source>How many of them may fail</source>
         <translation>Ile z nich może być niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="79"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="80"/>
         <source>Pieces in the lot</source>
         <translation>Odcinki w partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="81"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="82"/>
         <source>Code letter of the plan</source>
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="127"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="128"/>
         <source>Of the plan &apos;risk&apos;, in percent of the pieces.</source>
         <translation>Dla planu „risk”, w procentach odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="128"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="129"/>
         <source>Good: failing pieces (%)</source>
         <translation>Dobra: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="129"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="130"/>
         <source>Producer&apos;s risk (%)</source>
         <translation>Ryzyko dostawcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="130"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="131"/>
         <source>How often a lot that is good may be rejected.</source>
         <translation>Jak często może być odrzucona partia, która jest dobra.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="132"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="133"/>
         <source>Bad: failing pieces (%)</source>
         <translation>Zła: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="133"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="134"/>
         <source>Consumer&apos;s risk (%)</source>
         <translation>Ryzyko odbiorcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="134"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="135"/>
         <source>How often a lot that is bad may be accepted.</source>
         <translation>Jak często może być przyjęta partia, która jest zła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="136"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="137"/>
         <source>Correlation along a seam</source>
         <translation>Podobieństwo wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="137"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="138"/>
         <source>Intraclass correlation of the pieces of one seam, 0 to 1; the sample grows with it. Empty: as a scan&apos;s kept_1 says, or 0.3 without one.</source>
         <translation>Jak bardzo odcinki jednej linii mozaikowania są do siebie podobne, od 0 do 1 (korelacja wewnątrzklasowa); próba rośnie wraz z nią. Puste pole: według kept_1 z badania albo 0,3, gdy badania nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="142"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="143"/>
         <source>What counts as failed where the correlation along seams is taken from a scan.</source>
         <translation>Co liczy się jako niezgodne, gdy podobieństwo odcinków wzdłuż linii mozaikowania jest brane z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="214"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="224"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="214"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="224"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
@@ -9572,7 +9492,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="71"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="72"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -9887,17 +9807,17 @@
         <translation>podane</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="27"/>
+        <location filename="../plugin/toolkit/messages.py" line="31"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a number.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="29"/>
+        <location filename="../plugin/toolkit/messages.py" line="33"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a whole number between -{most} and {most}.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="367"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="413"/>
         <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
@@ -10089,37 +10009,37 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="186"/>
+        <location filename="../plugin/seams/desk/dock.py" line="187"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="186"/>
+        <location filename="../plugin/seams/desk/dock.py" line="187"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="69"/>
+        <location filename="../plugin/imagery/messages.py" line="124"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="70"/>
+        <location filename="../plugin/toolkit/messages.py" line="69"/>
         <source>{path} is being written by another program; close it there, or choose another file.</source>
         <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="72"/>
+        <location filename="../plugin/toolkit/messages.py" line="71"/>
         <source>&apos;{output}&apos; can&apos;t be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name.</source>
         <translation>Wynik „{output}” nie może być tabelą o nazwie {name}, ponieważ nazwa tabeli w pliku GeoPackage nie może zaczynać się od {begins}; wybierz inną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="77"/>
+        <location filename="../plugin/toolkit/messages.py" line="76"/>
         <source>{path} can&apos;t be written; make room on the disk, or choose another folder.</source>
         <translation>Nie można zapisać pliku {path}; zwolnij miejsce na dysku albo wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="79"/>
+        <location filename="../plugin/toolkit/messages.py" line="78"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -10139,17 +10059,17 @@
         <translation>Uwaga do okna {number}:</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="26"/>
+        <location filename="../plugin/toolkit/messages.py" line="30"/>
         <source>&apos;{parameter}&apos; is {value}, which is not a coordinate reference system; choose one.</source>
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="146"/>
         <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="142"/>
+        <location filename="../plugin/imagery/messages.py" line="147"/>
         <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -10197,7 +10117,7 @@
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="99"/>
+        <location filename="../plugin/seams/report/window_words.py" line="100"/>
         <source>Looks at ratio 1 in whole windows. Significant: {limit:.2f} or less. Reduced: below 1. Preserved: 1 or more.</source>
         <translation>Patrzy na stosunek 1 w całych oknach. Istotna strata: {limit:.2f} lub mniej. Osłabione: poniżej 1. Zachowane: 1 lub więcej.</translation>
     </message>
@@ -10212,82 +10132,82 @@
         <translation>Okno z istotną stratą lub ze stratą, którą zauważył obserwator.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="101"/>
+        <location filename="../plugin/seams/report/window_words.py" line="102"/>
         <source>the paper&apos;s rule</source>
         <translation>reguła z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="102"/>
+        <location filename="../plugin/seams/report/window_words.py" line="103"/>
         <source>What the operator saw at 2x magnification.</source>
         <translation>Co operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="104"/>
+        <location filename="../plugin/seams/report/window_words.py" line="105"/>
         <source>The share of the sources&apos; finest detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
         <translation>Część najdrobniejszych detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="118"/>
+        <location filename="../plugin/seams/report/window_words.py" line="119"/>
         <source>The mosaic&apos;s relative variance at level 1 divided by a source&apos;s; a window&apos;s is the largest over its sources.</source>
         <translation>Wariancja względna ortofotomapy na poziomie 1 podzielona przez wariancję ortoobrazu źródłowego; stosunek okna jest największym spośród jego źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="121"/>
+        <location filename="../plugin/seams/report/window_words.py" line="122"/>
         <source>The share of a clip&apos;s variance that lies in the details of each level, and in the background that is left (wavelet decomposition; Pyka 2010).</source>
         <translation>Część wariancji wycinka przypadająca na detale każdego poziomu i na pozostałe tło (dekompozycja falkowa; Pyka 2010).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="124"/>
+        <location filename="../plugin/seams/report/window_words.py" line="125"/>
         <source>level of detail</source>
         <translation>poziom detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="124"/>
+        <location filename="../plugin/seams/report/window_words.py" line="125"/>
         <source>Level 1 is the finest, about 2 px; each further one is twice as coarse.</source>
         <translation>Poziom 1 jest najdrobniejszy, około 2 px; każdy następny jest dwa razy grubszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="114"/>
+        <location filename="../plugin/seams/report/window_words.py" line="115"/>
         <source>sharpness 1</source>
         <translation>ostrość 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="115"/>
+        <location filename="../plugin/seams/report/window_words.py" line="116"/>
         <source>The contrast of the finest detail in the whole window, 1 for that of its sources in the mosaic&apos;s tones.</source>
         <translation>Kontrast najdrobniejszych detali w całym oknie; 1 to kontrast jego ortoobrazów źródłowych w tonach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="127"/>
+        <location filename="../plugin/seams/report/window_words.py" line="128"/>
         <source>What the mosaic would be if its sources had been cut along the seam and nothing were mixed.</source>
         <translation>Czym byłaby ortofotomapa, gdyby jej źródła przycięto wzdłuż linii mozaikowania i niczego nie zmieszano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="131"/>
+        <location filename="../plugin/seams/report/window_words.py" line="132"/>
         <source>What would be left of the sources&apos; detail if the two were averaged.</source>
         <translation>Ile zostałoby z detali ortoobrazów źródłowych, gdyby dwa z nich uśredniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="134"/>
+        <location filename="../plugin/seams/report/window_words.py" line="135"/>
         <source>seam profile</source>
         <translation>profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="140"/>
+        <location filename="../plugin/seams/report/window_words.py" line="141"/>
         <source>lost detail</source>
         <translation>utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="141"/>
+        <location filename="../plugin/seams/report/window_words.py" line="142"/>
         <source>The colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
         <translation>Barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="144"/>
+        <location filename="../plugin/seams/report/window_words.py" line="145"/>
         <source>clips</source>
         <translation>wycinki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="145"/>
+        <location filename="../plugin/seams/report/window_words.py" line="146"/>
         <source>The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes a little detail from all of them.</source>
         <translation>Część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali, wszystkie z jednakowym rozciągnięciem. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
@@ -10497,67 +10417,67 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="156"/>
+        <location filename="../plugin/imagery/messages.py" line="161"/>
         <source>Permission denied</source>
         <translation>brak dostępu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="167"/>
+        <location filename="../plugin/imagery/messages.py" line="172"/>
         <source>Operation not permitted</source>
         <translation>operacja niedozwolona</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="164"/>
+        <location filename="../plugin/imagery/messages.py" line="169"/>
         <source>No such file or directory</source>
         <translation>nie ma takiego pliku ani katalogu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="161"/>
+        <location filename="../plugin/imagery/messages.py" line="166"/>
         <source>Is a directory</source>
         <translation>jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="166"/>
+        <location filename="../plugin/imagery/messages.py" line="171"/>
         <source>Not a directory</source>
         <translation>nie jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="158"/>
+        <location filename="../plugin/imagery/messages.py" line="163"/>
         <source>File exists</source>
         <translation>plik już istnieje</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="162"/>
+        <location filename="../plugin/imagery/messages.py" line="167"/>
         <source>Too many levels of symbolic links</source>
         <translation>zbyt wiele poziomów dowiązań symbolicznych</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="163"/>
+        <location filename="../plugin/imagery/messages.py" line="168"/>
         <source>File name too long</source>
         <translation>zbyt długa nazwa pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="165"/>
+        <location filename="../plugin/imagery/messages.py" line="170"/>
         <source>No space left on device</source>
         <translation>brak miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="157"/>
+        <location filename="../plugin/imagery/messages.py" line="162"/>
         <source>Disk quota exceeded</source>
         <translation>przekroczony limit miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="168"/>
+        <location filename="../plugin/imagery/messages.py" line="173"/>
         <source>Read-only file system</source>
         <translation>system plików tylko do odczytu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="160"/>
+        <location filename="../plugin/imagery/messages.py" line="165"/>
         <source>Input/output error</source>
         <translation>błąd wejścia/wyjścia</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="159"/>
+        <location filename="../plugin/imagery/messages.py" line="164"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
     </message>
@@ -10572,7 +10492,7 @@
         <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „visibility”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="90"/>
         <source>The rectangles as measured, with their verdict, what is kept along the seam, how far an eye sees the loss at 2x (&apos;visibility&apos;, 1 is just seen), and ratios: the largest over the sources.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną, z tym, co zachowano wzdłuż linii mozaikowania, z tym, na ile oko widzi stratę w powiększeniu 2× („visibility”, 1 to strata ledwie widoczna), i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
@@ -10587,12 +10507,12 @@
         <translation>widoczność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="109"/>
+        <location filename="../plugin/seams/report/window_words.py" line="110"/>
         <source>visibility at 2x (JND)</source>
         <translation>widoczność w powiększeniu 2× (JND)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="110"/>
+        <location filename="../plugin/seams/report/window_words.py" line="111"/>
         <source>How many times more of the detail along the seam was lost than an eye just sees side by side at 2x: just noticeable differences of contrast, by the sensitivity of the eye to the size and contrast of the detail.</source>
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
@@ -10707,7 +10627,7 @@
         <translation>{length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="105"/>
+        <location filename="../plugin/seams/measure/messages.py" line="101"/>
         <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
@@ -10761,7 +10681,7 @@
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="135"/>
+        <location filename="../plugin/seams/report/window_words.py" line="136"/>
         <source>The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 drops below the dashed line, the loss is significant. The dotted line is the share of the image beyond the seam in the mixture of the two.</source>
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
@@ -10776,67 +10696,62 @@
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="121"/>
-        <source>{name} shows nothing in the window that the other sources don&apos;t; it takes no part there.</source>
-        <translation>{name} nie pokazuje w oknie niczego, czego nie pokazywałyby pozostałe źródła; nie bierze tam udziału.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="148"/>
         <source>more than {width}</source>
         <translation>ponad {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="118"/>
+        <location filename="../plugin/seams/measure/messages.py" line="114"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="82"/>
+        <location filename="../plugin/toolkit/messages.py" line="81"/>
         <source>{path} is as it was, as the run did not come to its end; what was measured until then is in {part}.</source>
         <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="86"/>
+        <location filename="../plugin/toolkit/messages.py" line="85"/>
         <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="138"/>
+        <location filename="../plugin/imagery/messages.py" line="143"/>
         <source>the file there is damaged</source>
         <translation>istniejący plik jest uszkodzony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="44"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="53"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="199"/>
         <source>The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the model.</source>
         <translation>Ortoobraz leży do {most:.1f} px od miejsca, w którym widzi go dokładny model, bo model zastępuje RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="206"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="205"/>
         <source>The distortion of the camera shows no view at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="104"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="123"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="132"/>
         <source>where the mosaic or one of the sources lies</source>
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="142"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="179"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="183"/>
         <source>Of the seams on ground with detail. With less measured a delivery is not accepted.</source>
         <translation>Linii mozaikowania w terenie z detalami. Gdy zmierzono mniej, dostawa nie jest przyjmowana.</translation>
     </message>
@@ -10854,11 +10769,6 @@
         <location filename="../plugin/acceptance/checkdelivery.py" line="35"/>
         <source>Check a delivery</source>
         <translation>Sprawdź dostawę</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="37"/>
-        <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, or have no data inside their outline; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with what was found at each, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all of them, ready for the scan.</source>
-        <translation>Sprawdza pliki dostawy przed jej liniami mozaikowania: arkusze, których brakuje, których nikt nie zamówił albo które nie mają danych wewnątrz swojego obrysu; rozmiar piksela, układ odniesienia, kanały, typ pikseli i nazwy. Zapisuje arkusze z uwagami do każdego, gotowe dla odbioru dostawy, oraz jedną ortofotomapę wszystkich arkuszy, gotową do skanowania.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="45"/>
@@ -10889,11 +10799,6 @@
         <location filename="../plugin/acceptance/checkdelivery.py" line="70"/>
         <source>Each sheet with its file, what was found at it, and whether that is nothing.</source>
         <translation>Każdy arkusz z jego plikiem, uwagami i informacją, czy uwag nie ma.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="73"/>
-        <source>A virtual mosaic over the sheets that fit together; nothing is copied.</source>
-        <translation>Wirtualna ortofotomapa arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="44"/>
@@ -10976,242 +10881,232 @@
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="110"/>
         <source>{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may</source>
         <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
         <source>the layers lack {metres:.0f} m of seam</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, scan with a longer PIECE, or judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki z co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy obok nich, skanuj z dłuższym PIECE albo oceń tam okna wzrokowo (JUDGE observer); pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="200"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="211"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
-        <source>What would decide it: the layers of seams as their scans wrote them, without features taken away.</source>
-        <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, bez usuniętych obiektów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
-        <source>Layers of seams that were changed since their scan: {count} ({names}); the decision is on what they hold now.</source>
-        <translation>Warstwy linii mozaikowania zmienione po skanowaniu: {count} ({names}); decyzja dotyczy tego, co zawierają teraz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="245"/>
         <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
         <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="362"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="398"/>
         <source>The run was stopped: there is neither report nor XML.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="400"/>
         <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="404"/>
         <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="340"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="405"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="341"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="406"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="342"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="407"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="343"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="408"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="344"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="409"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="345"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="410"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="346"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="411"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="347"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="412"/>
         <source>the file does not say where it lies</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="348"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="349"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="414"/>
         <source>its pixels are {pixel:.4g} m instead of {wanted:.4g} m</source>
         <translation>piksel ma {pixel:.4g} m zamiast {wanted:.4g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="350"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="415"/>
         <source>its reference system is another one</source>
         <translation>ma inny układ odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="351"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="416"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="352"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="417"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="353"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="418"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="354"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="421"/>
         <source>whether it has data everywhere can&apos;t be told</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="170"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="250"/>
         <source>No seams</source>
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="301"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="339"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="385"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
         <source>detail kept along the seams</source>
         <translation>szczegóły zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="190"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="190"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="195"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Te same ortoobrazy, cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="278"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="313"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -11326,12 +11221,12 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="172"/>
+        <location filename="../plugin/seams/desk/dock.py" line="173"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="173"/>
+        <location filename="../plugin/seams/desk/dock.py" line="174"/>
         <source>Accept or reject the delivery: by its last scan, or all the way from its files</source>
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
@@ -11371,29 +11266,24 @@
         <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je. Prawy przycisk na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="79"/>
+        <location filename="../plugin/seams/measure/messages.py" line="75"/>
         <source>No change from one source to another is found in the window; the verdict is that of the sharpness alone.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="87"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="96"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="91"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="100"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the mosaic itself tells what it follows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="144"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="153"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="158"/>
-        <source>{share:.0f} % of the mosaic follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
-        <translation>{share:.0f} % ortofotomapy nie odpowiada żadnemu ortoobrazowi, najwięcej w okolicy {x:.1f}, {y:.1f}, więc nic tam nie zmierzono. Podaj te, z których tam powstała; liczy się też teren bez tekstury, na przykład woda.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/window/window_tables.py" line="236"/>
@@ -11583,7 +11473,7 @@
         <translation>Odbiór dostawy od plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
         <source>commit of the plugin</source>
         <translation>wersja źródeł wtyczki (commit)</translation>
     </message>
@@ -11608,57 +11498,57 @@
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="146"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="148"/>
         <source>{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted</source>
         <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
         <source>{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, {consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected</source>
         <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
         <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="289"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="340"/>
         <source>The {parameter} {value} is none of the standard&apos;s; known are {known}.</source>
         <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="392"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>images rejected: {rejected}, undecided: {open} of {all}</source>
         <translation>obrazy odrzucone: {rejected}, nierozstrzygnięte: {open} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="411"/>
         <source>{risk}: a delivery with {quality} of failed pieces is rejected</source>
         <translation>{risk}: odrzucenie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="168"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="171"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
@@ -11693,12 +11583,12 @@
         <translation>Tabela, którą algorytm „Sprawdź radiometrię” utworzył dla arkuszy: jej wynik stoi na pierwszej stronie obok decyzji i jej nie zmienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="39"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="40"/>
         <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the desk to be judged. The same seed draws the same sample.</source>
         <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859-1, jak wymagają podane ryzyka albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="51"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="52"/>
         <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; risk, as few as keep the risks below; count, as many as you say.</source>
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
     </message>
@@ -11751,11 +11641,6 @@
         <location filename="../plugin/radiometry/words.py" line="119"/>
         <source>The rules set no limit for it.</source>
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="41"/>
-        <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where 70 % or less is kept along the seam, reduced where the 95 % interval lies below all of it. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
-        <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii mozaikowania zachowano 70 % lub mniej, a kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/mendseams.py" line="39"/>
@@ -11923,44 +11808,34 @@
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="42"/>
-        <source>A patch would be written over {path}, which is an input; choose another folder.</source>
-        <translation>Łata zastąpiłaby plik wejściowy {path}; wybierz inny katalog.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="44"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="43"/>
         <source>Mending was stopped; start it again with the same outputs, and it goes on where it was.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="46"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="45"/>
         <source>Mending goes on where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="47"/>
         <source>{metres:.0f} m of the seams name no two orthoimages that are given, so they stay as they are.</source>
         <translation>{metres:.0f} m linii mozaikowania nie wymienia dwóch podanych ortoobrazów, więc pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="50"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="49"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="94"/>
+        <location filename="../plugin/seams/measure/messages.py" line="90"/>
         <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="98"/>
+        <location filename="../plugin/seams/measure/messages.py" line="94"/>
         <source>{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic&apos;s pixel size. {more}</source>
         <translation>{name} ma piksele {pixel:g} m, a ortofotomapa {own:g} m; podaj go z rozmiarem piksela ortofotomapy. {more}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/window_words.py" line="93"/>
-        <source>Significant: {percent} % or less of the finest detail is kept along the seam, or the whole window is blurred badly. Reduced: less than all is kept, beyond the error of the measurement. Preserved: no certain loss.</source>
-        <translation>Istotna strata: wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
     </message>
     <message>
         <source>A seam is where the mosaic passes from one orthoimage to the next. Where the two are blended there, fine detail is lost: the strip looks blurred. What is kept is measured piece by piece.</source>
@@ -11999,17 +11874,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="437"/>
+        <location filename="../plugin/seams/desk/dock.py" line="358"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="438"/>
+        <location filename="../plugin/seams/desk/dock.py" line="359"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="439"/>
+        <location filename="../plugin/seams/desk/dock.py" line="360"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -12024,27 +11899,22 @@
         <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="31"/>
-        <source>Holds labels, not an image: {count} different values.</source>
-        <translation>Zawiera etykiety, a nie obraz: {count} różnych wartości.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="37"/>
         <source>Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: {count}, on seam {places}.</source>
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="61"/>
+        <location filename="../plugin/toolkit/messages.py" line="65"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="62"/>
+        <location filename="../plugin/toolkit/messages.py" line="66"/>
         <source>In {count} windows ({windows}): {what}</source>
         <translation>Okna ({count}: {windows}): {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="63"/>
+        <location filename="../plugin/toolkit/messages.py" line="67"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -12067,7 +11937,7 @@
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
         <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
     </message>
@@ -12077,7 +11947,7 @@
         <translation>{name} jest uszkodzony w kolumnach od {left} do {right} i wierszach od {top} do {bottom} (GDAL: {why}); skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="126"/>
+        <location filename="../plugin/imagery/messages.py" line="131"/>
         <source>The server of {name} sends less than {bytes} bytes a second; try again later, or copy it to a local disk.</source>
         <translation>Serwer pliku {name} wysyła mniej niż {bytes} bajtów na sekundę; spróbuj ponownie później albo skopiuj plik na dysk lokalny.</translation>
     </message>
@@ -12197,52 +12067,42 @@
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="40"/>
+        <location filename="../plugin/toolkit/messages.py" line="44"/>
         <source>The Dask scheduler at {address} does not answer ({error}); check the address, of which the port mostly is 8786, or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres, którego port to najczęściej 8786, albo pozostaw go pusty.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="44"/>
+        <location filename="../plugin/toolkit/messages.py" line="48"/>
         <source>What answers at {address} is not a Dask scheduler; check the address, of which the port mostly is 8786, or leave it empty.</source>
         <translation>To, co odpowiada pod adresem {address}, nie jest schedulerem Dask; sprawdź adres, którego port to najczęściej 8786, albo pozostaw go pusty.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="53"/>
+        <location filename="../plugin/toolkit/messages.py" line="57"/>
         <source>The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; start them anew, then run this again.</source>
         <translation>Procesy robocze schedulera Dask pod adresem {address} nie odpowiadają od {seconds:.0f} s; uruchom je od nowa, a potem powtórz to zadanie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="75"/>
+        <location filename="../plugin/toolkit/messages.py" line="74"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: QGIS takes &apos;{found}&apos; in the path of a layer for something else; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: QGIS inaczej rozumie &apos;{found}&apos; w ścieżce warstwy; wybierz inną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="22"/>
+        <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>The rectangle around the outline is measured where a window is not a rectangle along the mosaic&apos;s axes: {count}.</source>
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
-        <source>Layers of seams without the totals of their scan, as exports are: {count} ({names}). Seams that were left out of them can&apos;t be noticed; decide on the GeoPackage that the scan wrote.</source>
-        <translation>Warstwy linii mozaikowania bez sum swojego badania, jak po eksporcie: {count} ({names}). Nie da się zauważyć linii, które w nich pominięto; decyduj na podstawie pliku GeoPackage zapisanego przez badanie ortofotomapy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
         <source>{metres:.0f} m of the seams lie on others and count again</source>
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="63"/>
-        <source>{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, nothing can be told of its seams, so give the orthoimages that it was made from.</source>
-        <translation>{name} jest wszędzie taki jak ortofotomapa, a innego źródła nie ma; jeśli jest jej kopią, nic nie da się powiedzieć o jej liniach mozaikowania, więc podaj ortoobrazy, z których ją wykonano.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="163"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="342"/>
         <source>{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; inspect the whole lot instead (PLAN all), or draw a sample by stated risks (&apos;Plan an inspection&apos;, PLAN risk with BAD_SHARE {value}).</source>
         <translation>{parameter} {value} nie występuje w dostępnych tu tablicach ISO 2859-2, które mają {known}; zamiast tego skontroluj całą partię (PLAN all) albo wylosuj próbę według podanych ryzyk („Zaplanuj kontrolę”, PLAN risk, BAD_SHARE {value}).</translation>
     </message>
@@ -12277,7 +12137,7 @@
         <translation>Wszystkie obrazy przyjęto.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="57"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="58"/>
         <source>Alone or beside the rasters: the sheets that &apos;Check a delivery&apos; wrote, or a tile index as gdaltindex writes it. The files that their field &apos;location&apos; names are checked.</source>
         <translation>Same lub obok rastrów: arkusze zapisane przez „Sprawdź dostawę” albo indeks arkuszy zapisany przez gdaltindex. Sprawdzane są pliki, które wskazuje ich pole „location”.</translation>
     </message>
@@ -12299,12 +12159,12 @@
         <translation>Wszystkie liczby kontroli radiometrii z histogramami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="167"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="184"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="180"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="197"/>
         <source>Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -12359,37 +12219,37 @@
         <translation>najdłuższa usterka bez przerwy ma {value:.1f} m, a dopuszcza się {limit:.1f} m, lecz według przedziałów jej odcinków może to być od {low:.1f} do {high:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="101"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
         <source>{value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
         <source>only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can&apos;t be decided</source>
         <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
         <source>layers of seams were changed since their scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}. Of many more seams made in the same way {low:.2%} to {high:.2%} would fail (95 % interval); this does not decide.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}. Z wielu dalszych linii mozaikowania wykonanych w ten sam sposób niezgodne byłoby od {low:.2%} do {high:.2%} (przedział 95 %); to nie rozstrzyga.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
         <source>{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have no line.</source>
         <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="283"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="334"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="337"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="402"/>
         <source>{parameter} is &apos;{value}&apos;, which is no date; write it as 2026-11-23 or 23.11.2026.</source>
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
     </message>
@@ -12414,7 +12274,7 @@
         <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowanie zapisało w obrazie strat.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="65"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="66"/>
         <source>The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
@@ -12454,7 +12314,7 @@
         <translation>Pole, według którego grupowane są okna, np. użytkowanie terenu lub skala: za krzywymi zaznaczonego okna widać zakres wszystkich okien z tą samą wartością. Puste pole: bez grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="61"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
         <source>Rectangles in any reference system; each is checked separately on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
@@ -12559,7 +12419,7 @@
         <translation>Zaczyna tam, gdzie granica leży głęboko w przedziale tego, co zachowano: tam oko mówi najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="56"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="51"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -12569,17 +12429,17 @@
         <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="186"/>
+        <location filename="../plugin/seams/measure/messages.py" line="179"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <location filename="../plugin/seams/measure/messages.py" line="183"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="55"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="64"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
@@ -12734,7 +12594,7 @@
         <translation>W {folder} nie ma żadnego ze zdjęć, które wymienia {name}; wskaż ich katalog (PHOTOS).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
         <source>The terrain is that of the project: {name}.</source>
         <translation>Teren pochodzi z projektu: {name}.</translation>
     </message>
@@ -12794,7 +12654,7 @@
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="28"/>
+        <location filename="../plugin/toolkit/messages.py" line="32"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is no number; write it with a point, such as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
     </message>
@@ -12891,47 +12751,47 @@
         <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="19"/>
+        <location filename="../plugin/toolkit/messages.py" line="23"/>
         <source>Windows without a number of their own: {count}; they got the next free ones.</source>
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
         <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="176"/>
         <source>Failures that end at the edge of a sheet where no seam goes on: {count}, {metres:.1f} m (no. {numbers}); they may be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.</source>
         <translation>Usterki kończące się na brzegu arkusza, za którym nie biegnie żadna linia mozaikowania: {count}, {metres:.1f} m (nr {numbers}); za brzegiem mogą być dłuższe. Aby to sprawdzić, przeskanuj arkusz razem z sąsiednimi jako jedną ortofotomapę (VRT).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="149"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
         <source>Sheets were scanned apart, so pieces begin anew where seams cross their borders ({count}). With other pieces, as in one scan of all sheets, the failed metres may differ by {within:.0f} m (95 % interval), and by what only one of the scans can measure.</source>
         <translation>Arkusze zeskanowano osobno, więc odcinki zaczynają się od nowa tam, gdzie linie mozaikowania przecinają ich brzegi ({count}). Przy innych odcinkach, jak w jednym skanie wszystkich arkuszy, liczba niezgodnych metrów może się różnić o {within:.0f} m (przedział 95 %) oraz o to, co zmierzy tylko jeden ze skanów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
         <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.</source>
         <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają wartość graniczną ({metres:.0f} m, odcinków: {count}). Oceń okna na nich wzrokowo albo skanuj z dłuższym PIECE, które daje węższe przedziały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>What would decide it: a scan with a shorter PIECE. Failures end inside of pieces, so a sum of pieces of {piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszym PIECE. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="299"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
         <source>not visible</source>
         <translation>niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="189"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>about {share} of the area has no data; &apos;Check a delivery&apos; checks it</source>
         <translation>około {share} powierzchni bez danych; sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="296"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -13006,11 +12866,6 @@
         <translation>{folder} nie jest projektem OpenDroneMap, ponieważ nie ma w nim opensfm/reconstruction.json; wskaż plik orientacji zdjęć (EXTERIOR).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
-        <source>The orthoimage would be written over {path}, which is read; choose another folder.</source>
-        <translation>Ortoobraz zastąpiłby plik {path}, z którego odczytywane są dane; wybierz inny katalog.</translation>
-    </message>
-    <message>
         <location filename="../plugin/sensors/orthorectifyphotos.py" line="29"/>
         <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. Of an OpenDroneMap project the folder, or reconstruction.json, is enough. A photo that can&apos;t be used is named, and the others are made.</source>
         <translation>Umieszcza na mapie wszystkie zdjęcia lotnicze bloku, z użyciem NMT i na jednej siatce pikseli: te, które wymienia plik ich orientacji. W przypadku projektu OpenDroneMap wystarczy katalog albo reconstruction.json. Zdjęcie, którego nie można użyć, jest wymieniane, a pozostałe powstają.</translation>
@@ -13039,42 +12894,37 @@
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="127"/>
         <source>rows of {name} were changed so that {metres:.0f} m which its scan failed pass</source>
         <translation>w warstwie {name} zmieniono wiersze tak, że {metres:.0f} m zakwestionowanych przez skan przechodzi pomyślnie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
         <source>parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="380"/>
         <source>{name}: the seamlines name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
         <translation>{name}: linie mozaikowania wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
-        <source>{name}: the seams are those of the given seamlines, and only what lies along them was looked at. Scan once more without SEAMLINES to find seams that they do not show.</source>
-        <translation>{name}: zmierzono podane linie mozaikowania i obejrzano tylko to, co leży wzdłuż nich. Aby znaleźć linie, których one nie pokazują, wykonaj jeszcze jeden skan bez SEAMLINES.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="147"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="148"/>
         <source>Radiometry: {word}.</source>
         <translation>Radiometria: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="172"/>
+        <location filename="../plugin/seams/measure/messages.py" line="165"/>
         <source>{field} of {count} windows is a number that no measurement gives; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="35"/>
+        <location filename="../plugin/toolkit/messages.py" line="39"/>
         <source>Seam Inspector was updated or turned off while this ran; start it again.</source>
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="242"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="241"/>
         <source>The terrain model {name} has {count} million pixels and no overviews, by which its lowest and highest place would be found; build some (gdaladdo), or clip it to the photos.</source>
         <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
     </message>
@@ -13104,27 +12954,27 @@
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="76"/>
+        <location filename="../plugin/seams/measure/messages.py" line="72"/>
         <source>No source explains the mosaic&apos;s fine detail here; add the orthoimages that it was made from.</source>
         <translation>Żaden ortoobraz źródłowy nie wyjaśnia tu drobnych detali ortofotomapy; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="83"/>
+        <location filename="../plugin/seams/measure/messages.py" line="79"/>
         <source>Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.</source>
         <translation>Dwa obrazy są zmieszane na {share:.0f} % okna: nie ma linii ani niezmieszanego terenu do porównania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="87"/>
+        <location filename="../plugin/seams/measure/messages.py" line="83"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo je przesuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <location filename="../plugin/seams/measure/messages.py" line="86"/>
         <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the one missing.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/messages.py" line="97"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources&apos; detail: add those that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
@@ -13254,11 +13104,6 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="63"/>
-        <source>QGIS does not know the mosaic&apos;s reference system, so windows would lie nowhere; restart QGIS, or give the mosaic another one.</source>
-        <translation>QGIS nie zna układu współrzędnych ortofotomapy, więc okna nie leżałyby nigdzie; uruchom QGIS ponownie albo nadaj ortofotomapie inny układ.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/judging.py" line="92"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
@@ -13267,11 +13112,6 @@
         <location filename="../plugin/seams/desk/judging_summary.py" line="56"/>
         <source>These are {count} verdicts; judge some {more} more before you rely on it.</source>
         <translation>To {count} opinii; zanim zaufasz tej granicy, dodaj jeszcze około {more}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
-        <source>Another state of the mosaic: where they are alike, it goes with the mosaic from one orthoimage to the next.</source>
-        <translation>Inny stan tej ortofotomapy: tam, gdzie są podobne, przechodzi razem z nią z ortoobrazu na ortoobraz.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="394"/>
@@ -13294,37 +13134,37 @@
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). {why}</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
         <source>A parametric model needs few points and does not swing between them.</source>
         <translation>Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="273"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
         <source>The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
         <source>Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
         <translation>Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="276"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
         <source>It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="277"/>
         <source>Polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="280"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="279"/>
         <source>The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
@@ -13347,6 +13187,319 @@
         <location filename="../plugin/seams/words.py" line="240"/>
         <source>Brightness was evened out from place to place; done from a coarse overview, that takes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="37"/>
+        <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, have no data inside their outline, can&apos;t be read, or hide each other; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with what was found at each, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all that were ordered, ready for the scan.</source>
+        <translation>Sprawdza pliki dostawy przed jej liniami mozaikowania: arkusze, których brakuje, których nikt nie zamówił, które nie mają danych wewnątrz swojego obrysu, których nie da się odczytać albo które zasłaniają się nawzajem; rozmiar piksela, układ odniesienia, kanały, typ pikseli i nazwy. Zapisuje arkusze z uwagami do każdego, gotowe dla odbioru dostawy, oraz jedną ortofotomapę wszystkich zamówionych, gotową do skanowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="73"/>
+        <source>A virtual mosaic over the ordered sheets that fit together; nothing is copied.</source>
+        <translation>Wirtualna ortofotomapa zamówionych arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
+        <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {metres:.1f} m by a row of pieces that were not measured</source>
+        <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz przez ciąg odcinków, których nie zmierzono, może to być {metres:.1f} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
+        <source>{share:.2%} of the mosaic of {name} could not be read, such as around {place}</source>
+        <translation>nie udało się odczytać {share:.2%} ortofotomapy {name}, na przykład wokół {place}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
+        <source>sheets of which nothing was measured: {count} ({names})</source>
+        <translation>arkusze, z których niczego nie zmierzono: {count} ({names})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
+        <source>sheets that are missing in the mosaic that was scanned: {count} ({names})</source>
+        <translation>arkusze, których brakuje w zeskanowanej ortofotomapie: {count} ({names})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
+        <source>sheets whose pixels can&apos;t all be read: {count} ({names})</source>
+        <translation>arkusze, których pikseli nie da się w całości odczytać: {count} ({names})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
+        <source>sheets that overlap others and show something else there, which nobody has looked at: {count} ({names})</source>
+        <translation>arkusze, które nachodzą na inne i pokazują tam coś innego, czego nikt nie obejrzał: {count} ({names})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
+        <source>layers of seams have another reference system than their scan gave them: {count} ({names})</source>
+        <translation>warstwy linii mozaikowania w innym układzie współrzędnych, niż nadało im skanowanie: {count} ({names})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
+        <source>layers of seams without the seal of a scan: {count} ({names})</source>
+        <translation>warstwy linii mozaikowania bez pieczęci skanowania: {count} ({names})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
+        <source>files are given that are not those that were scanned: {names}</source>
+        <translation>podano pliki, które nie są tymi, które skanowano: {names}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
+        <source>files were changed since they were scanned: {count} ({names})</source>
+        <translation>pliki zmienione od czasu skanowania: {count} ({names})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
+        <source>files of the scanned mosaic are not found any more: {count} ({names})</source>
+        <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="133"/>
+        <source>{judged:.0f} m of seam are judged and the scan saw the mosaic change its orthoimage along {seen:.0f} m: {unseen:.0f} m of these are in no figure (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may differ</source>
+        <translation>oceniono {judged:.0f} m szwów, a według skanu mozaika zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
+        <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
+        <translation>na {metres:.0f} m przy {place} mozaika przechodzi z jednego ortoobrazu w drugi, a szwu nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
+        <source>along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
+        <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia mozaiki; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
+        <source>A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
+        <translation>Ciąg odcinków, których nie zmierzono, wraz z niezgodnymi wśród nich, jest dłuższy, niż może być usterka: {metres:.1f} m w miejscu {x:.1f}, {y:.1f} w {sheets}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="192"/>
+        <source>There are {count} more such rows.</source>
+        <translation>Dalszych takich ciągów: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
+        <source>What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with all SEAMLINES, or without any.</source>
+        <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a szwu nie zmierzono, oraz skan ze wszystkimi SEAMLINES albo bez nich.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
+        <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
+        <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
+        <source>What would decide it: the files that were scanned, given as MOSAIC and SOURCES, or a scan of those that are there now.</source>
+        <translation>Co by rozstrzygnęło: pliki, które skanowano, podane jako MOSAIC i SOURCES, albo skanowanie tych, które są teraz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
+        <source>What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge windows there by eye (JUDGE observer), or scan with a longer PIECE; the field &apos;reason&apos; of the seams says why each was not measured.</source>
+        <translation>Co by rozstrzygnęło: wyniki z ciągów odcinków dłuższych niż {limit:.0f} m, których nie zmierzono. Oceń tam okna wzrokowo (JUDGE observer) albo skanuj z dłuższym PIECE; pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
+        <source>What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; leave out the layer of a sheet without seams.</source>
+        <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
+        <source>Files that are as they were scanned: {count}.</source>
+        <translation>Pliki takie, jak je skanowano: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
+        <source>Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again what the decision rests on.</source>
+        <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="366"/>
+        <source>{name}: the mosaic passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
+        <translation>{name}: mozaika przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono szwu, najdłużej przy {place}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="370"/>
+        <source>{name}: along {metres:.0f} m of the given seamlines the mosaic shows one orthoimage on both sides; they are no seams.</source>
+        <translation>{name}: wzdłuż {metres:.0f} m podanych linii szwów mozaika pokazuje po obu stronach ten sam ortoobraz; nie są to szwy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="374"/>
+        <source>{name}: {share:.1%} of the mosaic within its outline have no pixels, most of it around {place}.</source>
+        <translation>{name}: {share:.1%} mozaiki w obrębie jej obrysu nie ma pikseli, najwięcej przy {place}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="377"/>
+        <source>{name}: {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.</source>
+        <translation>{name}: obejrzano {share:.0%} mozaiki, w obrębie CORRIDOR; szwy poza nim nie są znane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="384"/>
+        <source>{name}: the seams are those of the given seamlines; elsewhere the scan looked at samples only, which show a seam that lacks where it is long.</source>
+        <translation>{name}: szwy są tymi z podanych linii; gdzie indziej skan obejrzał tylko próbki, które pokazują brakujący szew, gdy jest długi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="419"/>
+        <source>it does not show the same as {names} where they overlap</source>
+        <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="420"/>
+        <source>it is no part of the mosaic of all sheets</source>
+        <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
+        <source>given: {judged}, found: {seen}; found and not given: {unseen}, given and not found: {unchanged}</source>
+        <translation>podane: {judged}, znalezione: {seen}; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="219"/>
+        <source>found: {judged}; borders that no seam tells of: {unseen}</source>
+        <translation>znalezione: {judged}; granice, o których nie mówi żaden szew: {unseen}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <source>seams given and found</source>
+        <translation>szwy podane i znalezione</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <source>ground that follows no orthoimage</source>
+        <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <source>no data within the mosaic&apos;s outline</source>
+        <translation>brak danych w obrębie obrysu mozaiki</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
+        <source>; looked at: {share} of the mosaic</source>
+        <translation>; obejrzano: {share} mozaiki</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="227"/>
+        <source>{share} of what has texture</source>
+        <translation>{share} tego, co ma teksturę</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="231"/>
+        <source>; around {places}</source>
+        <translation>; przy {places}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
+        <source>the layers of seams do not say it</source>
+        <translation>warstwy szwów tego nie podają</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
+        <source>of these may keep enough, by their 95 % intervals</source>
+        <translation>z tych może zachowywać dość, według przedziałów 95 %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="41"/>
+        <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where by the best estimate 70 % or less is kept along the seam and that something is lost is sure, reduced where the 95 % interval lies below all of it. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
+        <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy według najlepszego oszacowania wzdłuż linii mozaikowania zachowano 70 % lub mniej, a to, że coś stracono, jest pewne; kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
+        <source>A window is significant when by the best estimate this share of the finest detail, or less, is kept along its seam, and that something is lost is sure. 0.5 is what a 50:50 blend of two images leaves that have nothing in common.</source>
+        <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="55"/>
+        <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and that something is lost is sure</source>
+        <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="44"/>
+        <source>Show where detail was lost, over the map and the images (L while judging). One scale for all windows</source>
+        <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="207"/>
+        <source>Detail kept</source>
+        <translation>Zachowane detale</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="15"/>
+        <source>Lies where the mosaic does, as a copy or another mosaic would; tick it if it is one of the orthoimages.</source>
+        <translation>Leży dokładnie tam, gdzie mozaika, jak kopia lub inna mozaika; zaznacz, jeśli to jeden z ortoobrazów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="19"/>
+        <source>A copy of the mosaic: it goes with it across its seams. It would hide every loss.</source>
+        <translation>Kopia mozaiki: zmienia się wraz z nią na jej liniach łączenia. Ukryłaby każdą stratę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
+        <source>The mosaic itself wherever they were compared: one of its orthoimages, or a copy of it or of a part of it; untick it in that case.</source>
+        <translation>Identyczny z mozaiką wszędzie, gdzie je porównano: jeden z jej ortoobrazów albo kopia jej lub jej części; w takim razie odznacz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="39"/>
+        <source>{name} goes with the mosaic across its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
+        <translation>{name} zmienia się wraz z mozaiką na jej liniach łączenia, jest więc jej kopią lub podglądem albo mozaiką, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
+        <source>{name} is the mosaic itself wherever they were compared. It takes part, as it may be one of the orthoimages; if it is a copy of the mosaic or of a part of it, it hides every loss there, so take it out of the sources.</source>
+        <translation>{name} jest identyczny z mozaiką wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią mozaiki lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="47"/>
+        <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so take it out of the sources.</source>
+        <translation>{name} jest podobny do mozaiki wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z mozaiki, ukrywa straty, więc usuń go ze źródeł.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="13"/>
+        <source>The format of SEAMS has no place for the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
+        <translation>Format SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="36"/>
+        <source>Nothing of the mosaic {name} could be read, so nothing was measured: {why}</source>
+        <translation>Z ortofotomapy {name} nie udało się niczego odczytać, więc niczego nie zmierzono: {why}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="38"/>
+        <source>No orthoimage could be read, so nothing was measured; mend that, or leave them all out to scan the mosaic along its seamlines alone: {why}</source>
+        <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="167"/>
+        <source>{share:.0f} % of the mosaic&apos;s textured ground follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there.</source>
+        <translation>{share:.0f} % terenu mozaiki z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="171"/>
+        <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look at it, and give the seamlines that lack or scan without SEAMLINES.</source>
+        <translation>Mozaika przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono szwu, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii szwu albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie szwów albo skanuj bez SEAMLINES.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="176"/>
+        <source>{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy its files anew and scan again.</source>
+        <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/window_words.py" line="93"/>
+        <source>Significant: by the best estimate {percent} % or less of the finest detail is kept along the seam, and that something is lost is sure; or the whole window is blurred badly. Reduced: less than all is kept, beyond the error of the measurement. Preserved: no certain loss.</source>
+        <translation>Istotna strata: według najlepszego oszacowania wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej, a to, że coś stracono, jest pewne; albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="13"/>
+        <source>{name} would not lie in the mosaic&apos;s reference system, which can&apos;t be written into a GeoPackage; give the mosaic another one, such as one with an EPSG code.</source>
+        <translation>Plik {name} nie leżałby w układzie współrzędnych mozaiki, bo układu tego nie da się zapisać w GeoPackage; nadaj mozaice inny układ, na przykład z kodem EPSG.</translation>
+    </message>
+    <message>
+        <source>Rows that were not measured</source>
+        <translation>Ciągi, których nie zmierzono</translation>
+    </message>
+    <message>
+        <source>Pieces that follow each other without a break and were not measured, with those that failed among them. Such a row may be a failure, and is longer than one may be.</source>
+        <translation>Odcinki, które następują po sobie bez przerwy i których nie zmierzono, wraz z niezgodnymi wśród nich. Taki ciąg może być usterką i jest dłuższy, niż usterka może być.</translation>
     </message>
 </context>
 </TS>
