@@ -158,6 +158,28 @@ def test_a_scan_without_some_orthoimages_is_told(tmp_path: Path, loss: str) -> N
     assert accept(LOSS=loss).log.warnings == []
 
 
+def test_the_cover_tells_what_the_scan_saw_beside_the_seams(tmp_path: Path, loss: str) -> None:
+    told = tmp_path / "told.tif"
+    gdal.Translate(str(told), loss)
+    dataset = gdal.Open(str(told), gdal.GA_Update)
+    dataset.SetMetadata({
+        "wavelet": "coif3", "seams": "given", "unexplained": "0.0125", "unexplained_at": "500010 5400020 12 30",
+        "unchanged_metres": "10.0", "unseen_metres": "400.0", "unseen_longest": "90.0",
+        "unseen_at": "500100 5400200 6 90; 500300 5400400 8 60", "nodata_inside": "0.004",
+        "nodata_at": "500001 5400002 3 4",
+    }, "SEAM_INSPECTOR")
+    del dataset
+    outcome = accept(LOSS=str(told), REPORT=str(tmp_path / "r.html"))
+    page = (tmp_path / "r.html").read_text(encoding="utf-8").replace("<wbr>", "").replace("\u00a0", " ")
+    total = outcome.results["TOTAL_METRES"]
+    assert f"given: {total:.1f} m, found: {total + 390:.1f} m" in page
+    assert "found and not given: 400.0 m, given and not found: 10.0 m" in page
+    assert "500100.0, 5400200.0 (6 x 90 m); 500300.0, 5400400.0 (8 x 60 m)" in page
+    assert "1.2 % of what has texture; around 500010.0, 5400020.0 (12 x 30 m)" in page
+    assert "0.4 %; around 500001.0, 5400002.0 (3 x 4 m)" in page
+    assert any("along at least 400" in said for said in outcome.log.warnings)
+
+
 def test_a_run_that_is_stopped_leaves_no_layer_without_the_failures(tmp_path: Path, mosaic: str) -> None:
     log = Log()
     log.cancel()

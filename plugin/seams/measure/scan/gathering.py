@@ -45,7 +45,6 @@ from .scan_result import ScanResult, judge_piece, metres, without_verdict, worst
 
 _BLOCKS_OF_PIECES = 4
 """Side by side, whose pieces are measured together; it must not depend on who measures, as the last digits do on it."""
-_WITH_DETAIL = PieceState.PASSED, PieceState.FAILED, PieceState.NOT_MEASURED
 _TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
 """Shares of the time at the ends of what there is to do."""
 
@@ -113,7 +112,9 @@ class Gathering:
         )
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
         if request.seams:
-            told["unchanged_metres"] = f"{metres([judged[number] for number in unchanged], *_WITH_DETAIL):.1f}"
+            # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
+            alike = metres([judged[number] for number in unchanged], PieceState.NOT_MEASURED)
+            told["unchanged_metres"] = f"{alike:.1f}"
         notices = (*self._reading.notices, *_notices(ground), *without_verdict(judged))
         if not pieces and not request.seams:
             notices += self._no_seam(polygons.result())
