@@ -12341,12 +12341,12 @@
     <message>
         <location filename="../plugin/seams/charts/profile_painter.py" line="102"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %) of the ground around, which has {left} % of the orthoimages&apos; detail</source>
-        <translation>Przy linii zachowane {kept} % (od {low} do {high} %) szczegółów terenu wokół, który ma {left} % szczegółów ortoobrazów</translation>
+        <translation>Przy linii zachowane {kept} % (od {low} do {high} %) szczegółów terenu wokół, który ma {left} % szczegółów ortoobrazów</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/profile_painter.py" line="104"/>
         <source>{kept} % kept of the ground, which has {left} %</source>
-        <translation>zachowane {kept} % terenu, który ma {left} %</translation>
+        <translation>zachowane {kept} % terenu, który ma {left} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/images/images_panel.py" line="143"/>
@@ -12391,7 +12391,7 @@
     <message>
         <location filename="../plugin/seams/desk/judging_summary.py" line="51"/>
         <source>Your verdicts support a limit of {limit} % kept along the seam ({low} to {high} %); {set} % is set.</source>
-        <translation>Twoje oceny wskazują granicę {limit} % zachowanych wzdłuż linii mozaikowania (od {low} do {high} %); ustawione jest {set} %.</translation>
+        <translation>Twoje oceny wskazują granicę {limit} % zachowanych wzdłuż linii mozaikowania (od {low} do {high} %); ustawione jest {set} %.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging_summary.py" line="37"/>
@@ -12931,7 +12931,7 @@
     <message>
         <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
         <source>{kept} % kept, ground {left} %</source>
-        <translation>zach. {kept} %, teren {left} %</translation>
+        <translation>zach. {kept} %, teren {left} %</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="144"/>
@@ -12961,7 +12961,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="79"/>
         <source>Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.</source>
-        <translation>Dwa obrazy są zmieszane na {share:.0f} % okna: nie ma linii ani niezmieszanego terenu do porównania.</translation>
+        <translation>Dwa obrazy są zmieszane na {share:.0f} % okna: nie ma linii ani niezmieszanego terenu do porównania.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="83"/>
@@ -12971,17 +12971,17 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="86"/>
         <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the one missing.</source>
-        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
+        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="97"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources&apos; detail: add those that it was made from.</source>
-        <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
+        <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="196"/>
         <source>Mixing alone would have taken {percent} % there.</source>
-        <translation>Samo mieszanie zabrałoby tam {percent} %.</translation>
+        <translation>Samo mieszanie zabrałoby tam {percent} %.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="179"/>
@@ -13006,12 +13006,12 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="198"/>
         <source>Mixing alone would have taken {percent} % there; what took the rest is unclear.</source>
-        <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
+        <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="378"/>
         <source>{lost} % of detail lost beside the seam</source>
-        <translation>{lost} % detali utracono przy linii</translation>
+        <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="184"/>
@@ -13021,7 +13021,7 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="380"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
-        <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
+        <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="402"/>
@@ -13126,12 +13126,12 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="387"/>
         <source>{lost} % of the window&apos;s detail lost</source>
-        <translation>{lost} % detali okna utracono</translation>
+        <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="391"/>
         <source>{said}, {lost} % of the rest along the seam</source>
-        <translation>{said}, wzdłuż linii {lost} % reszty</translation>
+        <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="270"/>
@@ -13171,7 +13171,7 @@
     <message>
         <location filename="../plugin/seams/words.py" line="242"/>
         <source>dodging took {value} %</source>
-        <translation>wyrównanie jasności zabrało {value} %</translation>
+        <translation>wyrównanie jasności zabrało {value} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="243"/>
@@ -13256,17 +13256,17 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="133"/>
         <source>{judged:.0f} m of seam are judged and the scan saw the mosaic change its orthoimage along {seen:.0f} m: {unseen:.0f} m of these are in no figure (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may differ</source>
-        <translation>oceniono {judged:.0f} m szwów, a według skanu mozaika zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
+        <translation>oceniono {judged:.0f} m linii mozaikowania, a według skanu ortofotomapa zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
-        <translation>na {metres:.0f} m przy {place} mozaika przechodzi z jednego ortoobrazu w drugi, a szwu nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
+        <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
-        <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia mozaiki; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
+        <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
@@ -13281,7 +13281,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with all SEAMLINES, or without any.</source>
-        <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a szwu nie zmierzono, oraz skan ze wszystkimi SEAMLINES albo bez nich.</translation>
+        <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi SEAMLINES albo bez nich.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
@@ -13291,7 +13291,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
         <source>What would decide it: the files that were scanned, given as MOSAIC and SOURCES, or a scan of those that are there now.</source>
-        <translation>Co by rozstrzygnęło: pliki, które skanowano, podane jako MOSAIC i SOURCES, albo skanowanie tych, które są teraz.</translation>
+        <translation>Co by rozstrzygnęło: skanowane pliki ortofotomapy i ortoobrazów, podane jako MOSAIC i SOURCES, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
@@ -13316,27 +13316,27 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="366"/>
         <source>{name}: the mosaic passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
-        <translation>{name}: mozaika przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono szwu, najdłużej przy {place}.</translation>
+        <translation>{name}: ortofotomapa przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="370"/>
         <source>{name}: along {metres:.0f} m of the given seamlines the mosaic shows one orthoimage on both sides; they are no seams.</source>
-        <translation>{name}: wzdłuż {metres:.0f} m podanych linii szwów mozaika pokazuje po obu stronach ten sam ortoobraz; nie są to szwy.</translation>
+        <translation>{name}: wzdłuż {metres:.0f} m podanych linii mozaikowania ortofotomapa pokazuje po obu stronach ten sam ortoobraz; nic się tam nie łączy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="374"/>
         <source>{name}: {share:.1%} of the mosaic within its outline have no pixels, most of it around {place}.</source>
-        <translation>{name}: {share:.1%} mozaiki w obrębie jej obrysu nie ma pikseli, najwięcej przy {place}.</translation>
+        <translation>{name}: {share:.1%} ortofotomapy w obrębie jej obrysu nie ma pikseli, najwięcej przy {place}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="377"/>
         <source>{name}: {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.</source>
-        <translation>{name}: obejrzano {share:.0%} mozaiki, w obrębie CORRIDOR; szwy poza nim nie są znane.</translation>
+        <translation>{name}: obejrzano {share:.0%} ortofotomapy, w obrębie CORRIDOR; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="384"/>
         <source>{name}: the seams are those of the given seamlines; elsewhere the scan looked at samples only, which show a seam that lacks where it is long.</source>
-        <translation>{name}: szwy są tymi z podanych linii; gdzie indziej skan obejrzał tylko próbki, które pokazują brakujący szew, gdy jest długi.</translation>
+        <translation>{name}: linie mozaikowania są podane; gdzie indziej skan obejrzał tylko próbki, które pokazują brakującą linię, gdy jest długa.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="419"/>
@@ -13356,12 +13356,12 @@
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="219"/>
         <source>found: {judged}; borders that no seam tells of: {unseen}</source>
-        <translation>znalezione: {judged}; granice, o których nie mówi żaden szew: {unseen}</translation>
+        <translation>znalezione: {judged}; granice, o których nie mówi żadna linia mozaikowania: {unseen}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>seams given and found</source>
-        <translation>szwy podane i znalezione</translation>
+        <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
@@ -13371,12 +13371,12 @@
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>no data within the mosaic&apos;s outline</source>
-        <translation>brak danych w obrębie obrysu mozaiki</translation>
+        <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
         <source>; looked at: {share} of the mosaic</source>
-        <translation>; obejrzano: {share} mozaiki</translation>
+        <translation>; obejrzano: {share} ortofotomapy</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="227"/>
@@ -13391,17 +13391,17 @@
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
         <source>the layers of seams do not say it</source>
-        <translation>warstwy szwów tego nie podają</translation>
+        <translation>warstwy linii mozaikowania tego nie podają</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
         <source>of these may keep enough, by their 95 % intervals</source>
-        <translation>z tych może zachowywać dość, według przedziałów 95 %</translation>
+        <translation>z tych może zachowywać dość, według przedziałów 95 %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="41"/>
         <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where by the best estimate 70 % or less is kept along the seam and that something is lost is sure, reduced where the 95 % interval lies below all of it. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
-        <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy według najlepszego oszacowania wzdłuż linii mozaikowania zachowano 70 % lub mniej, a to, że coś stracono, jest pewne; kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
+        <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy według najlepszego oszacowania wzdłuż linii mozaikowania zachowano 70 % lub mniej, a to, że coś stracono, jest pewne; kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
@@ -13426,37 +13426,37 @@
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="15"/>
         <source>Lies where the mosaic does, as a copy or another mosaic would; tick it if it is one of the orthoimages.</source>
-        <translation>Leży dokładnie tam, gdzie mozaika, jak kopia lub inna mozaika; zaznacz, jeśli to jeden z ortoobrazów.</translation>
+        <translation>Leży dokładnie tam, gdzie ortofotomapa, jak kopia lub inna ortofotomapa; zaznacz, jeśli to jeden z ortoobrazów.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="19"/>
         <source>A copy of the mosaic: it goes with it across its seams. It would hide every loss.</source>
-        <translation>Kopia mozaiki: zmienia się wraz z nią na jej liniach łączenia. Ukryłaby każdą stratę.</translation>
+        <translation>Kopia ortofotomapy: zmienia się wraz z nią na jej liniach łączenia. Ukryłaby każdą stratę.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
         <source>The mosaic itself wherever they were compared: one of its orthoimages, or a copy of it or of a part of it; untick it in that case.</source>
-        <translation>Identyczny z mozaiką wszędzie, gdzie je porównano: jeden z jej ortoobrazów albo kopia jej lub jej części; w takim razie odznacz.</translation>
+        <translation>Identyczny z ortofotomapą wszędzie, gdzie je porównano: jeden z jej ortoobrazów albo kopia jej lub jej części; w takim razie odznacz.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="39"/>
         <source>{name} goes with the mosaic across its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
-        <translation>{name} zmienia się wraz z mozaiką na jej liniach łączenia, jest więc jej kopią lub podglądem albo mozaiką, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
+        <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
         <source>{name} is the mosaic itself wherever they were compared. It takes part, as it may be one of the orthoimages; if it is a copy of the mosaic or of a part of it, it hides every loss there, so take it out of the sources.</source>
-        <translation>{name} jest identyczny z mozaiką wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią mozaiki lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
+        <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="47"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so take it out of the sources.</source>
-        <translation>{name} jest podobny do mozaiki wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z mozaiki, ukrywa straty, więc usuń go ze źródeł.</translation>
+        <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="13"/>
         <source>The format of SEAMS has no place for the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
-        <translation>Format SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
+        <translation>Format warstwy linii mozaikowania SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="36"/>
@@ -13471,27 +13471,27 @@
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="167"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there.</source>
-        <translation>{share:.0f} % terenu mozaiki z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano.</translation>
+        <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="171"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look at it, and give the seamlines that lack or scan without SEAMLINES.</source>
-        <translation>Mozaika przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono szwu, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii szwu albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie szwów albo skanuj bez SEAMLINES.</translation>
+        <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez SEAMLINES.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="176"/>
         <source>{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy its files anew and scan again.</source>
-        <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
+        <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/window_words.py" line="93"/>
         <source>Significant: by the best estimate {percent} % or less of the finest detail is kept along the seam, and that something is lost is sure; or the whole window is blurred badly. Reduced: less than all is kept, beyond the error of the measurement. Preserved: no certain loss.</source>
-        <translation>Istotna strata: według najlepszego oszacowania wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej, a to, że coś stracono, jest pewne; albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
+        <translation>Istotna strata: według najlepszego oszacowania wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej, a to, że coś stracono, jest pewne; albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="13"/>
         <source>{name} would not lie in the mosaic&apos;s reference system, which can&apos;t be written into a GeoPackage; give the mosaic another one, such as one with an EPSG code.</source>
-        <translation>Plik {name} nie leżałby w układzie współrzędnych mozaiki, bo układu tego nie da się zapisać w GeoPackage; nadaj mozaice inny układ, na przykład z kodem EPSG.</translation>
+        <translation>Plik {name} nie leżałby w układzie współrzędnych ortofotomapy, bo układu tego nie da się zapisać w GeoPackage; nadaj ortofotomapie inny układ, na przykład z kodem EPSG.</translation>
     </message>
     <message>
         <source>Rows that were not measured</source>

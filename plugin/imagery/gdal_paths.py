@@ -4,7 +4,7 @@
 |---|---|---|
 | `open_raster` | mosaics, orthoimages, heights, photos, also those that VRTs name | `RASTERS`, checked |
 | `seam_features` | seamlines and cells that the Python interface is given | `FEATURES`, checked |
-| `output_guard` | inputs and what is to be replaced, to see which files they are | `ANYTHING`, checked |
+| `file_identity` | inputs and what is to be replaced, to see which files they are | `ANYTHING`, checked |
 | `open_raster`, `delivered_files` | parts and sheets, as one raster | GDAL's `BuildVRT`, checked before |
 | here | tile indexes of a raster (GTI) | `FEATURES` |
 | here | an image, alone, for what it names inside | the driver that knows it |
@@ -15,7 +15,7 @@
 | `keeping` | the windows of a project that had no file, to move them | SQLite, as QGIS has them open |
 | `outputs` | a database that is to be written, to see whether others write it | SQLite |
 | `delivery_layers`, `mosaic_scans`, `swiped_layer`, `line_layers` | what the user chose, or was just written | QGIS |
-| `inspection_record`, `file_states` | the bytes of inputs, for fingerprints | Python, of files alone |
+| `inspection_record`, `file_identity` | the bytes of inputs, for fingerprints | Python, of files alone |
 | `mark_tables` | the layers in a folder of marks | QGIS, after `is_layer_file` |
 | `record_store` | `.unsaved`, `.results`, `.scan`, which nobody chose | SQLite, of our own tables only |
 | `documents` | XML, JSON, rules, camera files | Python, after `is_endless`, up to a size |

@@ -12,8 +12,8 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .atomic_files import replacing
 from .errors import Message, RasterError
+from .file_identity import files_beside, guarding
 from .gdal_calls import drop_from_memory, gdal_call, gdal_masks_beside, gdal_silenced, gdal_writing
-from .output_guard import files_beside, guarding
 from .rasters import Raster
 
 GEOTIFF = "GTiff"

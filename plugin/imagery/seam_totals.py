@@ -88,7 +88,7 @@ def failing_chance(kept: float | None, low: float | None, high: float | None, le
 SYSTEM = "system"
 """Of what stands beside rows: the reference system of their lines, as WKT."""
 MOSAIC_FILES, SOURCE_FILES = "mosaic_files", "source_files"
-"""Of what stands beside rows: which files were scanned, as ``file_states`` writes them."""
+"""Of what stands beside rows: which files were scanned, as ``file_identity`` writes them."""
 _SEAL = "digest"
 _SEALED = (
     "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "band_width", "visibility",

@@ -18,8 +18,8 @@ import seam_inspector
 from osgeo import gdal
 from seam_inspector import OrthoRequest, SeamInspectorError, Source, open_block, orthorectify, scan
 from seam_inspector.plugin.imagery.atomic_files import leads_as_checked
+from seam_inspector.plugin.imagery.file_identity import DataPlace, check_outputs, guarding
 from seam_inspector.plugin.imagery.open_raster import describe
-from seam_inspector.plugin.imagery.output_guard import DataPlace, check_outputs, guarding
 from seam_inspector.plugin.imagery.raster_writer import raster_writer
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.mending.mend_run import MendSettings
@@ -36,7 +36,8 @@ READ = {
 }  # fmt: skip
 """Paths that the interface takes to read, or tells."""
 WORDS = {
-    "scan source_field", "make_delivery sheets", "make_delivery wkt", "AcceptanceRules.limit check",
+    "scan source_field", "make_delivery sheets", "make_delivery wkt", "make_delivery told",
+    "AcceptanceRules.limit check",
     "AcceptanceRules.rule check", "clip_curves wavelet", "measure_noise names", "measure_noise wavelet",
     "measure_noise raster", "TargetResolution.worst direction", "TargetResolution.interval direction",
     "TargetResolution.seen direction", "TargetResolution.seen observer", "TargetResolution.worst_error direction",

@@ -24,7 +24,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QUrl
-from seam_inspector.plugin.imagery import output_guard
+from seam_inspector.plugin.imagery import file_identity
 from seam_inspector.plugin.toolkit.algorithms import base
 
 from tests.numbers.synthetic import write_raster
@@ -82,7 +82,7 @@ def test_what_is_refused_holds_nothing_that_qgis_deletes(tmp_path: Path) -> None
         assert_sentence(run_unchecked(name, **values, **{output: path}).complaint, REFUSED)
         gc.collect()
         frames = [one for one in gc.get_objects() if isinstance(one, FrameType)]
-        assert not [one for one in frames if one.f_code is output_guard.check_outputs.__code__]
+        assert not [one for one in frames if one.f_code is file_identity.check_outputs.__code__]
 
 
 # --- the names of a file -----------------------------------------------------------------------------------------
@@ -158,7 +158,7 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
         link.unlink(missing_ok=True)
         link.symlink_to(target)
 
-    whole, one = base.refuse_outputs, output_guard._written
+    whole, one = base.refuse_outputs, file_identity._written
 
     def checked(*arguments: Any) -> dict[str, str]:
         turn(given if when == "before the check" else free)
@@ -172,7 +172,7 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
 
     turn(free)
     monkeypatch.setattr(base, "refuse_outputs", checked)
-    monkeypatch.setattr(output_guard, "_written", looked_at)
+    monkeypatch.setattr(file_identity, "_written", looked_at)
     complaint = run_unchecked("predictloss", WINDOWS=str(given), SOURCES=scene.sources, OUTPUT=str(link)).complaint
     assert_sentence(complaint, "can't be written|would be written over")
     assert fields(given) == before

@@ -170,7 +170,7 @@ def _unseen(
     for layer in delivery.layers:
         if layer.unread:
             place = layer.settings.get("unread_at", "")
-            yield messages.MOSAIC_UNREAD(name=layer.name, share=layer.unread, place=place)
+            yield messages.MOSAIC_PARTLY_READ(name=layer.name, share=layer.unread, place=place)
     # One scan of many sheets may leave a corner of one: what may be lost without a break.
     most = (rules.limit(LONGEST_FAILURE) or 0.0) if delivery.outlines else 0.0
     blank = [layer.name for layer in delivery.layers if layer.is_blank]

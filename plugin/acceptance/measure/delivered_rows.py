@@ -11,7 +11,7 @@ from osgeo import ogr
 from scipy.spatial import cKDTree
 
 from ...imagery.errors import Message, SeamInspectorWarning, SettingsError
-from ...imagery.file_states import states_in, states_text
+from ...imagery.file_identity import states_in, states_text
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.grids import Extent
 from ...imagery.lines import points_at, vertex_stations

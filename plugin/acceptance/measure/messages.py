@@ -108,7 +108,7 @@ MEASURED_TOO_LITTLE = Message(
 )
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
 MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may", INFO)
-MOSAIC_UNREAD = Message("{share:.2%} of the mosaic of {name} could not be read, such as around {place}", INFO)
+MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of {name} could not be read, such as around {place}", INFO)
 SHEETS_NOT_MEASURED = Message("sheets of which nothing was measured: {count} ({names})", INFO)
 SHEETS_LEFT_OUT = Message("sheets that are missing in the mosaic that was scanned: {count} ({names})", INFO)
 SHEETS_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names})", INFO)

@@ -9,7 +9,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from ...imagery.file_states import FileState, PlacedState, known_states, local_state, states_in
+from ...imagery.file_identity import FileState, PlacedState, known_states, local_state, states_in
 from ...imagery.gdal_paths import is_remote
 from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from .delivery import DeliveredLayer, FileDoubts

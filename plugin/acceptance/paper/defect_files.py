@@ -16,11 +16,11 @@ from qgis.core import QgsFeature, QgsGeometry, QgsLineString
 
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import RasterError, SettingsError
+from ...imagery.file_identity import DataPlace, check_outputs
 from ...imagery.grids import PixelWindow
 from ...imagery.lines import points_at, vertex_stations
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
-from ...imagery.output_guard import DataPlace, check_outputs
 from ...imagery.rasters import Raster
 from ...imagery.records import Column
 from ...imagery.reference_systems import transform_points

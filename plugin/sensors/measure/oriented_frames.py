@@ -11,9 +11,9 @@ import numpy as np
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, SensorModelError, SettingsError
+from ...imagery.file_identity import DataPlace, check_outputs
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
-from ...imagery.output_guard import DataPlace, check_outputs
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit
 from . import messages

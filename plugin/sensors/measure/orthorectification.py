@@ -14,12 +14,12 @@ from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, Message, RasterError, SettingsError
+from ...imagery.file_identity import guarding
 from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing
 from ...imagery.gdal_paths import RASTERS, open_dataset, vrt_parts
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
-from ...imagery.output_guard import guarding
 from ...imagery.raster_writer import GEOTIFF, raster_writer, whole_raster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_unit, transform_points, utm_wkt

@@ -16,9 +16,9 @@ from qgis.PyQt import sip
 
 from ...imagery.atomic_files import UnfinishedFile, drop_unfinished, leads_as_checked
 from ...imagery.errors import Message, cell_text
+from ...imagery.file_identity import DataPlace
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.gdal_paths import FEATURES, open_dataset
-from ...imagery.output_guard import DataPlace
 from .. import messages
 from ..translation import sentence, tr
 

@@ -41,8 +41,8 @@ from qgis.PyQt.QtCore import QUrl
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
+from ...imagery.file_identity import IN_MEMORY, DataPlace, check_is_file, check_outputs, is_database, opened_checked
 from ...imagery.messages import system_reason
-from ...imagery.output_guard import IN_MEMORY, DataPlace, check_is_file, check_outputs, is_database, opened_checked
 from .. import messages
 from . import parameters as common
 

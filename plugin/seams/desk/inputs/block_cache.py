@@ -23,7 +23,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import WARNING, Message, RasterError, SeamInspectorError, SettingsError, WindowError
-from ....imagery.file_states import content_of
+from ....imagery.file_identity import content_of
 from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster, check_readable, describe_mosaic
 from ....imagery.rasters import Raster, RasterRef

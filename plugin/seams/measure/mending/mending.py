@@ -21,8 +21,8 @@ import numpy as np
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import files_written, unfinished_name
 from ....imagery.errors import CancelledError, Message
+from ....imagery.file_identity import guarding
 from ....imagery.open_raster import describe_mosaic
-from ....imagery.output_guard import guarding
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster

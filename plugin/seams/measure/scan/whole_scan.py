@@ -12,9 +12,8 @@ from pathlib import Path
 from typing import Callable
 
 from ....imagery.errors import Message, SettingsError
-from ....imagery.file_states import FileState, known_states, local_states, states_text
+from ....imagery.file_identity import FileState, guarding, known_states, local_states, states_text
 from ....imagery.gdal_paths import is_remote
-from ....imagery.output_guard import guarding
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from ..inspection import Block, PathLike
