@@ -3,6 +3,7 @@ types or edits the map."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 from qgis.core import QgsLayerTreeModel, QgsProject
@@ -39,7 +40,7 @@ UP_MS = 80
 
 
 class _Editing(QgsMapTool):
-    def flags(self) -> QgsMapTool.Flag:
+    def flags(self) -> Any:  # named otherwise in Qt 5 and 6
         return QgsMapTool.Flag.EditTool
 
 
