@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import (
     QComboBox,
     QDockWidget,
@@ -59,7 +60,17 @@ class QgsDoubleSpinBox(QDoubleSpinBox):
 
 
 class QgsMapCanvas(QGraphicsView):
-    pass
+    keyPressed = pyqtSignal(object)
+    keyReleased = pyqtSignal(object)
+
+    def mapTool(self) -> None:
+        return None
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        self.keyPressed.emit(event)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        self.keyReleased.emit(event)
 
 
 class QgsMapCanvasItem(QGraphicsItem):
