@@ -126,12 +126,15 @@ def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
 
 
 def _strange_files(delivery: Delivery) -> Iterator[Message]:
-    """Which files are not those that were scanned: whatever was measured, it was not these."""
+    """Which files are not those that were scanned, and which layers are of others: what was measured is not, or not
+    only, what is given."""
     files = delivery.files
     if files.not_scanned:
         yield messages.FILES_NOT_SCANNED(names=_first_names(files.not_scanned))
     if files.changed:
         yield messages.FILES_CHANGED(count=len(files.changed), names=_first_names(files.changed))
+    if others := files.layers_of_others:
+        yield messages.LAYERS_OF_OTHERS(count=len(others), names=_first_names(others))
 
 
 def _unsealed(delivery: Delivery) -> Iterator[Message]:
@@ -342,6 +345,8 @@ def _would_decide(
     files = delivery.files
     if files.not_scanned or files.changed or files.gone:
         yield messages.WOULD_SCAN_AGAIN()
+    if files.layers_of_others:
+        yield messages.WOULD_GIVE_MOSAICS()
     if delivery.lacking_m or any(layer.hidden_m for layer in delivery.layers) or any(_unsealed(delivery)):
         yield messages.WOULD_GIVE_LAYER()
     if any(layer.unexplained for layer in delivery.layers):
@@ -369,6 +374,8 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
         yield messages.LAYERS_SEALED(count=len(layers))
     if files.same:
         yield messages.FILES_AS_SCANNED(count=files.same)
+    if files.mosaics > 1:
+        yield messages.OF_MOSAICS(count=files.mosaics)
     if files.gone_sources:
         yield messages.SOURCES_GONE(count=len(files.gone_sources), names=_first_names(files.gone_sources))
     for one in layers:

@@ -226,7 +226,7 @@ class DeliveredLayer:
 
 @dataclass(frozen=True)
 class FileDoubts:
-    """Names of files by what is wrong with them."""
+    """Names of files, and of layers that are of others, by what is wrong with them."""
 
     not_scanned: tuple[str, ...] = ()
     """Given as mosaic or orthoimage, and none of those that were scanned."""
@@ -238,6 +238,10 @@ class FileDoubts:
     """Orthoimages that are not found any more."""
     same: int = 0
     """How many are as they were."""
+    layers_of_others: tuple[str, ...] = ()
+    """Layers of mosaics that are not given, where any is."""
+    mosaics: int = 0
+    """How many the layers are of, where none is given."""
 
 
 @dataclass(frozen=True)

@@ -122,6 +122,7 @@ LAYERS_WERE_MOVED = Message(
 LAYERS_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
 FILES_NOT_SCANNED = Message("files are given that are not those that were scanned: {names}", INFO)
 FILES_CHANGED = Message("files were changed since they were scanned: {count} ({names})", INFO)
+LAYERS_OF_OTHERS = Message("layers of seams are of mosaics that are not given: {count} ({names})", INFO)
 FILES_GONE = Message("files of the scanned mosaic are not found any more: {count} ({names})", INFO)
 SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
 SEAMS_HIDDEN = Message("rows of {name} were changed so that {metres:.0f} m which its scan failed pass", INFO)
@@ -225,6 +226,10 @@ WOULD_SCAN_AGAIN = Message(
     "What would decide it: the files that were scanned, given as MOSAIC and SOURCES, or a scan of those that are there "
     "now.", WARNING
 )
+WOULD_GIVE_MOSAICS = Message(
+    "What would decide it: all mosaics of the delivery given as MOSAIC, each sheet or a VRT of all; leave the layers "
+    "of others out.", WARNING
+)
 WOULD_MEASURE_ROWS = Message(
     "What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
     "windows there by eye (JUDGE observer), or scan with a longer PIECE; the field 'reason' of the seams says why each "
@@ -237,6 +242,10 @@ WOULD_SEE_SHEETS = Message(
 # the layers that are decided on
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
 FILES_AS_SCANNED = Message("Files that are as they were scanned: {count}.", INFO)
+OF_MOSAICS = Message(
+    "The layers of seams are of {count} mosaics, and none is given as MOSAIC: whether all of these belong to the "
+    "delivery is not known.", INFO
+)
 SOURCES_GONE = Message(
     "Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again "
     "what the decision rests on.", WARNING

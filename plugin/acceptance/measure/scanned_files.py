@@ -26,6 +26,7 @@ def file_doubts(
     scans = [one.settings for one in layers if MOSAIC_FILES in one.settings]
     if not scans:
         return FileDoubts()
+    by_layer = {one.name: states_in(one.settings[MOSAIC_FILES]) for one in layers if MOSAIC_FILES in one.settings}
     of_mosaic, of_sources = (
         _Scanned([one for scan in scans for one in states_in(scan.get(role, ""))], folders)
         for role in (MOSAIC_FILES, SOURCE_FILES)
@@ -45,7 +46,15 @@ def file_doubts(
     strange = dict.fromkeys(not_scanned)
     changed = [one for one in dict.fromkeys([*changed, *changed_sources]) if one not in strange]
     count = len(of_mosaic.files) + len(of_sources.files) - len(gone) - len(gone_sources) - len(changed)
-    return FileDoubts(tuple(strange), tuple(changed), tuple(gone), tuple(gone_sources), count)
+    others = [
+        name for name, files in by_layer.items() if mosaics and not (strange or changed or gone)
+        and not all(of_mosaic.is_given(*file) for file in files if not file[0].lower().endswith(_VRT))
+    ]
+    kinds = {frozenset(map(_known_by, files)) for files in by_layer.values()}
+    return FileDoubts(
+        tuple(strange), tuple(changed), tuple(gone), tuple(gone_sources), count, tuple(others),
+        0 if mosaics else len(kinds),
+    )
 
 
 class _Scanned:
@@ -60,7 +69,7 @@ class _Scanned:
             self._times.setdefault(path, set()).add(state.time_ns)
         self._asks = all(state.digest for path, state in self.files if is_remote(path))
         self._folders = folders
-        self._given: set[tuple[int, str]] = set()
+        self._given: set[tuple[int, str] | str] = set()
 
     def knows(self, path: str, state: FileState) -> bool:
         """Whether a file was scanned, and was not written since."""
@@ -71,8 +80,12 @@ class _Scanned:
     def give(self, path: str) -> dict[str, FileState]:
         """What a raster that is given is read from."""
         found = known_states([path], self._asks)
-        self._given.update(state.content for one, state in found.items() if self.knows(one, state))
+        self._given.update(_known_by(file) for file in found.items() if self.knows(*file))
         return found
+
+    def is_given(self, path: str, state: FileState) -> bool:
+        """Whether a file that was scanned is given, wherever it lies now."""
+        return _known_by((path, state)) in self._given
 
     def stranger(self, path: str) -> str:
         """The name of the first file of a mosaic that was not scanned; empty where all were.
@@ -112,6 +125,12 @@ class _Scanned:
                     moved = above.joinpath(*parts[-count:])
                     if moved.is_file():
                         yield str(moved)
+
+
+def _known_by(file: PlacedState) -> tuple[int, str] | str:
+    """By its content, or its path where no more is known of it."""
+    path, state = file
+    return state.content if state.digest else path
 
 
 def _is_copy(path: str, state: FileState) -> bool:

@@ -1,0 +1,73 @@
+"""Which mosaic each layer of seams is of, beside those that are given."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
+from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, Seal
+from seam_inspector.plugin.acceptance.measure.scanned_files import file_doubts
+from seam_inspector.plugin.imagery.file_identity import local_states, states_text
+from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES
+
+from tests.numbers.acceptance.deliveries import delivery, rules, seam
+from tests.numbers.synthetic import write_raster
+
+
+@pytest.fixture
+def sheets(tmp_path: Path) -> list[str]:
+    """Two sheets side by side, and a mosaic of another delivery."""
+    paths = [str(tmp_path / f"{name}.tif") for name in ("east", "west", "other")]
+    for number, path in enumerate(paths):
+        write_raster(path, np.full((1, 40, 40), 50 + number, np.uint8), 0.5, (500000.0 + 20 * number, 5500000.0))
+    return paths
+
+
+def vrt(*paths: str) -> str:
+    path = f"{paths[0]}.vrt"
+    gdal.BuildVRT(path, list(paths)).FlushCache()
+    return path
+
+
+def layer_of(name: str, mosaic: str) -> DeliveredLayer:
+    files = {MOSAIC_FILES: states_text(local_states([mosaic]).items()), "unexplained": "0.0"}
+    return DeliveredLayer(name, Seal.WHOLE, 0.0, files)
+
+
+@pytest.mark.parametrize(
+    ("scanned", "given", "named"),
+    [
+        (lambda a, b, c: [a, c], lambda a, b, c: [a], "seams 1"),
+        (lambda a, b, c: [a, b, c], lambda a, b, c: [vrt(a, b)], "seams 2"),
+        (lambda a, b, c: [vrt(a, c)], lambda a, b, c: [a], "seams 0"),
+        (lambda a, b, c: [a, b], lambda a, b, c: [vrt(a, b)], ""),
+        (lambda a, b, c: [a, b], lambda a, b, c: [a, b, c][:2], ""),
+        (lambda a, b, c: [vrt(a, b)], lambda a, b, c: [vrt(a, b)], ""),
+        (lambda a, b, c: [vrt(a, b)], lambda a, b, c: [a, b], ""),
+    ],
+)
+def test_a_layer_of_another_mosaic_than_the_given_decides_nothing(
+    sheets: list[str], scanned: Callable[..., list[str]], given: Callable[..., list[str]], named: str
+) -> None:
+    layers = [layer_of(f"seams {number}", mosaic) for number, mosaic in enumerate(scanned(*sheets))]
+    made = replace(delivery(seam([0.95] * 40)), layers=tuple(layers))
+    found = decide(replace(made, files=file_doubts(layers, given(*sheets), [], [])), rules())
+    words = f"layers of seams are of mosaics that are not given: 1 ({named})"
+    assert found.outcome is (AcceptanceOutcome.UNDECIDED if named else AcceptanceOutcome.ACCEPTED)
+    assert (words in str(found.sentences[0])) is bool(named)
+    assert any("leave the layers of others out" in str(one) for one in found.sentences) is bool(named)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_of_how_many_mosaics_layers_are_is_said_where_none_is_given(sheets: list[str], count: int) -> None:
+    layers = [layer_of(path, path) for path in [*sheets[:count], sheets[0]]]
+    made = replace(delivery(seam([0.95] * 40)), layers=tuple(layers))
+    found = decide(replace(made, files=file_doubts(layers, [], [], [])), rules())
+    assert found.accepted
+    words = f"The layers of seams are of {count} mosaics"
+    assert any(str(one).startswith(words) for one in found.sentences) is (count > 1)
