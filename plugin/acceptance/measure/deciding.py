@@ -6,7 +6,8 @@ What decides are sums of whole pieces. A rule is kept or broken where nothing th
   is too large only where it would be so with all else sound, and kept where it would be with all else lost.
 - Pieces count by what they kept, also those whose interval holds the limit, and failures by whole pieces, though they
   end inside of these. Where the limit of a sum lies within what that leaves open, it can't be told.
-- A row of pieces that were not measured may be a failure: longer than one may be, it leaves that rule open.
+- A row of pieces that were not measured may be a failure: longer than one may be, it leaves that rule open. So does a
+  piece that passed and is much longer than a failure may be: it can hold one and keep enough as a whole.
 - Layers that are not as their scan left them, or lack seams that it had, can't be accepted, nor sheets that nobody has
   looked at; a scan of other files than those that are there or given decides nothing.
 """
@@ -241,7 +242,8 @@ class _Ruling:
             passed = passed or None
         sentence = _rule_sentence(rule, value, low, high, passed)
         if rule.check == LONGEST_FAILURE and passed is None and rule.passes(value):
-            sentence = messages.RUN_UNKNOWN(value=value, limit=Stated(rule.limit), metres=high)
+            kind = messages.RUN_IN_PIECE if high == _hiding_m(self.pieces, rule) else messages.RUN_UNKNOWN
+            sentence = kind(value=value, limit=Stated(rule.limit), metres=high)
         return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence, low, high)
 
     def _measured(self) -> tuple[float, float, float]:
@@ -264,8 +266,14 @@ class _Ruling:
         longest = self.figures.longest_failure_m or 0.0
         failed = [one for one in self.longest if one.state is PieceState.FAILED]
         return longest, max(longest - known_within(failed, self.rules.least_kept), 0.0), max(
-            longest, self.figures.longest_unknown_m
+            longest, self.figures.longest_unknown_m, _hiding_m(self.pieces, self.rules.rule(LONGEST_FAILURE))
         )
+
+
+def _hiding_m(pieces: Sequence[DecidedPiece], rule: AcceptanceRule | None) -> float:
+    """Length of the longest piece that passed, where it can hide a failure longer than one may be, else 0; m."""
+    longest = max((one.piece.length_m for one in pieces if one.state is PieceState.PASSED), default=0.0)
+    return longest if rule is not None and 0 < MOST_OF_RUN * rule.limit < longest else 0.0
 
 
 def _open_ends(pieces: Sequence[DecidedPiece], rules: AcceptanceRules, figures: MetreFigures) -> float:
@@ -337,7 +345,10 @@ def _would_decide(
     longest = is_open.get(LONGEST_FAILURE)
     by_intervals = longest is not None and (longest.value or 0.0) > longest.limit
     if longest is not None and not (by_intervals or delivery.is_part or MEASURED_SHARE in is_open):
-        yield messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
+        if whole.longest_unknown_m > longest.limit:
+            yield messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
+        if _hiding_m(pieces, rules.rule(LONGEST_FAILURE)):
+            yield messages.WOULD_CUT(piece=Stated(longest.limit / 2))
     if whole.measured_m and (FAILED_SHARE in is_open or by_intervals) and not delivery.is_part:
         yield from _would_narrow(whole, pieces, rules, FAILED_SHARE in is_open)
     if delivery.is_part and LONGEST_FAILURE in is_open:
@@ -405,6 +416,9 @@ TOLD_UNEXPLAINED = 0.03
 MOST_AT_ENDS = 0.2
 """Of the metres that may fail, that the ends of failures inside of pieces may leave open: with more the pieces are too
 coarse, as nothing above 1.25 times the allowed share is to be accepted nor below 0.8 times rejected."""
+MOST_OF_RUN = 1.5
+"""Times the longest failure that is allowed: how long a piece of a scan with such a PIECE may be. A longer one averages
+a failure with what is sound beside it. Where no piece may fail its length does not matter."""
 MOST_DOUBLED = 0.1
 """Of all metres, that may lie on others, as where sheets meet: with more two scans of one mosaic were given."""
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")

@@ -102,6 +102,10 @@ RUN_UNKNOWN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {metres:.1f} m "
     "by a row of pieces that were not measured", INFO
 )
+RUN_IN_PIECE = Message(
+    "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but pieces are up to "
+    "{metres:.1f} m long, which can hide a longer one", INFO
+)
 MEASURED_ENOUGH = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 MEASURED_TOO_LITTLE = Message(
     "only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can't be decided", INFO
@@ -234,6 +238,10 @@ WOULD_MEASURE_ROWS = Message(
     "What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
     "windows there by eye (JUDGE observer), or scan with a longer PIECE; the field 'reason' of the seams says why each "
     "was not measured.", WARNING
+)
+WOULD_CUT = Message(
+    "What would decide it: a scan with a PIECE of {piece:.0f} m or less, half of the longest failure that is allowed: "
+    "a longer piece keeps enough though a part of it failed.", WARNING
 )
 WOULD_SEE_SHEETS = Message(
     "What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; "

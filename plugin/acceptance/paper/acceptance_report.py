@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 from ...imagery.seam_totals import PieceState
@@ -147,6 +148,7 @@ def _how(record: InspectionRecord) -> HowMeasured:
         (tr("rules"), decision.rules.name),
         (tr("file of the rules"), record.rules),
         (tr("which pieces fail"), failing_sentence(decision)),
+        (tr("median length of the pieces"), metres(median(one.piece.length_m for one in decision.pieces))),
         *((title, record.scan[name]) for name, title in names.items() if name in record.scan),
         (tr("layer of windows"), record.windows),
         (tr("reference system"), system_name(decision.delivery.wkt)),

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.acceptance.measure.acceptance_rules import LONGEST_FAILURE, SamplingRule
-from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.deciding import MOST_OF_RUN, decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.measure.delivery import (
     DeliveredLayer,
@@ -56,7 +56,9 @@ def test_metres_add_up_and_the_rules_decide(
         assert found.whole.measured_share >= 0.9
     if found.outcome is REJECTED:
         assert not kept
-    if measured and found.whole.measured_share >= 0.9 and not found.whole.unclear_m:
+    coarsest = max((one.length_m for one in measured), default=0)
+    hides = found.whole.longest_unknown_m > longest or coarsest > MOST_OF_RUN * longest > 0
+    if measured and found.whole.measured_share >= 0.9 and not (found.whole.unclear_m or hides):
         assert found.accepted is kept  # nothing is open
     assert str(found.sentences[0]).lower().startswith(found.outcome.value)
     if found.failed_share is not None:
@@ -189,6 +191,20 @@ def test_sheets_that_were_not_measured_alike_are_told() -> None:
     sheets = [DeliveredLayer(name, Seal.WHOLE, 0.0, {"piece_m": length}) for name, length in lengths.items()]
     found = decide(replace(delivery(seam([0.95] * 40)), layers=tuple(sheets)), rules())
     assert "not measured alike: piece_m is 10, 25" in told(found)
+
+
+@pytest.mark.parametrize(("piece", "limit", "accepted"), [
+    (37.5, 50.0, True), (37.5, 25.0, True), (80.0, 50.0, None), (200.0, 50.0, None), (200.0, 0.0, True)
+])  # fmt: skip
+def test_a_piece_that_is_longer_than_a_failure_may_be_hides_it(piece: float, limit: float, accepted: bool) -> None:
+    """A single long one of many is enough, and where none may fail its length does not matter."""
+    made = delivery(seam([0.95] * 400), seam([0.95], piece, seam_id="2", start=(0, 99), number=400))
+    found = decide(made, rules(run=limit))
+    assert found.accepted is accepted
+    if not accepted:
+        assert f"pieces are up to {piece:.1f} m long, which can hide a longer one" in str(found.sentences[0])
+        assert "a PIECE of 25 m or less" in told(found)
+        assert "figures of the rows" not in told(found)
 
 
 def test_what_the_interval_can_not_tell_is_said() -> None:
