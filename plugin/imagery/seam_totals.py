@@ -89,6 +89,8 @@ SYSTEM = "system"
 """Of what stands beside rows: the reference system of their lines, as WKT."""
 MOSAIC_FILES, SOURCE_FILES = "mosaic_files", "source_files"
 """Of what stands beside rows: which files were scanned, as ``file_identity`` writes them."""
+METRES = "metres"
+"""Of what stands beside rows, and of what a scan tells: the length of all its pieces."""
 _SEAL = "digest"
 _SEALED = (
     "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "band_width", "visibility",
@@ -113,14 +115,14 @@ class SeamTotals:
     def of_notes(cls, notes: Mapping[str, str]) -> SeamTotals | None:
         """As ``sealed`` wrote them; None where there are none that can be read."""
         try:
-            return cls(int(notes["rows"]), float(notes["metres"]), float(notes["failed_metres"]), notes[_SEAL])
+            return cls(int(notes["rows"]), float(notes[METRES]), float(notes["failed_metres"]), notes[_SEAL])
         except (KeyError, ValueError):
             return None
 
     def sealed(self, notes: Mapping[str, str]) -> dict[str, str]:
         """What stands beside the rows: notes on how they were made, these totals, and a seal on all of it."""
         told = {
-            **notes, "rows": str(self.rows), "metres": repr(self.metres), "failed_metres": repr(self.failed_metres)
+            **notes, "rows": str(self.rows), METRES: repr(self.metres), "failed_metres": repr(self.failed_metres)
         }
         told.pop(_SEAL, None)
         return {**told, _SEAL: self._seal(told)}

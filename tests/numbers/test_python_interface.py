@@ -241,9 +241,23 @@ def test_a_delivery_is_decided_by_rows() -> None:
     assert not decide(delivery, limit_rules(max_share=0.1, min_measured=0.7)).accepted
 
 
-def test_rows_in_memory_need_no_seal() -> None:
-    delivery = make_delivery({"one": [piece(0.9, place) for place in range(9)]}, METRES)
-    assert decide(delivery, limit_rules()).accepted
+def test_rows_in_memory_need_no_seal_but_say_nothing_of_other_seams() -> None:
+    rows = [piece(0.9, place) for place in range(9)]
+    words = "nothing is known of seams that are in no row: one."
+    for told, is_said in ((None, True), ({"one": {}}, True), ({"one": {"unexplained": "0.0"}}, False)):
+        found = decide(make_delivery({"one": rows}, METRES, told), limit_rules())
+        assert found.accepted
+        assert any(words in str(sentence) for sentence in found.sentences) is is_said
+
+
+@pytest.mark.parametrize(("metres", "lacking"), [("225.0", 0), ("300.0", 75)])
+def test_what_the_scan_told_of_its_metres_says_whether_rows_lack(metres: str, lacking: float) -> None:
+    """A seamline that leaves the mosaic and comes back has a gap between its stations."""
+    rows = [piece(0.9, place + 4 * (place > 4)) for place in range(9)]
+    told = {"one": {"unexplained": "0.0", "metres": metres}}
+    assert make_delivery({"one": rows}, METRES).lacking_m == 100
+    assert make_delivery({"one": rows}, METRES, told).lacking_m == lacking
+    assert decide(make_delivery({"one": rows}, METRES, told), limit_rules()).accepted is (None if lacking else True)
 
 
 def test_a_delivery_of_nothing_is_refused_and_a_row_without_line_is_told() -> None:

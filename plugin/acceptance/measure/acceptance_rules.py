@@ -89,6 +89,8 @@ class AcceptanceRules:
     """What decides beside the sampling."""
     sampling: SamplingRule | None = None
     """None: all pieces are inspected."""
+    is_of_file: bool = False
+    """A file's name may be any: it says nothing of the limits."""
 
     def limit(self, check: str) -> float | None:
         """Of a check; None where there is none."""
@@ -168,7 +170,7 @@ def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> Accep
         rules.append(AcceptanceRule(MEASURED_SHARE, STANDARD_MEASURED_SHARE, OWN_LIMIT))
     sampling = _sampling(by_check[SAMPLING]) if SAMPLING in by_check else None
     name = str(whole.content.get("name") or whole.file)
-    return AcceptanceRules(name, limits[KEPT], by_check[KEPT].source(), tuple(rules), sampling)
+    return AcceptanceRules(name, limits[KEPT], by_check[KEPT].source(), tuple(rules), sampling, is_of_file=True)
 
 
 def _limit(one: RuleObject, check: str) -> float:

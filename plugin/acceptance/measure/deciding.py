@@ -242,8 +242,9 @@ class _Ruling:
             passed = passed or None
         sentence = _rule_sentence(rule, value, low, high, passed)
         if rule.check == LONGEST_FAILURE and passed is None and rule.passes(value):
-            kind = messages.RUN_IN_PIECE if high == _hiding_m(self.pieces, rule) else messages.RUN_UNKNOWN
-            sentence = kind(value=value, limit=Stated(rule.limit), metres=high)
+            sentence = messages.RUN_UNKNOWN(value=value, limit=Stated(rule.limit), metres=high)
+            if high == _hiding_m(self.pieces, rule):
+                sentence = messages.RUN_IN_PIECE(value=value, limit=Stated(rule.limit), metres=high)
         return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence, low, high)
 
     def _measured(self) -> tuple[float, float, float]:
@@ -325,9 +326,21 @@ def _headline(
         AcceptanceOutcome.UNDECIDED: (messages.UNDECIDED, messages.UNDECIDED_BY_EYE),
     }[outcome]
     reasons += unsealed
+    if rules.is_of_file:
+        listed = reduce(lambda first, also: messages.WITH(first=first, also=also), _limits(rules))
+        reasons.insert(0, messages.LIMITS_ARE(limits=listed))
     once = [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
     why = reduce(lambda first, also: messages.AND(why=first, also=also), once)
     return (by_eye if by_observer else by_tool)(rules=rules.name, why=why)
+
+
+def _limits(rules: AcceptanceRules) -> Iterator[Message]:
+    """Which limits there are, and which are missing."""
+    yield messages.LIMIT_OF_KEPT(limit=Stated(rules.least_kept))
+    share, run = rules.limit(FAILED_SHARE), rules.limit(LONGEST_FAILURE)
+    yield messages.NO_LIMIT_OF_SHARE() if share is None else messages.LIMIT_OF_SHARE(limit=Stated(share))
+    yield messages.NO_LIMIT_OF_RUN() if run is None else messages.LIMIT_OF_RUN(limit=Stated(run))
+    yield messages.LIMIT_OF_MEASURED(limit=Stated(rules.limit(MEASURED_SHARE) or 0.0))
 
 
 def _would_decide(
@@ -389,6 +402,8 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
         yield messages.OF_MOSAICS(count=files.mosaics)
     if files.gone_sources:
         yield messages.SOURCES_GONE(count=len(files.gone_sources), names=_first_names(files.gone_sources))
+    if names := [one.name for one in layers if not SeenGround.of_settings(one.settings).is_known]:
+        yield messages.SEAMS_ELSEWHERE_UNKNOWN(names=_first_names(names))
     for one in layers:
         yield from _seen(one)
     for name in dict.fromkeys(name for one in layers for name in one.settings):

@@ -24,6 +24,7 @@ from ...imagery.reference_systems import (
     utm_wkt,
 )
 from ...imagery.seam_totals import (
+    METRES,
     MOSAIC_FILES,
     MOST_KEPT,
     SOURCE_FILES,
@@ -58,6 +59,8 @@ class LayerDoubts:
     """That were looked at."""
     pieces: int = 0
     """That they made."""
+    metres: float = 0.0
+    """Of these."""
     without_line: int = 0
     without_line_m: float = 0.0
     """What the field says of these, metres."""
@@ -127,6 +130,7 @@ class LayerDoubts:
             visibility=_number(row.get("visibility")),
         )  # fmt: skip
         self.pieces += 1
+        self.metres += length
         self.failed_m += length * (state_of(found, STANDARD_LEAST_KEPT) is PieceState.FAILED)
         return found
 
@@ -135,7 +139,8 @@ class LayerDoubts:
         sealed."""
         own, scanned = self.totals.totals, SeamTotals.of_notes(notes)
         settings = {} if scanned is None else {**notes}
-        lacking = self.without_line_m + (sum(self._gaps()) if scanned is None else scanned.metres - own.metres)
+        total = _number(notes.get(METRES))
+        lacking = self.without_line_m + sum(self._gaps()) if total is None else total - self.metres
         lacking = lacking if lacking > _LACKING_M else 0.0
         hidden = 0.0 if scanned is None else scanned.failed_metres - self.failed_m - lacking
         seal = self._seal(own, notes, wkt) if scanned is not None else Seal.MISSING if is_asked else Seal.NOT_ASKED
@@ -261,8 +266,9 @@ def make_delivery(
     ``sheets``: by a name each, the rows of ``seam_rows``, or those of a layer SEAMS however they are read: mappings
     with ``kept_1``, ``kept_low``, ``kept_high``, ``length`` (m), ``verdict`` and so on, and ``geometry``, the line as
     WKT. None, NaN and fields that lack mean that nothing is known. ``wkt``: the reference system of all lines; those
-    in degrees are moved to their UTM zone. ``told``: by sheet what its scan tells of the ground (``ScanResult.told``);
-    without it nothing is known of seams that the rows lack.
+    in degrees are moved to their UTM zone. ``told``: by sheet what its scan tells of the ground and of all its metres
+    (``ScanResult.told``); without it nothing is known of seams that are in no row, and gaps between pieces of a seam
+    count as pieces that lack.
 
     A sheet without rows leaves the decision open: leave one without seams out.
 
@@ -291,7 +297,8 @@ def make_delivery(
             if (piece := doubts.piece(sheet, row, line, drawn_m)) is not None:
                 pieces.append(piece)
         notices += doubts.told()
-        layers.append(replace(doubts.layer({}, is_asked=False), settings=(told or {}).get(sheet, {})))
+        said = (told or {}).get(sheet, {})
+        layers.append(replace(doubts.layer({METRES: said.get(METRES, "")}, is_asked=False), settings=said))
     delivery, doubled = united_delivery(pieces, wkt, unit_m, layers=layers)
     for notice in [*notices, *doubled]:
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)

@@ -86,6 +86,14 @@ ACCEPTED_BY_EYE = Message("Accepted by the observers' verdicts and '{rules}': {w
 REJECTED_BY_EYE = Message("Rejected by the observers' verdicts and '{rules}': {why}.", INFO)
 UNDECIDED_BY_EYE = Message("Undecided by the observers' verdicts and '{rules}': {why}.", INFO)
 AND = Message("{why}; {also}", INFO)
+LIMITS_ARE = Message("the limits are {limits}", INFO)
+WITH = Message("{first}, {also}", INFO)
+LIMIT_OF_KEPT = Message("at least {limit:.0%} kept", INFO)
+LIMIT_OF_SHARE = Message("at most {limit:.2%} failed", INFO)
+NO_LIMIT_OF_SHARE = Message("no limit for the share that failed", INFO)
+LIMIT_OF_RUN = Message("at most {limit:.1f} m failed without a break", INFO)
+NO_LIMIT_OF_RUN = Message("no limit for a failure without a break", INFO)
+LIMIT_OF_MEASURED = Message("at least {limit:.1%} measured", INFO)
 SHARE_KEPT = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
 SHARE_EXCEEDED = Message("{value:.2%} of the measured metres failed and only {limit:.2%} may", INFO)
 SHARE_OPEN = Message(
@@ -374,6 +382,10 @@ PICTURES_MISSING = Message(
 PICTURES_LIMITED = Message("There are pictures of the longest {shown} of {count} failures.", INFO)
 LOSS_NOT_OF_SCAN = Message(
     "{name} was not written by a scan as its picture of losses and is left out; choose the scan's LOSS.", WARNING
+)
+SEAMS_ELSEWHERE_UNKNOWN = Message(
+    "Without what a scan with orthoimages tells of the ground, in Python told=, nothing is known of seams that are in "
+    "no row: {names}.", WARNING
 )
 SCAN_UNEXPLAINED = Message(
     "{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are "

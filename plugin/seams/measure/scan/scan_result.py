@@ -242,7 +242,8 @@ class ScanResult:
     mosaic shows one orthoimage; the share ``looked_at`` where a corridor leaves some out. ``unseen_at``, ``hidden_at``,
     ``unexplained_at``, ``nodata_at``: up to three places each, the largest first, as ``x y width height`` (map units,
     metres), joined by ``; ``; which share of the mosaic is ``unread``, and ``unread_at`` a place in it; which files
-    were scanned, by ``mosaic_files`` and ``source_files``. Figures of 0 are left out, but for ``unexplained``."""
+    were scanned, by ``mosaic_files`` and ``source_files``; the ``metres`` of all pieces. Figures of 0 are left out, but
+    for ``unexplained`` and ``metres``."""
 
     @property
     def features(self) -> tuple[JudgedPiece, ...]:

@@ -15,7 +15,7 @@ from ....imagery.errors import Message, SettingsError
 from ....imagery.file_identity import FileState, guarding, known_states, local_states, states_text
 from ....imagery.gdal_paths import is_remote
 from ....imagery.raster_pool import own_threads, rasters_kept
-from ....imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
+from ....imagery.seam_totals import METRES, MOSAIC_FILES, SOURCE_FILES
 from ..inspection import Block, PathLike
 from ..while_measuring import measuring
 from . import messages
@@ -96,7 +96,7 @@ class WholeScan:
         dates = self.request.dates
         files = {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
         return found and replace(
-            found, told={**found.told, **files}, pieces=tuple(dated(one, dates) for one in found.pieces),
+            found, told={**found.told, METRES: repr(found.seam_metres), **files}, pieces=tuple(dated(one, dates) for one in found.pieces),
             stretches=tuple(dated(one, dates) for one in found.stretches),
         )
 
