@@ -366,6 +366,15 @@ def _would_decide(
         yield from _would_narrow(whole, pieces, rules, FAILED_SHARE in is_open)
     if delivery.is_part and LONGEST_FAILURE in is_open:
         yield messages.WOULD_GIVE_SCAN()
+    yield from _would_match(delivery)
+    if any(layer.unexplained for layer in delivery.layers):
+        yield messages.WOULD_GIVE_ORTHOIMAGES()
+    if any(unseen_seams(delivery, whole, rules)):
+        yield messages.WOULD_GIVE_SEAMS()
+
+
+def _would_match(delivery: Delivery) -> Iterator[Message]:
+    """Files and layers that belong together."""
     files = delivery.files
     if files.not_scanned or files.changed or files.gone:
         yield messages.WOULD_SCAN_AGAIN()
@@ -373,10 +382,6 @@ def _would_decide(
         yield messages.WOULD_GIVE_MOSAICS()
     if delivery.lacking_m or any(layer.hidden_m for layer in delivery.layers) or any(_unsealed(delivery)):
         yield messages.WOULD_GIVE_LAYER()
-    if any(layer.unexplained for layer in delivery.layers):
-        yield messages.WOULD_GIVE_ORTHOIMAGES()
-    if any(unseen_seams(delivery, whole, rules)):
-        yield messages.WOULD_GIVE_SEAMS()
 
 
 def _would_narrow(

@@ -96,7 +96,8 @@ class WholeScan:
         dates = self.request.dates
         files = {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
         return found and replace(
-            found, told={**found.told, METRES: repr(found.seam_metres), **files}, pieces=tuple(dated(one, dates) for one in found.pieces),
+            found, told={**found.told, METRES: repr(found.seam_metres), **files},
+            pieces=tuple(dated(one, dates) for one in found.pieces),
             stretches=tuple(dated(one, dates) for one in found.stretches),
         )
 
