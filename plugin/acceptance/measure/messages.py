@@ -385,7 +385,7 @@ LOSS_NOT_OF_SCAN = Message(
 )
 SEAMS_ELSEWHERE_UNKNOWN = Message(
     "Without what a scan with orthoimages tells of the ground, in Python told=, nothing is known of seams that are in "
-    "no row: {names}.", WARNING
+    "no row: {names}.", INFO
 )
 SCAN_UNEXPLAINED = Message(
     "{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are "
