@@ -37,6 +37,7 @@ def decision(mosaic: Path, orthoimages: list[Path], seamlines: Path | str = "") 
     block = open_block(mosaic, orthoimages)
     found = scan(block, ScanSettings(piece_m=5.0), seamlines=seamlines)
     delivery = make_delivery({"a": seam_rows(found)}, block.mosaic.wkt, {"a": found.told})
+    assert (float(found.told["metres"]), delivery.lacking_m) == (found.seam_metres, 0)
     return decide(delivery, limit_rules(min_kept=0.7, max_share=0.02, max_run_m=25, min_measured=0.8))
 
 
