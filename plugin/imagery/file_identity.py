@@ -24,8 +24,17 @@ from . import messages
 from .atomic_files import leading_to
 from .documents import json_document, xml_root
 from .errors import RasterError, SettingsError
-from .gdal_calls import gdal_silenced
-from .gdal_paths import ANYTHING, check_raster_path, is_remote, local_file, open_dataset, readable_path, vrt_parts
+from .gdal_calls import gdal_settings, gdal_silenced
+from .gdal_paths import (
+    ANYTHING,
+    begins_vrt,
+    check_raster_path,
+    is_remote,
+    local_file,
+    open_dataset,
+    readable_path,
+    vrt_parts,
+)
 from .remote_files import forget_fetched
 
 IN_MEMORY = "/vsimem/"
@@ -217,13 +226,16 @@ def _identity(path: str) -> _Identity:
     return found.st_dev, found.st_ino
 
 
-_BESIDE = ("", ".msk")
-"""Endings of the files that say what a raster's pixels are: itself, its mask."""
-_LOOKS, _LOOK_BYTES = 16, 4096
-"""Parts of a file that are looked at: it may change with its size and time kept."""
-OF_NO_CONSEQUENCE = "Metadata", "Histograms", "Description", "CategoryNames"
-"""What QGIS writes when it first shows a raster, such as statistics, changes no pixel."""
-_MOST_READ = 20_000_000  # bytes of a VRT
+_MASK = ".msk"
+_NOT_PIXELS = (".aux.xml", ".aux", ".ovr", ".rrd", ".stx")
+"""Files of a raster that programs write when they show it: statistics and overviews."""
+_MOST_WHOLE = 64_000_000  # bytes of a file of which each is looked at
+_STRETCH_BYTES, _LOOK_BYTES = 1 << 18, 1 << 12
+"""A larger file has one look in each stretch: it may change with its size and time kept."""
+_LOOK_STEP = 159_487  # from a look's place in its stretch to the next's: no rows of tiles keep pace with that
+OF_NO_CONSEQUENCE = "Metadata", "Histograms", "Description", "CategoryNames", "SourceProperties"
+"""What QGIS writes, or leaves out, when it first shows a raster, such as statistics, changes no pixel."""
+_MOST_PARSED = 20_000_000  # bytes of a VRT
 _NAMED_FILE = "SourceFilename", "SourceDataset"
 
 
@@ -233,27 +245,42 @@ class FileState(NamedTuple):
     size: int
     """Bytes."""
     time_ns: int
-    """Of its last change; 0 of a VRT, into which GDAL writes statistics."""
+    """Of its last change; 0 of a VRT, into which GDAL writes statistics, and of what a server has."""
     digest: str
-    """Of its head, its end and some bytes between; of a VRT of all that it says but the folders of its files. Empty
-    where it is no plain file."""
+    """Of all its bytes, of a large file of some all over it; of a VRT of all that it says but the folders of its files.
+    Empty where it is no plain file."""
 
     @property
     def content(self) -> tuple[int, str]:
         """The same for a copy."""
         return self.size, self.digest
 
+    @property
+    def is_vrt(self) -> bool:
+        """Whether it is a VRT, whatever it is called."""
+        return self.size > 0 and not self.time_ns
+
 
 def local_states(paths: Iterable[str]) -> dict[str, FileState]:
-    """Of the files of this machine that rasters are read from, by their whole paths: those that a VRT or an archive is
-    made of, and masks, too. What is not there is left out."""
-    found = {}
-    for one in (part for path in paths if not is_remote(path) for part in with_parts(path)):
-        file = local_file(one)
-        for ending in _BESIDE if file == one else ("",):
-            if (state := local_state(file + ending)) is not None:
-                found[os.path.abspath(file + ending)] = state
+    """Of the files of this machine that rasters are read from, by their whole paths: all that GDAL counts to them but
+    statistics and overviews, and those that a VRT or an archive is made of. What is not there is left out."""
+    found = dict[str, FileState]()
+    for one in (part for path in paths for part in with_parts(path)):
+        for file in () if is_remote(one) else _read_from(one):
+            if file not in found and (state := local_state(file)) is not None:
+                found[file] = state
     return found
+
+
+def _read_from(path: str) -> dict[str, None]:
+    """Files of a raster, but for the parts of a VRT."""
+    file, files = local_file(path), list[str]()
+    if not vrt_parts(path):
+        with gdal_settings(GDAL_DISABLE_READDIR_ON_OPEN="TRUE"):  # a folder of thousands is not listed for each of them
+            dataset = opened_checked(path, gdal.OF_RASTER)
+            files = [*map(local_file, dataset.GetFileList() or ())] if dataset is not None else []
+    beside = (one for one in (path + _MASK, *files) if not one.lower().endswith(_NOT_PIXELS))
+    return dict.fromkeys(map(os.path.abspath, (file, *beside)))
 
 
 def known_states(paths: Iterable[str], ask: bool = True) -> dict[str, FileState]:
@@ -294,20 +321,15 @@ def states_in(text: str) -> list[PlacedState]:
 
 
 def with_parts(path: str) -> Iterator[str]:
-    """A raster of this machine, and those that it is made of where it is a VRT."""
+    """A raster of this machine, and those that it is made of where it is a VRT or a tile index."""
     seen = {path}
     waiting = [path]
     while waiting:
         one = waiting.pop()
         yield one
-        if _is_vrt(one):
-            parts = [part for part in vrt_parts(one) if part not in seen]
-            seen.update(parts)
-            waiting += parts
-
-
-def _is_vrt(path: str) -> bool:
-    return path.lower().endswith(".vrt")
+        parts = [part for part in dict.fromkeys(() if is_remote(one) else vrt_parts(one)) if part not in seen]
+        seen.update(parts)
+        waiting += parts
 
 
 def local_state(path: str) -> FileState | None:
@@ -316,17 +338,27 @@ def local_state(path: str) -> FileState | None:
         found = os.stat(path)
         if not stat.S_ISREG(found.st_mode):
             return FileState(found.st_size, found.st_mtime_ns, "")
-        if _is_vrt(path) and found.st_size <= _MOST_READ:
-            said = _said(Path(path).read_bytes())
-            return FileState(len(said), 0, blake2b(said, digest_size=12).hexdigest())
-        digest = blake2b(digest_size=12)
-        with open(path, "rb") as file:
-            for look in range(_LOOKS):
-                file.seek(max(found.st_size - _LOOK_BYTES, 0) * look // (_LOOKS - 1))
-                digest.update(file.read(_LOOK_BYTES))
+        with open(path, "rb", buffering=0) as file:
+            if found.st_size <= _MOST_PARSED and begins_vrt(file.read(_LOOK_BYTES)):
+                said = _said(Path(path).read_bytes())
+                return FileState(len(said), 0, blake2b(said, digest_size=12).hexdigest())
+            digest = blake2b(digest_size=12)
+            for place, count in _looks(found.st_size):
+                file.seek(place)
+                digest.update(file.read(count))
     except (OSError, ValueError):
         return None
-    return FileState(found.st_size, found.st_mtime_ns, digest.hexdigest())
+    return FileState(found.st_size, found.st_mtime_ns or 1, digest.hexdigest())
+
+
+def _looks(size: int) -> Iterator[tuple[int, int]]:
+    """Places in a file that are looked at, and how many bytes there."""
+    if size <= _MOST_WHOLE:
+        yield from ((start, _STRETCH_BYTES) for start in range(0, size, _STRETCH_BYTES))
+        return
+    for number, start in enumerate(range(0, size, _STRETCH_BYTES)):
+        yield start + number * _LOOK_STEP % (_STRETCH_BYTES - _LOOK_BYTES), _LOOK_BYTES
+    yield size - _LOOK_BYTES, _LOOK_BYTES
 
 
 def _said(vrt: bytes) -> bytes:

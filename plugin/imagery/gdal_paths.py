@@ -112,7 +112,8 @@ _MOST_COLONS = 8  # in a name, of which each part between two of them may be a f
 _MOST_READINGS = 300_000  # of files for one band, where VRTs name VRTs that name each file again and again
 _MOST_DEPTH = 1000  # of VRTs in VRTs; GDAL itself gives up long before
 _HEAD_BYTES = 1024  # by which GDAL's drivers know their files
-_ROOTS = (b"<VRTDataset", b"<OGRVRT", b"<PAMDataset", b"<GDALTileIndexDataset")
+_VRT = b"<VRTDataset"
+_ROOTS = (_VRT, b"<OGRVRT", b"<PAMDataset", b"<GDALTileIndexDataset")
 """Documents that name files."""
 _AUXILIARY = ".aux.xml"
 _BESIDE = (_AUXILIARY, ".ovr", ".msk", ".aux")
@@ -214,6 +215,11 @@ def _readings(path: str, virtual: Mapping[str, _PathLook]) -> float:
 def vrt_parts(path: str) -> tuple[str, ...]:
     """The files that a VRT or a tile index names, as far as it can be read; none of what is neither."""
     return _looked_at(path).parts
+
+
+def begins_vrt(content: bytes) -> bool:
+    """Whether GDAL takes a file that begins with this for a VRT, whatever it is called."""
+    return _VRT in content[:_HEAD_BYTES].partition(b"\0")[0]
 
 
 _REMOTE = re.compile(r"/vsi(?:curl|s3|gs|az|adls|oss|swift|hdfs|webhdfs)(?:_streaming)?[/?]|^(?:https?|ftp)://", re.I)

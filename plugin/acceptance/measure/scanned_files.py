@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
+from operator import itemgetter
 from pathlib import Path
 
 from ...imagery.file_identity import FileState, PlacedState, known_states, local_state, states_in
@@ -15,7 +16,6 @@ from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from .delivery import DeliveredLayer, FileDoubts
 
 _MOST_FOLDERS = 3  # from the layer upwards, in which files of a project that was moved are looked for
-_VRT = ".vrt"
 
 
 def file_doubts(
@@ -93,13 +93,12 @@ class _Scanned:
         A VRT over sheets that were scanned one by one is theirs.
         """
         found = self.give(path)
-        by_sheets = not any(one.lower().endswith(_VRT) for one, _ in self.files)
+        by_sheets = not any(state.is_vrt for _, state in self.files)
         strange = [
-            os.path.basename(one) for one, state in found.items()
-            if not (self.knows(one, state) or (by_sheets and one.lower().endswith(_VRT)))
+            (state.is_vrt, os.path.basename(one)) for one, state in found.items()
+            if not (self.knows(one, state) or (by_sheets and state.is_vrt))
         ]
-        parts = [one for one in strange if not one.lower().endswith(_VRT)]
-        return next(iter((*parts, *strange)), "")
+        return min(strange, default=(False, ""), key=itemgetter(0))[1]  # a part first
 
     def lost(self) -> tuple[list[str], list[str]]:
         """Names of the files that are gone, and of those that were changed; none that are given, or lie elsewhere

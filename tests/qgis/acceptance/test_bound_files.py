@@ -128,27 +128,50 @@ def test_what_is_gone_is_told(project: Path, lost: str, outcome: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("change", "named"),
+    ("name", "change", "named"),
     [
-        (lambda folder: None, ""),
-        (lambda folder: rewrite(folder / "b.tif"), "b.tif"),
-        (lambda folder: (folder / "b.tif").unlink(), "b.tif"),
-        (lambda folder: swap(folder / "all.vrt"), "all.vrt"),
+        ("all.vrt", lambda folder: None, ""),
+        ("all.vrt", lambda folder: show(folder / "all.vrt"), ""),
+        ("all.vrt", lambda folder: rewrite(folder / "b.tif"), "b.tif"),
+        ("all.vrt", lambda folder: (folder / "b.tif").unlink(), "b.tif"),
+        ("all.vrt", lambda folder: swap(folder / "all.vrt"), "all.vrt"),
+        ("all.tif", lambda folder: show(folder / "all.tif"), ""),
+        ("all.tif", lambda folder: rewrite(folder / "b.tif"), "b.tif"),
     ],
 )
 def test_a_vrt_is_the_sheets_that_it_names(
-    scanned: Path, tmp_path: Path, change: Callable[[Path], object], named: str
+    scanned: Path, tmp_path: Path, name: str, change: Callable[[Path], object], named: str
 ) -> None:
-    for name, column in (("a", 0), ("b", 350)):
-        gdal.Translate(str(tmp_path / f"{name}.tif"), str(scanned / "mosaic.tif"), srcWin=[column, 0, 350, 520])
-    gdal.BuildVRT(str(tmp_path / "all.vrt"), [str(tmp_path / "a.tif"), str(tmp_path / "b.tif")]).FlushCache()
-    files = Files(str(tmp_path / "all.vrt"), str(scanned / "west.tif"), str(scanned / "east.tif"))
+    for sheet, column in (("a", 0), ("b", 350)):
+        gdal.Translate(str(tmp_path / f"{sheet}.tif"), str(scanned / "mosaic.tif"), srcWin=[column, 0, 350, 520])
+    gdal.BuildVRT(str(tmp_path / name), [str(tmp_path / "a.tif"), str(tmp_path / "b.tif")]).FlushCache()
+    files = Files(str(tmp_path / name), str(scanned / "west.tif"), str(scanned / "east.tif"))
     scan(files, tmp_path)
     change(tmp_path)
     for given in ({}, {"MOSAIC": [files.mosaic]}):
         made = decide(tmp_path, **given)
         assert made.results["DECISION"] == ("undecided" if named else "accepted")
         assert named in decision(made)
+
+
+def show(path: Path) -> None:
+    """What QGIS writes when it shows a raster."""
+    dataset = gdal.Open(str(path))
+    dataset.GetRasterBand(1).ComputeStatistics(False)
+
+
+@pytest.mark.slow
+def test_a_mosaic_is_all_of_its_files(scanned: Path, tmp_path: Path) -> None:
+    mosaic = tmp_path / "mosaic.img"
+    gdal.Translate(str(mosaic), str(scanned / "mosaic.tif"), format="HFA", creationOptions=["USE_SPILL=YES"])
+    scan(Files(str(mosaic), str(scanned / "west.tif"), str(scanned / "east.tif")), tmp_path)
+    show(mosaic)
+    assert decide(tmp_path, MOSAIC=[str(mosaic)]).results["DECISION"] == "accepted"
+    rewrite(tmp_path / "mosaic.ige")
+    for given, words in (({}, "were changed since"), ({"MOSAIC": [str(mosaic)]}, "not those that were scanned")):
+        made = decide(tmp_path, **given)
+        assert words in decision(made)
+        assert "mosaic.ige" in decision(made)
 
 
 def swap(vrt: Path) -> None:

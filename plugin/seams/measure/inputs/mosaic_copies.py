@@ -392,6 +392,4 @@ def covered_share(first: Extent, second: Extent) -> float:
 
 def is_made_of(ref: RasterRef, mosaic: RasterRef) -> bool:
     """Whether a raster is a VRT that names the mosaic."""
-    if not ref.path.lower().endswith(".vrt") or not os.path.isfile(ref.path):
-        return False
-    return any(is_same_file(RasterRef(part), mosaic) for part in vrt_parts(ref.path))
+    return os.path.isfile(ref.path) and any(is_same_file(RasterRef(part), mosaic) for part in vrt_parts(ref.path))

@@ -49,8 +49,8 @@ def fingerprint_of(
 ) -> str:
     """The same as long as the result of a scan would be: a digest of each of its inputs.
 
-    Local files by path, size, time of change and some of their bytes, those that a VRT or an archive is made of too; no
-    source is opened. The remote mosaic, and up to ``MOST_ASKED`` remote sources, by what their server says of them;
+    Local files by path, size, time of change and bytes, those that a VRT or an archive is made of too; no remote source
+    is opened. The remote mosaic, and up to ``MOST_ASKED`` remote sources, by what their server says of them;
     more by their names. ``settings``: a dataclass of numbers and texts; ``seams``: arrays, texts, numbers or bytes;
     ``place``: where the mosaic lies.
     """
@@ -99,7 +99,7 @@ def _digest(items: Iterable[object]) -> str:
 
 
 def _states(path: str, ask: bool) -> Iterator[str]:
-    """What is known of a raster's files without opening it."""
+    """What is known of a raster's files without reading its pixels."""
     if is_remote(path):
         if ask:
             yield remote_state(path)

@@ -140,7 +140,7 @@ print(taken({files!r}))
 
 
 @pytest.mark.slow
-def test_ten_thousand_sources_cost_some_calls_each_and_none_is_opened(
+def test_ten_thousand_sources_cost_some_calls_each_and_no_remote_one_is_opened(
     make_raster: MakeRaster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = make_raster("mosaic.tif", orthoimage((64, 64)))
@@ -149,5 +149,7 @@ def test_ten_thousand_sources_cost_some_calls_each_and_none_is_opened(
         os.link(path, link)
     sources = [Source(RasterRef(str(link)), EXTENT) for link in links for _ in range(8)]
     sources += [Source(RasterRef(f"/vsicurl/http://192.0.2.1/{n}.tif"), EXTENT) for n in range(2_000)]
-    monkeypatch.setattr(gdal, "OpenEx", None)
+    opened, opens = set[str](), gdal.OpenEx
+    monkeypatch.setattr(gdal, "OpenEx", lambda name, *more: opened.add(name) or opens(name, *more))
     assert calls_of(lambda: fingerprint_of(RasterRef(path), sources, SETTINGS)) < 400 * len(sources)
+    assert len(opened) == len(links) + 1
