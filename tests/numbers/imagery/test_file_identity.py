@@ -97,6 +97,14 @@ def test_the_files_that_a_raster_consists_of_are_in_its_identity(
     assert names(outer) >= {name, beside, "all.vrt"}
 
 
+def test_a_raster_without_a_date_is_no_vrt(part: Path) -> None:
+    os.utime(part, ns=(0, 0))
+    outer = virtual(part, "all.tif")
+    assert {os.path.basename(file): state.is_vrt for file, state in known_states([str(outer)]).items()} == {
+        "part.tif": False, "all.tif": True
+    }  # fmt: skip
+
+
 LARGE = 70_000_000
 
 
@@ -119,9 +127,9 @@ def test_a_change_is_seen_wherever_it_is(tmp_path: Path, size: int, changed: int
 
 
 @pytest.mark.parametrize("band", [slice(240, 270), slice(100, 130), slice(480, 512)])
-def test_a_level_seam_through_tiles_as_long_as_the_stretches_between_looks_is_seen(tmp_path: Path, band: slice) -> None:
-    """Tiles of 512 px hold a look each: at one place in all of them the rows between would never be looked at."""
-    tiles = np.zeros((300, 512, 512), np.uint8)
+def test_a_level_seam_through_tiles_that_keep_pace_with_the_looks_is_seen(tmp_path: Path, band: slice) -> None:
+    """Each tile of 512 px holds two looks: at the same places in all of them most rows would never be looked at."""
+    tiles = np.zeros((250, 512, 512), np.uint8)
     path = tmp_path / "a.tif"
     tiles.tofile(path)
     before = content_of(str(path))

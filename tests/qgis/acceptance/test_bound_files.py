@@ -154,6 +154,15 @@ def test_a_vrt_is_the_sheets_that_it_names(
         assert named in decision(made)
 
 
+@pytest.mark.parametrize("name", ["whole.vrt", "whole.tif"])
+def test_what_was_scanned_may_be_given_as_a_vrt(scanned: Path, tmp_path: Path, name: str) -> None:
+    gdal.BuildVRT(str(tmp_path / name), [str(scanned / "mosaic.tif")]).FlushCache()
+    given = {"MOSAIC": [str(tmp_path / name)]}
+    assert decide(scanned, **given).results["DECISION"] == "accepted"
+    gdal.BuildVRT(str(tmp_path / name), [str(scanned / "west.tif")]).FlushCache()
+    assert "not those that were scanned: west.tif" in decision(decide(scanned, **given))
+
+
 def show(path: Path) -> None:
     """What QGIS writes when it shows a raster."""
     dataset = gdal.Open(str(path))

@@ -74,6 +74,16 @@ def test_copies_overviews_and_vrts_are_left_out_with_their_reason(paths: list[st
     }
 
 
+@pytest.mark.parametrize("name", ["of.vrt", "of.tif"])
+def test_a_vrt_of_the_mosaic_is_left_out_whatever_it_is_called(paths: list[str], tmp_path: Path, name: str) -> None:
+    """Where only one orthoimage is, its pixels alone would not tell."""
+    path = str(tmp_path / name)
+    gdal.Translate(path, paths[2], format="VRT", srcWin=[0, 0, 600, 600])
+    kept, notices = told(paths[2], [path, *paths[:2]])
+    assert kept == ["a.tif", "b.tif"]
+    assert notices == {name: messages.COPY_AMONG_SOURCES.template}
+
+
 def test_a_copy_with_loss_is_left_out(paths: list[str], tmp_path: Path) -> None:
     path = str(tmp_path / "lossy.tif")
     gdal.Translate(path, paths[2], creationOptions=["COMPRESS=JPEG", "JPEG_QUALITY=85", "PHOTOMETRIC=YCBCR"])
