@@ -12,6 +12,7 @@ from seam_inspector.plugin.imagery.file_identity import content_of, known_states
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import orthoimage
+from tests.range_server import serving
 
 
 @pytest.fixture
@@ -60,6 +61,15 @@ def test_a_vrt_is_what_it_names_whatever_it_is_called(
     held[-1] ^= 1
     part.write_bytes(held)
     assert known_states([str(path)]) != before
+
+
+def test_no_server_is_asked_for_the_parts_of_a_vrt(part: Path) -> None:
+    path = virtual(part, "all.tif")
+    with serving(part.parent) as server:
+        text = path.read_text(encoding="utf-8").replace('relativeToVRT="1">part.tif', f">{server.vsi('part.tif')}")
+        path.write_text(text, encoding="utf-8")
+        assert names(path) == {"all.tif"}
+        assert not server.answers
 
 
 def copied(driver: str, part: Path, name: str, *options: str) -> Path:
