@@ -275,7 +275,7 @@ def local_states(paths: Iterable[str]) -> dict[str, FileState]:
 def _read_from(path: str) -> dict[str, None]:
     """Files of a raster, but for the parts of a VRT."""
     file, files = local_file(path), list[str]()
-    if not vrt_parts(path):
+    if os.path.exists(file) and not vrt_parts(path):
         with gdal_settings(GDAL_DISABLE_READDIR_ON_OPEN="TRUE"):  # a folder of thousands is not listed for each of them
             dataset = opened_checked(path, gdal.OF_RASTER)
             files = [*map(local_file, dataset.GetFileList() or ())] if dataset is not None else []
