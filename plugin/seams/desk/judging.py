@@ -312,6 +312,7 @@ class Judging(QObject):
             self._go_to_number(last.window_id)
             rows = [last]
         self._session.judge([row.fid for row in rows], "", self.operator)
+        self._is_sure_said = False
         return True
 
     def say_sure(self, percent: int) -> bool:

@@ -224,8 +224,11 @@ class Session(QObject):
                 window_layer.remove_windows(self._watch.layer, fids)
 
     def judge(self, fids: Sequence[int], word: str, operator: Operator = FIRST) -> None:
-        """Write what an operator saw: ``visible``, ``invisible``, ``unsure`` or nothing."""
-        self.note(fids, {operator.observer: word or None})
+        """Write what an operator saw: ``visible``, ``invisible``, ``unsure`` or nothing, of which he can't be sure."""
+        values: dict[str, object] = {operator.observer: word or None}
+        if not word and any(getattr(self.row(fid), operator.confidence, None) is not None for fid in fids):
+            values[operator.confidence] = None  # a layer that lacks the field needs none for this
+        self.note(fids, values)
 
     def note(self, fids: Sequence[int], values: Mapping[str, object]) -> None:
         """Write what an operator says of windows, by his fields' names; None takes it back."""

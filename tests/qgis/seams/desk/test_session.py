@@ -6,6 +6,7 @@ from dataclasses import replace
 import pytest
 from qgis.core import QgsApplication, QgsVectorLayer
 from qgis.PyQt.QtCore import QEventLoop
+from seam_inspector.plugin.imagery.statistics import OPERATORS, Operator
 from seam_inspector.plugin.seams.desk.charts.curves_panel import selected_windows
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
@@ -88,6 +89,23 @@ def test_a_window_drawn_where_there_is_one_is_that_one(desk: Desk) -> None:
     desk.wait()
     assert [row.observer for row in desk.session.windows()] == ["visible", ""]
     assert desk.session.selected() == [fid]
+
+
+@pytest.mark.parametrize("operator", OPERATORS)
+def test_a_verdict_that_is_taken_back_takes_along_how_sure_the_operator_was(desk: Desk, operator: Operator) -> None:
+    names = {"window_id": ("integer", [1, 2]), "observer": ("string", ["", ""])}
+    made = desk.use(windows(SHARP, BLURRED, **names))
+    desk.session.judge([1], "visible", operator)
+    desk.session.judge([1], "", operator)
+    assert operator.confidence not in made.fields().names()  # nor is the field made for this
+    desk.session.judge([1, 2], "visible", operator)
+    desk.session.note([1, 2], {operator.confidence: 90})
+    first = desk.rows()[1].fid
+    desk.session.judge([first], "", operator)
+    said = [(getattr(row, operator.observer), getattr(row, operator.confidence)) for row in desk.session.windows()]
+    assert said == [("", None), ("visible", 90)]
+    desk.undo()
+    assert getattr(desk.rows()[1], operator.confidence) == 90
 
 
 def test_judging_and_removing_are_undone_in_one_step(desk: Desk) -> None:

@@ -66,7 +66,7 @@ class WindowsSession(QObject):
 
     def judge(self, fids: list[int], word: str, operator: Operator = FIRST) -> None:
         self.calls.append(("judge", sorted(fids), word))
-        self._write(fids, {operator.observer: word})
+        self._write(fids, {operator.observer: word} if word else {operator.observer: "", operator.confidence: None})
 
     def note(self, fids: list[int], values: dict[str, Any]) -> None:
         self.calls.append(("note", sorted(fids), values))

@@ -167,6 +167,23 @@ def test_the_last_verdict_is_taken_back_from_the_next_window(judging: Judging, s
     assert not judging.take_back()
 
 
+def test_how_sure_he_was_is_taken_back_too(judging: Judging, session: WindowsSession) -> None:
+    """And what he says after his next verdict is of that."""
+    session.put(five())
+    session.select([1])
+    for goes_back in (True, False):
+        judging.judge("visible")
+        session.select([1] if goes_back else session.selected())  # he goes back to say it, or says it from the next one
+        judging.say_sure(90)
+        judging.take_back()
+        assert (session.rows[0].observer, session.rows[0].confidence) == ("", None)
+        judging.judge("invisible")
+        judging.say_sure(70)
+        assert (session.rows[0].observer, session.rows[0].confidence) == ("invisible", 70)
+        assert session.rows[1].confidence is None
+        session.select([1])
+
+
 def test_a_judged_window_is_taken_back_where_it_is(judging: Judging, session: WindowsSession) -> None:
     session.select([10])
     judging.take_back()
