@@ -344,6 +344,7 @@ class Session(QObject):
 
     def _load(self, *_: object) -> None:
         self._is_read = True
+        self.loss_view.show(False)
         self._live.leave()
         self._live.let_go()
         self._opening.abandon()
