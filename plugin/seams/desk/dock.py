@@ -118,7 +118,6 @@ class InspectionDock(ToolDock):
         self.windows.zoomRequested.connect(self.zoom_to)
         self.windows.told.connect(self._show_message)
         self.judging.model.stepped.connect(self.zoom_to)
-        self.visibilityChanged.connect(self._clear_map)
         self.judging.model.changed.connect(self._hide_findings)
         self._hide_findings()
         self._enable_actions()
@@ -126,7 +125,6 @@ class InspectionDock(ToolDock):
     def close_desk(self) -> None:
         super().close_desk()
         self._worst_inspector.stop()
-        self.visibilityChanged.disconnect(self._clear_map)
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
             self.layout_of_judging, self._keys, self.steps, self.reports, self.swiping, self.flicker, self._findings,
@@ -238,8 +236,8 @@ class InspectionDock(ToolDock):
             self.judging.model.go_on()
 
     def _clear_map(self, *_: object) -> None:
-        """What lies on the map goes with the desk, whose keys and buttons would take it off."""
-        if self.isHidden():  # and not only behind another dock
+        super()._clear_map()
+        if self.isHidden():
             self.swiping.swipe.stop()
             self.flicker.hide()
             self.session.loss_view.show(False)

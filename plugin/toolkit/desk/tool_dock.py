@@ -95,6 +95,7 @@ class ToolDock(QgsDockWidget):
 
     def close_desk(self) -> None:
         """Leave nothing behind: map tool, canvas items, connections, tasks."""
+        self.visibilityChanged.disconnect(self._clear_map)
         self._canvas.mapToolSet.disconnect(self._tool_set)
         self._leave_tool()
         self.tool.close()
@@ -108,6 +109,12 @@ class ToolDock(QgsDockWidget):
         self.draw.triggered.connect(self._toggle_tool)
         tool.finished.connect(self._leave_tool)
         self._canvas.mapToolSet.connect(self._tool_set)
+        self.visibilityChanged.connect(self._clear_map)
+
+    def _clear_map(self, *_: object) -> None:
+        """What lies on the map goes with the desk, whose keys and buttons would take it off."""
+        if self.isHidden():  # and not only behind another dock
+            self._leave_tool()
 
     def _toggle_tool(self, checked: bool) -> None:
         if checked:

@@ -286,6 +286,19 @@ def test_side_by_side_where_the_dock_is_wide(operator: Operator) -> None:
     dock.hide()
 
 
+def test_a_closed_dock_gives_the_map_its_former_tool_back(operator: Operator) -> None:
+    dock, canvas = operator.dock, operator.canvas
+    former = QgsMapTool(canvas)
+    canvas.setMapTool(former)
+    dock.setFloating(True)
+    dock.show()
+    dock.draw.trigger()
+    assert canvas.mapTool() is dock.tool
+    dock.hide()
+    assert canvas.mapTool() is former
+    assert not dock.draw.isChecked()
+
+
 def test_drawn_lines_are_seen_on_bright_and_on_dark_ground_with_their_numbers(operator: Operator) -> None:
     operator.draw(1)
     lines = operator.dock.line_layer()

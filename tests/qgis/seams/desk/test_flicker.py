@@ -95,8 +95,11 @@ def test_what_lies_on_the_map_goes_with_judging_and_with_the_desk(plugin: Any, s
     assert not swipe.is_shown
     dock.swiping.action.trigger()
     dock.session.loss_view.show(True)
+    dock.draw.trigger()
+    assert dock.draw.isChecked()
     assert dock.flicker.press()
     dock.hide()
     assert not swipe.is_shown
     assert not dock.swiping.swipe.is_on
     assert not dock.session.loss_view.is_shown
+    assert not dock.draw.isChecked()
