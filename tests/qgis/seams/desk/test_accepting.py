@@ -2,19 +2,25 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.gui import QgisInterface, QgsProcessingAlgorithmDialogBase
+from qgis.PyQt import sip
+from qgis.PyQt.QtCore import QTimer
+from seam_inspector.plugin.imagery.atomic_files import replacing
 from seam_inspector.plugin.seams.desk import accepting
-from seam_inspector.plugin.seams.desk.accepting import DECISION, WHOLE_WAY, offered_form
+from seam_inspector.plugin.seams.desk.accepting import DECISION, WHOLE_WAY, made_form, offered_form, open_form
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.acceptance.seam_scenes import X, Y, file, seams
 from tests.qgis.runs import algorithm, run
+from tests.qgis.seams.desk.session_desk import settle, wait_until
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -139,3 +145,105 @@ def test_the_form_asks_for_them(
         assert path == (value if isinstance(value, str) else value.sink.staticValue())
     dialog.close()
     dialog.deleteLater()
+
+
+# The form
+
+
+@pytest.fixture
+def forms(delivery: Delivery, qgis_iface: QgisInterface, monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Any]]:
+    """The desk's forms, as many as are made; none is left behind."""
+    from processing.gui import AlgorithmDialog, ParametersPanel
+    from processing.tools import general
+
+    for module in (general, AlgorithmDialog):
+        monkeypatch.setattr(module, "iface", qgis_iface)
+    monkeypatch.setattr(ParametersPanel, "iface", None)
+    monkeypatch.setattr(AlgorithmDialog, "handleAlgorithmResults", lambda *_: True)
+    config = AlgorithmDialog.ProcessingConfig
+    monkeypatch.setattr(config, "getSetting", lambda name, *_: name == config.KEEP_DIALOG_OPEN)  # as QGIS does
+    made: list[Any] = []
+    yield made
+    for form in made:
+        if not sip.isdeleted(form):
+            form.close()
+    settle()
+
+
+def new_form(delivery: Delivery, forms: list[Any]) -> Any:
+    form = made_form(delivery.project, Inputs(mosaic=delivery.mosaic.id()))
+    assert form is not None
+    form.show()
+    forms.append(form)
+    return form
+
+
+def files_in(form: Any) -> dict[str, Path]:
+    """What a form would make, by name."""
+    values = form.createProcessingParameters()
+    asked = {name: values.get(name) for name in ("REPORT", "QUALITY", "DEFECTS")}
+    return {name: Path(one if isinstance(one, str) else one.sink.staticValue()) for name, one in asked.items()}
+
+
+def finish(form: Any) -> None:
+    """Run it, by its button, to the end."""
+    ended: list[bool] = []
+    form.algorithmFinished.connect(lambda is_successful, _: ended.append(is_successful))
+    form.runAlgorithm()
+    wait_until(lambda: ended, "for the decision")
+    assert ended == [True]
+    settle()
+
+
+@pytest.mark.slow
+def test_a_second_run_of_a_form_replaces_no_document(delivery: Delivery, tmp_path: Path, forms: list[Any]) -> None:
+    """Not those that the operator named himself either: ``signed_2024`` is no number."""
+    delivery.scan(tmp_path / "scans")
+    delivery.save(tmp_path / "project")
+    form = new_form(delivery, forms)
+    form.setParameters({"QUALITY": str(tmp_path / "signed_2024.xml")})
+    first = files_in(form)
+    finish(form)
+    before = {path: path.read_bytes() for path in first.values()}
+    second = files_in(form)
+    assert {name: path.name for name, path in second.items()} == {
+        "REPORT": "ortho_5_report_2.html", "QUALITY": "signed_2024_2.xml", "DEFECTS": "ortho_5_defects_2.gpkg"
+    }  # fmt: skip
+    finish(form)
+    assert all(path.is_file() for path in second.values())
+    assert {path: path.read_bytes() for path in first.values()} == before
+    assert files_in(form)["REPORT"].name == "ortho_5_report_3.html"
+
+
+def test_two_open_forms_suggest_different_files(delivery: Delivery, tmp_path: Path, forms: list[Any]) -> None:
+    delivery.scan(tmp_path / "scans")
+    delivery.save(tmp_path / "project")
+    first, second = new_form(delivery, forms), new_form(delivery, forms)
+    assert not {*files_in(first).values()} & {*files_in(second).values()}
+    first.close()
+    settle()
+    assert files_in(new_form(delivery, forms))["REPORT"].name == "ortho_5_report.html"
+
+
+def test_a_form_that_is_closed_is_gone(delivery: Delivery, tmp_path: Path, forms: list[Any]) -> None:
+    delivery.save(tmp_path / "project")
+    main = QgsApplication.instance()
+
+    def close() -> None:
+        shown = [one for one in main.topLevelWidgets() if isinstance(one, QgsProcessingAlgorithmDialogBase)]
+        forms.extend(shown)
+        for form in shown:
+            form.close()
+
+    QTimer.singleShot(0, close)
+    open_form(delivery.project, Inputs(mosaic=delivery.mosaic.id()))
+    settle()
+    assert [sip.isdeleted(form) for form in forms] == [True]
+
+
+def test_a_file_that_is_being_written_has_its_name(delivery: Delivery, tmp_path: Path) -> None:
+    delivery.scan(tmp_path / "scans")
+    delivery.save(tmp_path / "project")
+    with replacing(tmp_path / "project" / "ortho_5_quality.xml"):
+        assert Path(delivery.offered()[1]["REPORT"]).name == "ortho_5_report_2.html"
+    assert Path(delivery.offered()[1]["REPORT"]).name == "ortho_5_report.html"

@@ -155,7 +155,7 @@ def test_accept_opens_the_decision_on_the_scan(
     dock = opened(plugin, scan_scene, tmp_path)
     scan(dock)
     asked: list[tuple[str, dict[str, Any]]] = []
-    monkeypatch.setattr(processing, "execAlgorithmDialog", lambda *form: asked.append(form))
+    monkeypatch.setattr(processing, "createAlgorithmDialog", lambda *form: asked.append(form))
     dock.accept.trigger()
     ((name, values),) = asked
     assert name == "seaminspector:acceptmosaic"
