@@ -12,10 +12,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from statistics import NormalDist
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from .statistics import NORMAL_95
+
+if TYPE_CHECKING:
+    import numpy as np
 
 STANDARD_LEAST_KEPT = 0.7
 """A piece that keeps less fails, unless something else is agreed: docs/method/seam_profile.md."""
@@ -146,6 +148,8 @@ class RowTotals:
 
     def add(self, row: Mapping[str, object], line: np.ndarray) -> None:
         """One feature's fields by name, and the vertices of its line, (n, 2), as its layer has them."""
+        import numpy as np  # not when QGIS starts, which asks for the limits here
+
         place = hashlib.sha256((np.asarray(line, "<f8") + 0.0).tobytes()).hexdigest()
         self._lines.append("\t".join((*map(_written, map(row.get, _SEALED)), place)))
         length = row.get("length")

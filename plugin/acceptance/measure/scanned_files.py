@@ -48,7 +48,7 @@ def file_doubts(
     count = len(of_mosaic.files) + len(of_sources.files) - len(gone) - len(gone_sources) - len(changed)
     others = [
         name for name, files in by_layer.items() if mosaics and not (strange or changed or gone)
-        and not all(of_mosaic.is_given(*file) for file in files if not file[0].lower().endswith(_VRT))
+        and not all(of_mosaic.is_given(*file) for file in files if not file[1].is_vrt)
     ]
     kinds = {frozenset(map(_known_by, files)) for files in by_layer.values()}
     return FileDoubts(

@@ -200,7 +200,9 @@ def test_a_sheet_without_a_name_is_refused() -> None:
 
 def test_a_sheet_of_which_nothing_was_measured_is_not_passed_over(tmp_path: Path) -> None:
     """Its layer is empty, as that of a scan that could read nothing was."""
-    good, broken = seams([0.97] * 100, name="good"), seams([], name="broken")
+    good = seams([0.97] * 100, name="good")
+    broken = layer("LineString", [], UTM33, kept_1=("double", []), verdict=("string", []))
+    broken.setName("broken")
     assert run("acceptmosaic", SEAMS=[good]).results["DECISION"] == "accepted"
     found = run("acceptmosaic", SEAMS=[good, broken])
     assert found.results["DECISION"] == "undecided"

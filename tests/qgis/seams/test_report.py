@@ -376,7 +376,7 @@ def test_the_words_that_stand_in_a_report_are_explained(inspected: Run, scene: S
     rasters = {"MOSAIC": str(scene.mosaic), "SOURCES": scene.sources}
     page = read(report(inspected, tmp_path / "report.html", **rasters, MIN_KEPT=0.6))
     terms = dict(row for row in page.rows if len(row) == 2)
-    assert terms["verdict"].startswith("Significant: 60 % or less of the finest detail is kept along the seam")
+    assert terms["verdict"].startswith("Significant: by the best estimate 60 % or less of the finest detail is kept")
     for word in ("flagged", "kept 1", "sharpness 1", "ratio 1", "relative variance", "hard-cut composite", "clips"):
         assert word in page.words
         assert terms[word]

@@ -268,7 +268,7 @@ def _overview(files: Files, folder: Path) -> str:
 
 
 @pytest.mark.parametrize(("made", "words"), [
-    (lambda files, _: files.mosaic, "is the mosaic itself"), (_copy, "is a copy of it"), (_vrt, "is a copy of it"),
+    (lambda files, _: files.mosaic, "is the mosaic itself"), (_copy, "so it is a copy"), (_vrt, "so it is a copy"),
     (_overview, "an overview of it"),
 ])
 def test_the_mosaic_among_its_sources_is_left_out(
