@@ -4,14 +4,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from scipy import fft
 
-from ...imagery.filters import product
 from ...imagery.rasters import Raster, is_range_known, value_range
 from ...imagery.shifts import Shift, shifted
 from ...imagery.wavelets import placed_components
 from .causes import MIN_COMPRESSED_DN, Misfit, SourceTone, Texture
 from .following.boxes import in_squares
+from .following.compression import vanished_share
 from .limits import MIN_MISREGISTRATION_PX
 from .seam_cells import UNKNOWN
 from .tone import Tone
@@ -20,10 +19,6 @@ _BLOCK_PX = 16  # side of what detail is compared in: 64 coefficients in each di
 _FEWEST_BLOCKS = 12  # that follow one source for sure: fewer have no quantiles worth the name
 _FEWEST_OF_SOURCE = 8  # blocks, before what comes over of one source alone is told
 _WEAK, _STRONG, _STRONGEST = 0.3, 0.7, 0.9  # quantiles of the blocks' energies
-_PERIOD_PX = 8  # of the blocks that images are compressed in
-_SAMPLED_BLOCKS = 400  # of each of the 64 grids: 17,000 coefficients to tell a share of some per cent by
-_HIGH_FREQUENCY = 6  # of 0 to 14, both axes together
-_VANISHED_DN = 1.5  # of 8 bit: five times what rounding to whole values makes of a coefficient that is 0
 
 
 def measure_texture(
@@ -62,7 +57,7 @@ def measure_texture(
     # What the sources' own compression left in them is none of the mosaic's.
     quantised = 0.0
     if noise >= MIN_COMPRESSED_DN * unit_dn:
-        quantised = _quantised(mosaic / unit_dn) - _quantised(expected / unit_dn)
+        quantised = vanished_share(mosaic / unit_dn) - vanished_share(expected / unit_dn)
     return Texture(transfer, min(of_sources), max(of_sources), strongest, noise, loud / max(noise, 1e-6), quantised)
 
 
@@ -114,26 +109,6 @@ def _range(raster: Raster) -> float | None:
         return None
     found = value_range(raster, 0.0)
     return None if found is None else found[1] - found[0]
-
-
-def _quantised(mosaic: np.ndarray) -> float:
-    """By which share more of the high frequencies of blocks of 8 x 8 px vanish on the best of the 64 grids of blocks
-    than on the others: what the quantisation of JPEG and its relatives leaves (Fan and de Queiroz 2003)."""
-    basis = fft.dct(np.eye(_PERIOD_PX), axis=0, norm="ortho").astype(np.float32)
-    rows, columns = (length // _PERIOD_PX - 1 for length in mosaic.shape)
-    step = max(1, int(np.sqrt(rows * columns / _SAMPLED_BLOCKS)))
-    fine = np.add.outer(np.arange(_PERIOD_PX), np.arange(_PERIOD_PX)) >= _HIGH_FREQUENCY
-    transform = np.kron(basis, basis)[fine.ravel()].T.copy()  # of a block's 64 pixels at once
-    found = []
-    for top in range(_PERIOD_PX):
-        for left in range(_PERIOD_PX):
-            part = mosaic[top : top + rows * _PERIOD_PX, left : left + columns * _PERIOD_PX]
-            blocks = part.reshape(rows, _PERIOD_PX, columns, _PERIOD_PX)[::step, :, ::step].swapaxes(1, 2)
-            coefficients = product(blocks.reshape(-1, _PERIOD_PX**2), transform)
-            vanished = np.count_nonzero(np.abs(coefficients, out=coefficients) < _VANISHED_DN)
-            found.append(int(vanished) / coefficients.size)
-    best = int(np.argmax(found))
-    return found[best] - float(np.median(np.delete(found, best)))
 
 
 _LOOK_PX = 256  # side of the part that is looked at, about the seam

@@ -18,8 +18,7 @@ MIN_ALIKE_FACTOR = 1.8  # by which that leaves more over than true sources do
 MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR = 0.015, 20.0
 """The same of a source that stands in for one of the same ground, by what it leaves over where it is the true one."""
 MAX_TELLING = 0.7  # of the detail: where true sources leave over more, as of weak detail below noise, nothing is told
-MIN_EVEN_LEFT, MIN_EVEN_SLOPE = 0.2, -0.15  # see ``is_of_none``; JPEG of quality 50 has 0.25 with -0.33
-MIN_EVEN_LEFT_COMPRESSED = 0.5  # the same where JPEG's squares show: on ground that is alike all over it has no slope
+MIN_EVEN_LEFT, MIN_EVEN_SLOPE = 0.2, -0.15  # see ``is_of_none``
 
 _FEWEST = 24  # places that anything is learned from
 _CLASSES = 4  # of energy, in each of which the best ground is looked for
@@ -40,15 +39,15 @@ class BestGround:
     strong: float
     """Energies that weak and strong detail has."""
 
-    def is_of_none(self, least: float = MIN_EVEN_LEFT) -> bool:
-        """Whether not even the best ground is of a given source: more than ``least`` is left over.
+    def is_of_none(self) -> bool:
+        """Whether not even the best ground is of a given source.
 
-        What noise and compression leave over grows less than detail does; what an image lacks that merely resembles
-        the true one is an even share of it.
+        What noise leaves over grows less than detail does; what an image lacks that merely resembles the true one is an
+        even share of it.
         """
         weak, strong = self.response(np.array([self.weak, self.strong])).tolist()
         slope = np.log(strong / weak) / max(np.log(self.strong / self.weak), 0.2)
-        return bool(min(weak, strong) > least and slope > MIN_EVEN_SLOPE)
+        return bool(min(weak, strong) > MIN_EVEN_LEFT and slope > MIN_EVEN_SLOPE)
 
     def strangeness(
         self, own: np.ndarray, left: np.ndarray, least: float = MIN_ALIKE_STRANGE, factor: float = MIN_ALIKE_FACTOR

@@ -7,13 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache, cached_property
 
 import numpy as np
 
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
+from .compression import was_compressed
 from .followed_source import FollowedSource, high_pass
+from .foreign_ground import IsCompressed
 from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, square_means
 from .likely_source import FINE, LikelySource, Sampling, likely_source
 from .meeting import by_shares, mixed_shares, where_several_meet
@@ -162,7 +165,20 @@ class _Window:
     def likely(self, filters: Filters | None, left_out: Collection[int] = ()) -> LikelySource:
         """Of the sources that are followed at first."""
         sources = {i: self.fine[1 + i] for i in sorted(self.following.followed) if i not in left_out}
-        return _likely(self.fine[0], sources, self.following, self.valid, filters, self.sampling, self.interpolated)
+        return _likely(self.fine[0], sources, self.following, self.valid, filters, self.sampling,
+                       self.is_compressed, self.interpolated)
+
+    @cached_property
+    def is_compressed(self) -> IsCompressed:
+        """See ``foreign_ground``."""
+        mosaic, planes, followed = self.mosaic, self.planes, self.following.followed  # self would stay alive
+        mosaic_was = cache(lambda: was_compressed(mosaic))
+        source_was = cache(lambda number: number < len(planes) and was_compressed(planes[number]))
+
+        def is_compressed(number: int | None) -> bool:
+            return mosaic_was() or (any(map(source_was, followed)) if number is None else source_was(number))
+
+        return is_compressed
 
     def labels(self, likely: LikelySource, strange: np.ndarray | bool = True) -> np.ndarray:
         """(rows, columns) uint8; ``strange``: where no source may explain the mosaic."""
@@ -268,19 +284,20 @@ class _Window:
 
 def _likely(
     own: np.ndarray, sources: Mapping[int, np.ndarray], following: FollowedSource, valid: Mapping[int, np.ndarray],
-    filters: Filters | None, sampling: Sampling, interpolated: Collection[int],
+    filters: Filters | None, sampling: Sampling, is_compressed: IsCompressed,
+    interpolated: Collection[int],
 ) -> LikelySource:
     """The most likely source of every pixel. What came over each is learned where it is followed, and as that is told
     better with it, learned anew until it settles; what leaves least of the mosaic over counts."""
     if filters is not None:
         shown = {i: filters.applied(i, one) for i, one in sources.items()}
-        return likely_source(own, shown, following.labels, following.clear, valid, sampling, filters.alike,
+        return likely_source(own, shown, following.labels, following.clear, valid, sampling, is_compressed,
                              interpolated)
     labels, clear, best = following.labels, following.clear, None
     for _ in range(_ROUNDS):
         won = {i: one for i, one in sources.items() if (labels == i).any()}
         shown = {i: through_filter(own, one, _surest(labels == i, clear)) for i, one in won.items()}
-        likely = likely_source(own, shown, labels, clear, valid, sampling, interpolated=interpolated)
+        likely = likely_source(own, shown, labels, clear, valid, sampling, is_compressed, interpolated)
         changed, labels = np.count_nonzero(likely.labels != labels) / labels.size, likely.labels
         if best is None or likely.left < best.left:
             best = likely

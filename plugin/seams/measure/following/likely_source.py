@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, combinations_with_replacement
-from typing import Callable
 
 import numpy as np
 from scipy import ndimage
@@ -19,7 +18,6 @@ from ..seam_cells import is_one_of, present
 from .best_ground import (
     MIN_ALIKE_STRANGE,
     MIN_EVEN_LEFT,
-    MIN_EVEN_LEFT_COMPRESSED,
     MIN_STAND_IN_FACTOR,
     MIN_STAND_IN_STRANGE,
     MIN_STRANGE,
@@ -27,8 +25,8 @@ from .best_ground import (
     learn_best_ground,
 )
 from .boxes import box_means, enlarged, narrowed, near_border, opened, square_sums
-from .compression import MORE_LEFT, Alike, compressed_alike, shows_squares
 from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
+from .foreign_ground import NOISE_CELL_PX, CellSums, IsCompressed, foreign_ground
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
 MIN_TEXTURE = 0.3  # of the energy that a source would have
@@ -98,14 +96,14 @@ def likely_source(
     clear: np.ndarray,
     valid: Mapping[int, np.ndarray],
     sampling: Sampling = FINE,
-    alike: Alike | None = None,
+    is_compressed: IsCompressed = lambda number: False,
     interpolated: Collection[int] = (),
 ) -> LikelySource:
     """Of ``sources``, high-passed planes as ``mosaic``, (rows, columns), those that it follows by a first estimate.
 
     ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure. ``valid``: pixels that a source has, of
-    those that don't have all. ``alike``: as ``compressed_alike`` has it, where that is known of
-    more ground. ``interpolated``: those that lie between the mosaic's pixels, which leave more over than others do.
+    those that don't have all. ``interpolated``: those that lie between the mosaic's pixels, which leave more over than
+    others do.
     """
     near_side, wide_side, step = sampling.near, sampling.wide, sampling.grid_px
     grid = np.s_[::step, ::step]
@@ -133,11 +131,22 @@ def likely_source(
         costs.append(cost)
     nearest, cost = _least(list(sources), costs)
     found = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
-    cells = _unexplained(
-        own, energies, products, found, sources, sampling, interpolated, alike,
-        lambda: compressed_alike(mosaic, sources, enlarged(found, step)), lambda: shows_squares(mosaic),
+    times = CELL_PX // step
+    in_cells = _in_cells(own, times)
+    cut = np.zeros_like(own)
+    for i in sources:
+        np.copyto(cut, np.maximum(own - 2 * products[i] + energies[i], 0), where=found == i)
+    place = np.s_[: in_cells.shape[0], : in_cells.shape[1]]
+    sums = CellSums(
+        in_cells,
+        {i: _in_cells(one, times) for i, one in energies.items()},
+        {i: _in_cells(one, times) for i, one in products.items()},
+        _in_cells(cut, times),
+        found[::times, ::times][place],
+        {i: valid[i][grid][::times, ::times][place] for i in sources if i in valid},
+        lambda i, j: square_sums(sources[i], sources[j], CELL_PX),
     )
-    unexplained = enlarged(cells, CELL_PX // step, found.shape)
+    unexplained = enlarged(_unexplained(sums, sampling is FINE, is_compressed, interpolated), times, found.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
     left = float(cost[np.isfinite(cost)].sum()) / max(float(near.sum()), 1e-9)
@@ -145,20 +154,13 @@ def likely_source(
 
 
 def _unexplained(
-    own: np.ndarray, energies: Mapping[int, np.ndarray], products: Mapping[int, np.ndarray], labels: np.ndarray,
-    sources: Mapping[int, np.ndarray], sampling: Sampling, interpolated: Collection[int], alike: Alike | None,
-    learn_alike: Callable[[], Alike], is_compressed: Callable[[], bool],
+    sums: CellSums, is_window: bool, is_compressed: IsCompressed, interpolated: Collection[int]
 ) -> np.ndarray:
-    """Cells that the sources explain worse than the best ground of all, (cell rows, cell columns) bool.
-
-    Sums over the squares of a sampling: of the mosaic with itself, by source with itself and with the mosaic.
-    """
-    times = CELL_PX // sampling.grid_px
-    own = _in_cells(own, times)
-    labels = labels[::times, ::times][: own.shape[0], : own.shape[1]]
-    energies, products = ({i: _in_cells(one, times) for i, one in of.items()} for of in (energies, products))
+    """Cells that the sources explain worse than true ones do, (cell rows, cell columns) bool: by the noise of each
+    where anything was compressed, else by the best ground of all, which tells images that are nearly alike as well."""
+    own, labels, energies, products = sums.mosaic, sums.labels, sums.energies, sums.shared
     energy, product = np.zeros_like(own), np.zeros_like(own)
-    for i in sources:
+    for i in energies:
         of = labels == i
         gain = np.float32(max(float(products[i][of].sum()), 0.0) / max(float(energies[i][of].sum()), 1e-9))
         np.copyto(energy, gain**2 * energies[i], where=of)
@@ -173,29 +175,24 @@ def _unexplained(
     left = np.maximum(wide - np.maximum(product, 0) ** 2 / energy, 0)
     if _is_explained(wide, left, textured):
         return np.zeros_like(textured)
+    if is_compressed(None):
+        return enlarged(foreign_ground(sums, is_compressed, is_window), NOISE_CELL_PX // CELL_PX, own.shape)
     # A step of tones leaves over much along a line, and nothing beside it.
     even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
     sharp = textured & (wide >= _AS_STRONG * energy)  # a seam that was brushed soft is followed all the same
-    cells = _Cells(wide, left, textured, sharp, even, labels, sampling is FINE, is_compressed)
-    everyone = (frozenset(sources),)
-    if alike is None and cells.differ():
-        alike = learn_alike()
-    found = cells.strange(alike or everyone)
-    if len(sources) == 1 or not found.any():
+    cells = _Cells(wide, left, textured, sharp, even, labels, is_window)
+    found = cells.strange()
+    if len(energies) == 1 or not found.any():
         return found
-    if alike is None:
-        alike = learn_alike()
-        if alike and not cells.strange(alike).any():
-            return np.zeros_like(found)
-    near, *with_mosaic = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *(products[i] for i in sources)))
-    shared = dict(zip(sources, with_mosaic))
+    near, *with_mosaic = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *products.values()))
+    shared = dict(zip(products, with_mosaic))
     common = {
-        (i, j): box_means(energies[i] if i == j else square_sums(sources[i], sources[j], CELL_PX), (NEAR_CELLS,))[0]
-        for i, j in combinations_with_replacement(sources, 2)
+        (i, j): box_means(energies[i] if i == j else sums.between(i, j), (NEAR_CELLS,))[0]
+        for i, j in combinations_with_replacement(energies, 2)
     }
     mixed = left.copy()
     for count in (2, 3):  # a mixture of some that are given is nothing strange
-        for some in combinations(sources, count):
+        for some in combinations(energies, count):
             pairs = combinations_with_replacement(some, 2)
             by_some = _left_by(near, [shared[i] for i in some], [common[pair] for pair in pairs])
             np.minimum(mixed, by_some, out=mixed)
@@ -203,7 +200,7 @@ def _unexplained(
         return np.zeros_like(found)
     # What weights that change within a square leave over of a mixture is as much as of one that stands in.
     cells = replace(cells, left=mixed, sharp=sharp & (mixed > _MIXED_LEFT * left))
-    return cells.strange(alike or everyone, interpolated)
+    return cells.strange(interpolated)
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,35 +221,25 @@ class _Cells:
     """uint8: the source that is followed."""
     is_window: bool
     """A part of a block has too little ground to say that it is of no given source."""
-    is_compressed: Callable[[], bool]
 
-    def differ(self) -> bool:
-        """Whether one source leaves over many times as much as another: compression may have taken them differently."""
-        parts = (self.textured & (self.labels == number) for number in present(self.labels))
-        shares = [float(np.median(self.left[of] / self.wide[of])) for of in parts if of.any()]
-        return len(shares) > 1 and max(shares) > MORE_LEFT * min(shares)
-
-    def strange(self, groups: Alike, interpolated: Collection[int] = ()) -> np.ndarray:
-        """Parts that no source explains, (cell rows, cell columns) bool, each by the ground of its group: those that
-        came out of compression as they were, of which some may lie between the mosaic's pixels, then the others."""
-        same, *anew = groups
-        stand_ins = self._stand_ins(is_one_of(self.labels, same))
-        found = np.zeros_like(self.textured)
-        for group in filter(None, (same.difference(interpolated), same.intersection(interpolated))):
+    def strange(self, interpolated: Collection[int] = ()) -> np.ndarray:
+        """Parts that no source explains, (cell rows, cell columns) bool; those that lie between the mosaic's pixels are
+        judged by their own ground."""
+        stand_ins, found = self._stand_ins(), np.zeros_like(self.textured)
+        numbers = frozenset(present(self.labels))
+        for group in filter(None, (numbers.difference(interpolated), numbers.intersection(interpolated))):
             found |= self._strange_parts(is_one_of(self.labels, group), stand_ins)
-        for group in anew:
-            found |= self._strange_parts(is_one_of(self.labels, group))
         return found
 
-    def _stand_ins(self, of: np.ndarray) -> np.ndarray:
+    def _stand_ins(self) -> np.ndarray:
         """Where a source stands in for one of the same ground, (cell rows, cell columns) bool: it leaves over many
         times as much as it does on its own best ground, or all over its part as much more than the others do on theirs,
         and unevenly. One that was resampled leaves over evenly what is finest."""
-        found = np.zeros_like(of)
-        sharp, wide, left = self.sharp & of, self.wide, self.left
+        found = np.zeros_like(self.sharp)
+        sharp, wide, left = self.sharp, self.wide, self.left
         if not opened(sharp & self.even & (left > MIN_STAND_IN_STRANGE * wide), _ALIKE_CELLS).any():
             return found
-        own = {number: sharp & (self.labels == number) for number in present(self.labels[of])}
+        own = {number: sharp & (self.labels == number) for number in present(self.labels)}
         grounds = {number: learn_best_ground(wide[its], left[its]) for number, its in own.items()}
         for number, ground in grounds.items():
             if ground is None:
@@ -269,30 +256,26 @@ class _Cells:
                     found |= its & (left > MIN_STAND_IN_STRANGE * wide)
         return found
 
-    def _strange_parts(self, of: np.ndarray, stand_ins: np.ndarray | None = None) -> np.ndarray:
+    def _strange_parts(self, of: np.ndarray, stand_ins: np.ndarray) -> np.ndarray:
         """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool,
-        and evenly. ``stand_ins``: images that resemble the true one are told as well, and these are such; what
-        compression leaves over of true ones is as much."""
+        and evenly. Images that resemble the true one are told as well, ``stand_ins`` are such."""
         textured, wide, left = self.textured & of, self.wide, self.left
         seen = textured & self.even
-        certain = np.zeros_like(seen) if stand_ins is None else seen & stand_ins
+        certain = seen & stand_ins
         could_be = opened(seen & (left > MIN_STRANGE * wide), _STRIP_CELLS).any()
-        if stand_ins is not None and not could_be:
+        if not could_be:
             could_be = opened(certain | (seen & (left > MIN_ALIKE_STRANGE * wide)), _ALIKE_CELLS).any()
         if not could_be and not (self.is_window and _is_much_left(wide, left, textured)):
             return np.zeros_like(seen)  # whatever true sources leave over
         ground = learn_best_ground(wide[textured], left[textured])
         if ground is None:
             return np.zeros_like(textured)
-        is_of_none = self.is_window and ground.is_of_none()
-        if is_of_none and (ground.is_of_none(MIN_EVEN_LEFT_COMPRESSED) or not self.is_compressed()):
+        if self.is_window and ground.is_of_none():
             return textured
         strange, alike = ground.strangeness(wide, left)
         found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
-        inside = np.zeros_like(found)
-        if stand_ins is not None:
-            inside = ndimage.binary_propagation(opened(certain, _ALIKE_CELLS), mask=certain)
-            found |= opened(seen & alike, _ALIKE_CELLS) | inside
+        inside = ndimage.binary_propagation(opened(certain, _ALIKE_CELLS), mask=certain)
+        found |= opened(seen & alike, _ALIKE_CELLS) | inside
         if not found.any():
             return found
         found = _to_borders(found, strange) | narrowed(inside, WIDE_CELLS // 2 + 1)

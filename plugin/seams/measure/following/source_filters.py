@@ -16,7 +16,6 @@ from ....imagery.shifts import shifted
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import BORDER_PX
 from .boxes import enlarged, in_squares, near_border
-from .compression import Alike
 from .levelling import Levelled
 
 REACH_PX = 2
@@ -101,8 +100,6 @@ class Filters:
     """Of each source that is followed, (5, 5); empty where nothing was done to them."""
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
-    alike: Alike = ()
-    """The sources that the mosaic's compression took alike of."""
 
     def with_own(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
         """With those of some sources, each its own; ``present``: all that are followed."""

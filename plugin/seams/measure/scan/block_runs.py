@@ -241,7 +241,7 @@ _OWN = {
     "grey": CELLS, "grain": CELLS,
 }
 """And how many samples each has along a side."""
-_LEARNED = "learned taps", "learned over cuts", "learned of", "learned alike"
+_LEARNED = "learned taps", "learned over cuts", "learned of"
 _TABLES = {"cells": CellTable.names(), "beside": MixtureTable.names()}
 
 
@@ -276,19 +276,16 @@ def _learned_arrays(learned: Learned | None) -> dict[str, np.ndarray]:
     learned = learned or Learned(Filters({}, False), frozenset())
     filters, of = learned.filters, sorted(learned.of)
     taps = np.array([filters.taps[number] for number in of if filters.taps], np.float32)
-    alike = np.array([(number, place) for place, group in enumerate(filters.alike) for number in group], np.uint8)
-    found = taps.reshape(-1, *UNTOUCHED.shape), filters.came_over_cuts, np.array(of, np.uint8), alike.reshape(-1, 2)
+    found = taps.reshape(-1, *UNTOUCHED.shape), filters.came_over_cuts, np.array(of, np.uint8)
     return {name: np.asarray(one) for name, one in zip(_LEARNED, found)}
 
 
 def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
-    taps, over_cuts, of, alike = (held[name] for name in _LEARNED)
-    if taps.shape[1:] != UNTOUCHED.shape or {of.dtype, alike.dtype} != {np.dtype(np.uint8)}:
+    taps, over_cuts, of = (held[name] for name in _LEARNED)
+    if taps.shape[1:] != UNTOUCHED.shape or of.dtype != np.uint8:
         raise NotUnderstoodError("filters of another kind")
-    numbers, (number, place) = of.tolist(), alike.T
-    count = int(place.max()) + 1 if len(place) else 0
-    groups = tuple(frozenset(number[place == group].tolist()) for group in range(count))
-    return Learned(Filters(dict(zip(numbers, taps)), bool(over_cuts), groups), frozenset(numbers)) if numbers else None
+    numbers = of.tolist()
+    return Learned(Filters(dict(zip(numbers, taps)), bool(over_cuts)), frozenset(numbers)) if numbers else None
 
 
 def learned_in(files: BlockFiles, key: BlockKey) -> Learned | None:

@@ -1,20 +1,19 @@
-"""Sources that lie in the squares of the mosaic's JPEG already are told from those that it rounded anew."""
+"""Traces of JPEG: fine waves vanish in the squares of one grid."""
 from __future__ import annotations
-
-from collections.abc import Callable
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.following.compression import compressed_alike
-from seam_inspector.plugin.seams.measure.following.followed_source import high_pass
-from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.following.compression import was_compressed
 
 from benchmarks.aftermaths import jpeg
 from tests.numbers.synthetic import texture
 
 SIDE = 512
-OFF = (3, 5)
-"""Rows and columns by which the squares of the second image lie elsewhere."""
+
+
+def image(seed: int) -> np.ndarray:
+    return np.asarray(128 + 30 * texture((SIDE, SIDE), 1.6, seed), np.float32)
 
 
 def compressed(plane: np.ndarray, quality: int, off: tuple[int, int] = (0, 0)) -> np.ndarray:
@@ -24,84 +23,28 @@ def compressed(plane: np.ndarray, quality: int, off: tuple[int, int] = (0, 0)) -
     return np.roll(bands[0], (-off[0], -off[1]), axis=(0, 1)).astype(np.float32)
 
 
-def image(seed: int) -> np.ndarray:
-    return np.asarray(128 + 30 * texture((SIDE, SIDE), 2.4, seed), np.float32)
-
-
-def halves() -> np.ndarray:
-    return np.repeat(np.arange(2, dtype=np.uint8), SIDE // 2)[np.newaxis].repeat(SIDE, axis=0)
-
-
-def are_alike(mosaic: np.ndarray, first: np.ndarray, second: np.ndarray, labels: np.ndarray) -> bool:
-    return not (compressed_alike(high_pass(mosaic), {0: high_pass(first), 1: high_pass(second)}, labels))
-
-
-@pytest.mark.parametrize("quality", [60, 75, 85])
-def test_what_lay_in_other_squares_is_compressed_alike(quality: int) -> None:
-    labels = halves()
-    first, second = compressed(image(1), quality), compressed(image(2), quality, OFF)
-    mosaic = compressed(np.where(labels == 0, first, second), quality)
-    assert not are_alike(mosaic, first, second, labels)
-    # That is what makes the difference: one comes out as it was, the other does not.
-    left = np.square(mosaic - np.where(labels == 0, first, second))
-    assert left[:, : SIDE // 2 - 8].mean() < 0.1 * left[:, SIDE // 2 + 8 :].mean()
-    unknown = np.where(np.arange(SIDE) < 40, np.uint8(UNKNOWN), labels)
-    assert not are_alike(mosaic, first, second, unknown)
-
-
-def test_what_was_not_compressed_before_is_compressed_alike() -> None:
-    labels = halves()
-    first, second = compressed(image(1), 75), image(2)
-    assert not are_alike(compressed(np.where(labels == 0, first, second), 75), first, second, labels)
+@pytest.mark.parametrize("quality", [60, 75, 85, 90, 95])
+@pytest.mark.parametrize("off", [(0, 0), (3, 5)])
+def test_jpeg_is_told_on_any_grid(quality: int, off: tuple[int, int]) -> None:
+    assert was_compressed(compressed(image(1), quality, off))
 
 
 @pytest.mark.parametrize(
-    "toned",
-    [lambda plane: 0.8 * plane + 10, lambda plane: 255 * (plane / 255).clip(0) ** 1.4],
-    ids=["gain", "gamma"],
+    "change",
+    [
+        lambda plane: plane,
+        lambda plane: plane + np.random.default_rng(1).normal(0, 4, plane.shape),
+        lambda plane: ndimage.gaussian_filter(plane, 0.8),
+        lambda plane: plane + 1.5 * (plane - ndimage.gaussian_filter(plane, 1.0)),
+        lambda plane: np.full_like(plane, 90),
+        lambda plane: plane[:12, :12],
+    ],
+    ids=["as it was", "noise", "blurred", "sharpened", "even", "tiny"],
 )
-def test_what_was_brought_to_other_tones_is_compressed_anew(toned: Callable[[np.ndarray], np.ndarray]) -> None:
-    """Though it lies in its own squares, and the other one came out as it was."""
-    labels = halves()
-    first, second = (compressed(image(seed), 75) for seed in (1, 2))
-    mosaic = compressed(np.where(labels == 0, first, toned(second).round()), 75)
-    found = compressed_alike(high_pass(mosaic), {0: high_pass(first), 1: high_pass(second)}, labels)
-    assert set(found) >= {frozenset({0}), frozenset({1})}
+def test_nothing_else_is_taken_for_it(change: object) -> None:
+    assert not was_compressed(np.rint(change(image(2))))  # type: ignore[operator]
 
 
-def test_another_image_is_not_taken_for_one_that_was_compressed_anew() -> None:
-    labels = halves()
-    first, second, other = (compressed(image(seed), 75) for seed in (1, 2, 3))
-    mosaic = compressed(np.where(labels == 0, first, second), 75)
-    assert are_alike(mosaic, first, (second + other) / 2, labels)
-
-
-def test_one_that_alone_was_compressed_leaves_over_what_the_others_do_not() -> None:
-    labels = halves()
-    mosaic = np.where(labels == 0, image(1), compressed(image(2), 75))
-    assert not are_alike(mosaic, image(1), image(2), labels)
-
-
-@pytest.mark.parametrize("off", [(0, 0), OFF])
-def test_where_all_or_none_are_nothing_differs(off: tuple[int, int]) -> None:
-    labels = halves()
-    first, second = (compressed(image(seed), 75, off) for seed in (1, 2))
-    assert are_alike(compressed(np.where(labels == 0, first, second), 75), first, second, labels)
-
-
-def test_a_mosaic_that_is_not_compressed_rounds_nothing() -> None:
-    """Though its sources were, each in squares of its own."""
-    labels = halves()
-    first, second = compressed(image(1), 75), compressed(image(2), 75, OFF)
-    assert are_alike(np.where(labels == 0, first, second), first, second, labels)
-    plain = image(1), image(2)
-    assert are_alike(np.where(labels == 0, *plain), *plain, labels)
-
-
-def test_a_long_edge_of_the_ground_is_no_square_of_jpeg() -> None:
-    labels = halves()
-    first, second = image(1), image(2)
-    for plane in (first, second):
-        plane[:, 80:] += 60
-        plane[200:] += 60
-    assert are_alike(np.where(labels == 0, first, second), first, second, labels)
+def test_an_image_that_was_resampled_from_a_jpeg_shows_none() -> None:
+    moved = ndimage.shift(compressed(image(3), 75), (0.4, 0.3), order=3, mode="nearest")
+    assert not was_compressed(np.rint(moved))

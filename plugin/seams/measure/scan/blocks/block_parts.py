@@ -157,9 +157,7 @@ def _of_planes(filters: Filters, numbers: Sequence[int]) -> Filters:
     """By the number of a plane instead of its source's."""
     places = {number: k for k, number in enumerate(numbers)}
     taps = {places[i]: one for i, one in filters.taps.items() if i in places}
-    alike = tuple(frozenset(places[i] for i in group if i in places) for group in filters.alike)
-    rest = frozenset(places.values()).difference(*alike)  # of those nothing was told
-    return replace(filters, taps=taps, alike=(*alike, rest) if alike else ())
+    return replace(filters, taps=taps)
 
 
 def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:

@@ -5,6 +5,7 @@ Where a patch is unsure of it, or its neighbours follow another source, the squa
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 from scipy import ndimage
@@ -12,7 +13,7 @@ from scipy import ndimage
 from .....imagery.wavelets import placed_components
 from ...following.best_ground import learn_best_ground
 from ...following.boxes import enlarged, in_squares, opened
-from ...following.compression import Alike, compressed_alike
+from ...following.compression import was_compressed
 from ...following.expected_mosaic import mosaic_of
 from ...following.followed_source import (
     LEAST_ENERGY,
@@ -23,10 +24,11 @@ from ...following.followed_source import (
     local_correlation,
     mixtures,
 )
+from ...following.foreign_ground import IsCompressed, foreign_patches
 from ...following.likely_source import MIN_FIT
 from ...following.source_filters import Learned
 from ...profile.cell_table import CELL_PX, CellTable
-from ...seam_cells import UNKNOWN, is_one_of, present
+from ...seam_cells import UNKNOWN, present
 from .block_grid import SQUARE_PX
 from .block_pixels import MOST_HELD, BlockPixels, Planes
 
@@ -86,20 +88,24 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int =
     def cells_of(found: _Told) -> tuple[CellTable, Learned]:
         return _cells(planes, fine, fines, found.sampled_source, (rows, columns), wavelet, levels)
 
+    mosaic_was = cache(lambda: was_compressed(planes.mosaic))
+    source_was = cache(lambda number: was_compressed(planes.sources[number]))
+
+    def is_compressed(number: int | None) -> bool:
+        return mosaic_was() or (any(map(source_was, fines)) if number is None else source_was(number))
+
     shown = fines
     # Ground of another image would be explained by a filter that nothing came through.
-    cells, learned = cells_of(told.without(told.odd))
+    cells, learned = cells_of(told.without(told.odd(is_compressed)))
     if learned.filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
         shown = {i: learned.applied(i, one) for i, one in fines.items()}
         told = _told(fine, shown, planes, with_patch, empty)
         cells, learned = cells_of(told)
-    alike = compressed_alike(fine, shown, enlarged(told.sampled_source, PATCH_PX), PATCH_PX)
     # What was warped is explained as badly as by another image.
-    strangers = told.strangers(alike) & ~np.isin(told.source, list(planes.resampled))
+    strangers = told.strangers(is_compressed) & ~np.isin(told.source, list(planes.resampled))
     if strangers.any():
         told = told.without(strangers)
         cells, learned = cells_of(told)
-    learned = replace(learned, filters=replace(learned.filters, alike=alike))
     return SquareLook(told.source, told.doubtful, empty, cells, learned, plain=_is_plain(fine, shape))
 
 
@@ -123,20 +129,19 @@ class _Told:
         """uint8: of those, else ``UNKNOWN``."""
         return np.where(self.sampled, self.source, np.uint8(UNKNOWN))
 
-    @property
-    def odd(self) -> np.ndarray:
-        """bool: what is explained worse than the best ground of the same source, on its own."""
+    def odd(self, is_compressed: IsCompressed) -> np.ndarray:
+        """bool: what is explained worse than the ground of the same source, on its own."""
+        if is_compressed(None):
+            return foreign_patches(self.own, self.left, self.source, is_compressed)
         each = [self._strange(self.source == number)[1] for number in present(self.source)]
         return np.logical_or.reduce([np.zeros(self.own.shape, bool), *each])
 
-    def strangers(self, alike: Alike) -> np.ndarray:
-        """bool: of an image that isn't given, though one that is may resemble it; by the best ground of all sources
-        that are ``alike``."""
-        groups = [is_one_of(self.source, group) for group in alike] or [np.ones(self.own.shape, bool)]
-        return np.logical_or.reduce([self._together(group) for group in groups])
-
-    def _together(self, of: np.ndarray) -> np.ndarray:
-        strange, alike = self._strange(of)
+    def strangers(self, is_compressed: IsCompressed) -> np.ndarray:
+        """bool: of an image that isn't given, where so much lies together that it is no chance; where nothing was
+        compressed, by the best ground of all sources, one that a given one resembles as well."""
+        if is_compressed(None):
+            return opened(self.odd(is_compressed) & ~self.doubtful, _STRANGE_SQUARES)
+        strange, alike = self._strange(np.ones(self.own.shape, bool))
         surely = opened(strange & ~self.doubtful, _STRANGE_SQUARES) | opened(alike, _ALIKE_SQUARES)
         return (self.own > 0) & surely
 
@@ -322,9 +327,9 @@ def _cells(
     labels = enlarged(followed, PATCH_PX)
     within = np.outer(np.tile(inside, shape[0]), np.tile(inside, shape[1]))
     mosaic = planes.mosaic[chosen]
-    present = np.unique(followed[followed != UNKNOWN]).tolist()
+    numbers = np.unique(followed[followed != UNKNOWN]).tolist()
     expected, filters = mosaic_of(
-        mosaic, {i: planes.sources[i][chosen] for i in present}, fine[chosen], {i: fines[i][chosen] for i in present},
+        mosaic, {i: planes.sources[i][chosen] for i in numbers}, fine[chosen], {i: fines[i][chosen] for i in numbers},
         labels, within, PATCH_PX,
     )
     (details,) = placed_components(np.stack([mosaic, expected]), wavelet, 1)
@@ -334,4 +339,4 @@ def _cells(
     )
     sums = [np.einsum("daibj,daibj->ab", a, b)[np.newaxis] for a, b in ((own, own), (other, other), (own, other))]
     rows, columns = ((one[step // 2 :: step] + _CELL.start) // CELL_PX for one in starts)
-    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), Learned(filters, frozenset(present))
+    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), Learned(filters, frozenset(numbers))

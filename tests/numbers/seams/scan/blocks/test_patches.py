@@ -106,8 +106,6 @@ def test_what_the_mosaic_s_jpeg_rounded_anew_is_no_other_image(tmp_path: Path) -
     found = look_at(scene(tmp_path, made, given))
     right = found.source == np.repeat([[0, 1]], PER_SIDE // 2, axis=1)
     assert right.mean() > 0.95
-    assert found.learned is not None
-    assert set(found.learned.filters.alike) == {frozenset({0}), frozenset({1})}
 
 
 def test_a_mixture_of_two_is_doubtful_and_so_asks_for_a_closer_look(tmp_path: Path) -> None:

@@ -1,0 +1,366 @@
+"""Ground that no given source explains: a test against the noise that the mosaic's own sources have.
+
+    m = sum of w_i s_i + n,        w >= 0 and even within 36 px, of at most two sources at a time
+
+n is what compression, on either side, noise, resampling and rounding leave over. Its share of a source's detail is
+learned source by source as a function of how strong the detail is, from the better explained part of its ground. The
+correlation of what is explained has a scatter that is nearly even on Fisher's scale, z = artanh(rho) (Fisher 1921), so
+ground is foreign where squares of 56 or 104 px are explained less than chance allows in a window, and nearer to what
+another image of the same ground explains than to what is expected.
+"""
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from statistics import NormalDist
+
+import numpy as np
+from scipy import ndimage
+
+from ..seam_cells import is_one_of, present
+from .boxes import box_means, narrowed, near_border, opened, widened
+from .followed_source import CELL_PX, LEAST_ENERGY, WIDE_CELLS
+
+NOISE_CELL_PX = 8
+"""Side of the cells that noise is learned in: as large as the blocks of JPEG, which makes it block by block."""
+IsCompressed = Callable[["int | None"], bool]
+"""Whether the mosaic or a source shows traces of a codec; of None whether any of them does."""
+
+_WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which two images of one ground can be told apart
+_FALSE_ALARM = 0.01  # of a window, that chance finds a foreign part in it
+_STRANGER = 0.8  # share that another image of the same ground leaves over, 1 - rho^2
+_MIN_TRUE = 0.35  # share explained of strong detail: a source of which less is explained is a substitute everywhere
+_OF_BEST = 0.6  # of the z of the best source: with less one is a substitute, unless compression took what it lacks
+_MIXED_OF_BEST = 0.75  # the same of ground where two are mixed
+_MIXED, _MIXED_TOTAL = 0.2, 0.75  # the lesser of two weights, of their sum; and that sum, of ground that is mixed
+_OF_MIXED = 254  # number of mixed ground: what is left over there is learned apart
+_ALIKE, _ALIKE_FACTOR = 0.15, 3.0  # on the way to all, and times the expected: foreign, where nothing was compressed
+_EXACT_Z = 2.2  # a source of which 95 % of strong detail is explained
+_MIN_PART = 0.02  # of the ground: smaller parts are not reported
+_LEAST = 0.3  # DN squared a pixel, that rounding leaves
+_FEWEST_CELLS, _FEWEST_PATCHES = 160, 24  # that noise is learned from
+_BORDER_WEIGHT = 1e-3  # of cells that a border runs through, which no single source explains
+_TERMS = 0.75 * (WIDE_CELLS * CELL_PX) ** 2  # independent values in a neighbourhood, for Schwarz's criterion
+_MOST_EXPLAINED = 0.98  # beyond it rounding decides
+_LEAST_SCATTER = 0.05  # of z
+
+
+def _normal(share: float) -> float:
+    return NormalDist().inv_cdf(share)
+
+
+@dataclass(frozen=True, eq=False)
+class CellSums:
+    """Sums of products of fine detail over cells of 4 px, (rows, columns) each."""
+
+    mosaic: np.ndarray
+    """Of the mosaic with itself."""
+    energies: Mapping[int, np.ndarray]
+    """Of each source with itself."""
+    shared: Mapping[int, np.ndarray]
+    """Of each source with the mosaic."""
+    cut: np.ndarray
+    """What the sources leave over, pixel by pixel as they are followed."""
+    labels: np.ndarray
+    """uint8: the source that is followed."""
+    valid: Mapping[int, np.ndarray]
+    """bool: cells that a source has, of those that don't have all."""
+    between: Callable[[int, int], np.ndarray]
+    """Of two sources with each other."""
+
+
+def foreign_ground(sums: CellSums, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
+    """Cells of 8 px that no source and no mixture of two explains, (rows, columns) bool.
+
+    ``is_window``: whether all of the ground may be foreign; a part of a scan has too little to say that.
+    """
+    cells = _NoiseCells.of(sums, {})
+    foreign = cells.foreign(is_compressed, is_window)
+    if len(sums.energies) == 1 or not foreign.any():
+        return foreign
+    pairs = {pair: sums.between(*pair) for pair in combinations(sums.energies, 2)}
+    return _NoiseCells.of(sums, pairs).foreign(is_compressed, is_window)
+
+
+def foreign_patches(
+    energy: np.ndarray, left_over: np.ndarray, labels: np.ndarray, is_compressed: IsCompressed
+) -> np.ndarray:
+    """The patches of a scan that no source explains, (rows, columns) bool.
+
+    ``energy``: of the mosaic's fine detail, 0 where nothing can be told; ``left_over``: by its sources; ``labels``: the
+    source that each follows.
+    """
+    textured = energy > 0
+    logs, z = np.log(np.maximum(energy, 1e-3)), _fisher(1 - left_over / np.maximum(energy, 1e-3))
+    fits: dict[int, _Fit] = {}
+    for number in present(np.where(textured, labels, np.uint8(255))):
+        followed = textured & (labels == number)
+        if np.count_nonzero(followed) >= _FEWEST_PATCHES:
+            at, middle, scatter = _by_energy(logs[followed], z[followed])
+            expected = np.interp(logs, at, middle)
+            fits[number] = _Fit(expected, np.interp(logs, at, scatter), float(np.quantile(expected[followed], 0.8)))
+    true = _true_sources(fits, is_compressed)
+    if not true:
+        return np.zeros_like(textured)
+    expected, scatter = _assigned(labels, fits, true)
+    chance = _normal(1 - _FALSE_ALARM / energy.size)
+    return np.asarray(textured & (z < expected - chance * scatter) & (z < (expected + _fisher(1 - _STRANGER)) / 2))
+
+
+@dataclass(frozen=True, eq=False)
+class _Fit:
+    """What a source explains where it is followed, on Fisher's scale."""
+
+    expected: np.ndarray
+    """By the energy at every place."""
+    scatter: np.ndarray | float
+    strong: float
+    """Of strong detail."""
+
+
+@dataclass(frozen=True, eq=False)
+class _NoiseCells:
+    """Means over cells of 8 px, (rows, columns) each."""
+
+    energy: np.ndarray
+    """Of the mosaic."""
+    left_over: np.ndarray
+    labels: np.ndarray
+    """uint8: the source that is followed, or ``_OF_MIXED``."""
+    border: np.ndarray
+    """bool: where a border runs through, of labels or of a source's pixels."""
+    seen: np.ndarray
+    """bool: where any source has pixels."""
+    sources: Mapping[int, tuple[np.ndarray, np.ndarray]]
+    """Energy and weight of each."""
+
+    @classmethod
+    def of(cls, sums: CellSums, pairs: Mapping[tuple[int, int], np.ndarray]) -> _NoiseCells:
+        """By the weights of one source in every neighbourhood, or of two where that pays; ``pairs``: their sums."""
+        weights = _weights(sums, pairs)
+        rest = sums.mosaic.copy()
+        used = {i: weight * sums.valid.get(i, np.True_) for i, weight in weights.items()}
+        for i, weight in used.items():
+            rest += weight * (weight * sums.energies[i] - 2 * sums.shared[i])
+        for (i, j), both in pairs.items():
+            rest += 2 * used[i] * used[j] * both
+        energy, cut = _means(sums.mosaic), _means(sums.cut)
+        rows, columns = energy.shape
+        labels = sums.labels[1::2, 1::2][:rows, :columns]
+        masks = [valid[1::2, 1::2][:rows, :columns] for valid in sums.valid.values()]
+        border = np.logical_or.reduce([near_border(one, 1) for one in (labels, *masks)])
+        seen = np.logical_or.reduce(masks) if len(masks) == len(sums.energies) else np.ones_like(border)
+        mean_weights = {i: _means(weight) * CELL_PX**2 for i, weight in weights.items()}
+        if pairs:
+            ordered = np.sort(np.stack(list(mean_weights.values())), axis=0)
+            total = ordered[-1] + ordered[-2]
+            is_mixed = (ordered[-2] >= _MIXED * total) & (total > _MIXED_TOTAL)
+            labels = np.where(is_mixed, np.uint8(_OF_MIXED), labels)
+        sources = {i: (_means(sums.energies[i]), mean_weights[i]) for i in weights}
+        return cls(energy, np.minimum(_means(np.maximum(rest, 0)), cut), labels, border, seen, sources)
+
+    def foreign(self, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
+        """What squares of any size find, (rows, columns) bool."""
+        sides = [side for side in _WIDE if min(self.energy.shape) >= side]
+        found = [_Squares.of(self, side).foreign(is_compressed, is_window) for side in sides]
+        return np.logical_or.reduce([np.zeros_like(self.border), *found])
+
+
+@dataclass(frozen=True, eq=False)
+class _Squares:
+    """Means over squares about every cell, those with a border hardly counted."""
+
+    cells: _NoiseCells
+    side: int
+    """Cells."""
+    counted: np.ndarray
+    """Weight of every cell."""
+    energy: np.ndarray
+    z: np.ndarray
+    """Share explained, on Fisher's scale."""
+    textured: np.ndarray
+    """bool: what can be told at all."""
+
+    @classmethod
+    def of(cls, cells: _NoiseCells, side: int) -> _Squares:
+        counted = np.where(cells.border | ~cells.seen, np.float32(_BORDER_WEIGHT), np.float32(1))
+        total, energy, left_over = _box_means((counted, cells.energy * counted, cells.left_over * counted), side)
+        energy, left_over = np.maximum(energy / total, 1e-3), np.maximum(left_over / total, 1e-4)
+        z = _fisher(1 - left_over / energy)
+        return cls(cells, side, counted, energy, z, (energy > _LEAST) & cells.seen)
+
+    def foreign(self, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
+        """Cells of foreign parts, (rows, columns) bool."""
+        cells, stranger, nothing = self.cells, _fisher(1 - _STRANGER), np.zeros_like(self.textured)
+        is_exact = not is_compressed(None)
+        highest = _fisher(1 - _ALIKE) if is_exact else (_fisher(1.0) + stranger) / 2
+        if not opened(self.textured & (self.z < highest), self.side).any():
+            return nothing  # whatever is expected
+        noise = self._noise()
+        fits = {number: self._fit(number, noise, ()) for number in noise}
+        true = _true_sources(fits, is_compressed)
+        if not fits or not true:
+            return self.textured if fits and is_window else nothing
+        if sum(number in noise for number in cells.sources) > 1:
+            fits = {number: self._fit(number, noise, true) for number in true}
+        expected, scatter = _assigned(cells.labels, fits, true)
+        limit = (expected + stranger) / 2
+        if is_exact:  # images that resemble a true one are told where that leaves next to nothing over
+            left_over = 1 - np.tanh(expected) ** 2
+            alike = np.maximum(left_over + _ALIKE * (1 - left_over), _ALIKE_FACTOR * left_over)
+            best = max(true, key=lambda number: fits[number].strong)
+            exact = [i for i in present(cells.labels) if fits[i if i in true else best].strong >= _EXACT_Z]
+            limit = np.where(is_one_of(cells.labels, exact), np.maximum(limit, _fisher(1 - alike)), limit)
+        chance = _normal(1 - _FALSE_ALARM / max(cells.energy.size / self.side**2, 1))
+        found = opened(self.textured & (self.z < expected - chance * scatter) & (self.z < limit), self.side - 2)
+        return self._to_borders(found, expected)
+
+    def _noise(self) -> dict[int, Callable[[np.ndarray], np.ndarray]]:
+        """Share that each source leaves over in a cell by its energy there, of those with ground enough."""
+        cells, noise = self.cells, {}
+        logs = np.log(self.energy)
+        for number in present(cells.labels):
+            followed = self.textured & (cells.labels == number)
+            if np.count_nonzero(followed) < _FEWEST_CELLS:
+                continue
+            at, middle, scatter = _by_energy(logs[followed], self.z[followed])
+            good = followed & ~cells.border & (self.z > np.interp(logs, at, middle - scatter))
+            if np.count_nonzero(good) >= _FEWEST_CELLS // 4:
+                noise[number] = _share_left(cells.energy[good], cells.left_over[good])
+        return noise
+
+    def _fit(
+        self, number: int, noise: Mapping[int, Callable[[np.ndarray], np.ndarray]], mixed: Sequence[int]
+    ) -> _Fit:
+        """What is explained where a source is followed; at least the noise that the ``mixed`` ones bring along is left
+        over."""
+        cells = self.cells
+        followed = self.textured & (cells.labels == number)
+        left_over = noise[number](cells.energy) * cells.energy
+        brought = np.zeros_like(left_over)
+        for source, (energy, weight) in cells.sources.items():
+            if source in mixed and source in noise:
+                brought += weight**2 * noise[source](energy) * energy
+        left_over = np.maximum(left_over, np.minimum(brought, cells.energy))
+        total, around = _box_means((self.counted, left_over * self.counted), self.side)
+        expected = _fisher(1 - around / total / self.energy)
+        off = (self.z - expected)[followed]
+        quantiles = np.quantile(off, (0.6, 0.7, 0.8, 0.93))
+        # Of two spans the narrower: the upper end is long where compression took nothing in places.
+        spans = ((quantiles[3] - quantiles[1]) / (_normal(0.93) - _normal(0.7)),
+                 (quantiles[2] - quantiles[0]) / (_normal(0.8) - _normal(0.6)))
+        scatter = max(min(spans), _LEAST_SCATTER)
+        middle = quantiles[2] - _normal(0.8) * scatter
+        # Once more without what is nearer to a stranger, be it nearly half of the ground.
+        likely = off[self.z[followed] > (expected[followed] + middle + _fisher(1 - _STRANGER)) / 2]
+        if len(likely) >= _FEWEST_CELLS // 2:
+            middle, high = np.quantile(likely, (0.5, 0.9))
+            scatter = min(scatter, max((high - middle) / _normal(0.9), _LEAST_SCATTER))
+        return _Fit(expected + middle, float(scatter), float(np.quantile(expected[followed], 0.8)))
+
+    def _to_borders(self, found: np.ndarray, expected: np.ndarray) -> np.ndarray:
+        """Parts that wide squares found up to where half of a square of 24 px is within them, by correlation."""
+        if not found.any():
+            return found
+        cells = self.cells
+        energy, left_over = _box_means((cells.energy, cells.left_over), 3)
+        least = 1 - np.tanh(expected) ** 2
+        part = (left_over / np.maximum(energy, 1e-3) - least) / np.maximum(1 - least, 0.05)
+        inside = float(np.clip(np.median(part[found]), 0, 1))
+        near = widened(found, self.side) & self.textured & (part > 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2)
+        near = narrowed(widened(near, 1), 1) & self.textured
+        found = opened(ndimage.binary_propagation(found & near, mask=near), 3)
+        parts, _ = ndimage.label(found)
+        sizes = np.bincount(parts.ravel())
+        sizes[0] = 0
+        return np.asarray((sizes >= _MIN_PART * found.size)[parts])
+
+
+def _weights(sums: CellSums, pairs: Mapping[tuple[int, int], np.ndarray]) -> dict[int, np.ndarray]:
+    """Weight of every source in the neighbourhood of every cell, (rows, columns) each: of the one that leaves least
+    over, or of two where Schwarz's criterion says that the second pays."""
+    least = np.float32(LEAST_ENERGY * CELL_PX**2)
+    own = box_means(sums.mosaic, (WIDE_CELLS,))[0]
+    shared = {i: np.maximum(box_means(one, (WIDE_CELLS,))[0], 0) for i, one in sums.shared.items()}
+    energies = {i: box_means(one, (WIDE_CELLS,))[0] + least for i, one in sums.energies.items()}
+    weights, single = {i: np.zeros_like(own) for i in energies}, np.full_like(own, np.inf)
+    for i in energies:
+        weight = shared[i] / energies[i]
+        rest = own - weight * shared[i]
+        better = rest < single
+        np.copyto(single, rest, where=better)
+        for j in energies:
+            np.copyto(weights[j], weight if j == i else 0, where=better)
+    best, pays = single.copy(), np.float32(1 - np.exp(-2 * np.log(_TERMS) / _TERMS))
+    for (i, j), sums_of_both in pairs.items():
+        both = box_means(sums_of_both, (WIDE_CELLS,))[0]
+        determinant = 1.0001 * energies[i] * energies[j] - both**2 + 1e-9
+        first = (shared[i] * energies[j] - shared[j] * both) / determinant
+        second = (shared[j] * energies[i] - shared[i] * both) / determinant
+        rest = own - first * shared[i] - second * shared[j]
+        better = (first > 0) & (second > 0) & (rest < best - pays * single)
+        np.copyto(best, rest, where=better)
+        for k in energies:
+            np.copyto(weights[k], first if k == i else second if k == j else 0, where=better)
+    return weights
+
+
+def _means(cells: np.ndarray) -> np.ndarray:
+    """Means a pixel over cells of 8 px from sums over those of 4 px."""
+    rows, columns = (length // 2 * 2 for length in cells.shape)
+    down = cells[0:rows:2, :columns] + cells[1:rows:2, :columns]
+    return np.asarray((down[:, 0::2] + down[:, 1::2]) * np.float32(NOISE_CELL_PX**-2))
+
+
+def _box_means(planes: Sequence[np.ndarray], side: int) -> list[np.ndarray]:
+    """Means over squares of ``side`` cells about every cell, of several planes."""
+    return [box_means(one, (side,))[0] for one in planes]
+
+
+def _fisher(share: np.ndarray | float) -> np.ndarray:
+    """Fisher's z of the correlation whose square is explained."""
+    return np.asarray(np.arctanh(np.sqrt(np.clip(share, 0, _MOST_EXPLAINED))))
+
+
+def _by_energy(logs: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """What is explained by the logarithm of the energy, with its scatter, of the better explained half of the ground:
+    log energies, z and scatter of some bins. Of stronger detail no less is explained."""
+    bins = np.array_split(np.argsort(logs), max(2, min(6, len(logs) // 40)))
+    at = np.array([logs[one].mean() for one in bins])
+    quantiles = np.array([np.quantile(z[one], (0.75, 0.85, 0.95)) for one in bins])
+    scatter = (quantiles[:, 2] - quantiles[:, 0]) / (_normal(0.95) - _normal(0.75))
+    scatter = np.maximum(scatter, _LEAST_SCATTER)
+    scatter = np.minimum(scatter, np.median(scatter))  # a bin may be mostly foreign
+    return at, np.maximum.accumulate(quantiles[:, 1] - _normal(0.85) * scatter), scatter
+
+
+def _share_left(energy: np.ndarray, left_over: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
+    """Share left over in a cell as a function of its energy."""
+    logs = np.log(np.maximum(energy, 1e-3))
+    bins = np.array_split(np.argsort(logs), max(2, min(10, len(logs) // 60)))
+    at = np.array([logs[one].mean() for one in bins])
+    share = np.minimum.accumulate([left_over[one].sum() / max(energy[one].sum(), 1e-9) for one in bins])
+    return lambda energies: np.asarray(np.interp(np.log(np.maximum(energies, 1e-3)), at, share))
+
+
+def _true_sources(fits: Mapping[int, _Fit], is_compressed: IsCompressed) -> list[int]:
+    """Those that are no substitutes for another image wherever they are followed."""
+    most = max((fit.strong for fit in fits.values()), default=0.0)
+    return [
+        number for number, fit in fits.items()
+        if np.tanh(fit.strong) ** 2 >= _MIN_TRUE
+        and (fit.strong >= (_MIXED_OF_BEST if number == _OF_MIXED else _OF_BEST) * most or is_compressed(number))
+    ]
+
+
+def _assigned(labels: np.ndarray, fits: Mapping[int, _Fit], true: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
+    """What is expected at every place and its scatter, by the source that is followed there, or by the best true one
+    where that is a substitute."""
+    best = max(true, key=lambda number: fits[number].strong)
+    expected, scatter = np.zeros(labels.shape), np.ones(labels.shape)
+    for number in np.unique(labels).tolist():
+        fit = fits[number if number in true else best]
+        np.copyto(expected, fit.expected, where=labels == number)
+        np.copyto(scatter, fit.scatter, where=labels == number)
+    return expected, scatter
