@@ -64,8 +64,17 @@ def unsuitable(desk: Desk, brighton: Path, relatives: Path, shots: Path) -> None
     shown = inputs.sources.list
     shown.scrollToBottom()
     items = [shown.item(row) for row in range(shown.count())]
+    desk.report["questioned"] = remarks(desk)
     desk.report["reasons"] = [item.text() for item in items if item.checkState() == Qt.CheckState.Unchecked]
     desk.screenshot(shots / "inputs_reasons.png")
+
+
+def remarks(desk: Desk) -> dict[str, str]:
+    """What is said of rasters that are sources all the same, by their names."""
+    shown = desk.dock.inputs.sources.list
+    items = [shown.item(row) for row in range(shown.count())]
+    texts = [item.text() for item in items if item.checkState() == Qt.CheckState.Checked]
+    return {name: remark for name, mark, remark in (text.partition(" \u2013 ") for text in texts) if mark}
 
 
 def suitable(desk: Desk, brighton: Path, shots: Path) -> None:
@@ -125,7 +134,7 @@ def questioned(desk: Desk, brighton: Path, stranger: Path, shots: Path) -> None:
     desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic suggested and opened")
     inputs = desk.dock.inputs
     desk.wait(lambda: not inputs.suggesting.sources.is_looking, 120, "rasters looked at")
-    desk.report["with_stranger"] = sources_of(desk)
+    desk.report["with_stranger"], desk.report["stranger_questioned"] = sources_of(desk), remarks(desk)
     inputs.side.setValue(7.6)
     inputs.more.boxes["spacing_m"].setValue(6)
     desk.dock.place.trigger()

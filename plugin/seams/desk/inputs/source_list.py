@@ -133,8 +133,8 @@ class SourceList(QWidget):
                 item.setData(_FAINT, not is_plain or item.font().italic())
         finally:
             self._is_following = False
-        is_fit = any(not entry.is_missing and not entry.reason for entry in entries)
-        self.suggested.setEnabled(bool(mosaic_id) and is_fit)
+        standings = [standing(entry.layer_id) for entry in entries]
+        self.suggested.setEnabled(any(one is not None and one.is_suggested for one in standings))
         self.none.setEnabled(bool(sources))
 
     def checked(self) -> Sources:

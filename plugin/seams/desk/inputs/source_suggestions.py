@@ -46,7 +46,7 @@ Sources = tuple[str, ...]
 
 
 class SourceSuggestions(QObject):
-    """By the rasters' headers at once; copies of the mosaic are looked for among them in the background."""
+    """By the rasters' headers at once; copies of the mosaic and other mosaics are looked for in the background."""
 
     changed = pyqtSignal()
     """What was open is known."""

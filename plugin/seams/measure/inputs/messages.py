@@ -11,15 +11,24 @@ LARGER_PIXELS = Message("Pixels {factor:.1f} times as large as the mosaic's: an 
 SMALLER_PIXELS = Message("Pixels {factor:.1f} times smaller than the mosaic's: another flight.", INFO)
 OTHER_SYSTEM = Message("In another reference system than the mosaic and others here: a reprojected copy.", INFO)
 OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a converted copy.", INFO)
-LIES_AS_MOSAIC = Message(
-    "Lies where the mosaic does, as a copy or another mosaic would; tick it if it is one of the orthoimages.", INFO
-)
 # by its pixels
 BEING_LOOKED_AT = Message("Covers the whole mosaic: being compared with it ...", INFO)
 MOSAIC_AGAIN = Message("A copy of the mosaic: it goes with it across its seams. It would hide every loss.", INFO)
+OTHER_MOSAIC = Message(
+    "Another mosaic of these orthoimages, or a part of one: it follows several of them, each in its place. It would "
+    "hide losses.", INFO
+)
 MOSAIC_OR_SOURCE = Message(
     "The mosaic itself wherever they were compared: one of its orthoimages, or a copy of it or of a part of it; "
     "untick it in that case.", INFO
+)
+MOSAIC_OR_ANOTHER = Message(
+    "The same as another of these rasters in some places and not in others: one of the two may be a mosaic; untick "
+    "that one.", INFO
+)
+UNLIKE_MOSAIC = Message(
+    "Unlike the mosaic wherever they were compared: another flight, a map, or an image that lies elsewhere; untick it "
+    "if it is none of the orthoimages.", INFO
 )
 # after windows were inspected
 SOURCE_NOT_FOLLOWED = Message(

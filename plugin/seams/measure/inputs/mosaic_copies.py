@@ -59,6 +59,12 @@ class Likeness(Enum):
     """The mosaic itself wherever it lies, and the other sources do not say whether it or the mosaic was first."""
     LIKE = "like"
     """Nearly so."""
+    MOSAIC = "mosaic"
+    """Another mosaic of the other sources, or a part of one."""
+    TURNING = "turning"
+    """Another source here and not there: it or that is a mosaic."""
+    UNLIKE = "unlike"
+    """Nothing of the mosaic in any place."""
 
 
 _known: dict[object, dict[int, Likeness]] = {}
@@ -114,7 +120,7 @@ class _ComparedPlace(NamedTuple):
     """(rows, columns) bool."""
 
 
-class _Look:
+class Look:
     """Places of the mosaic, averaged to larger pixels perhaps, and what sources lack of it there, each read once."""
 
     def __init__(self, mosaic: Raster, step: int, sources: Sequence[Source], pool: RasterPool) -> None:
@@ -180,7 +186,7 @@ class _Turn(NamedTuple):
 class _LikeMosaic(NamedTuple):
     """A raster that is like the mosaic wherever it lies."""
 
-    look: _Look
+    look: Look
     lacking: np.ndarray
     """What it lacks of the mosaic, (places,); nan where it has too few pixels."""
     is_part: bool
@@ -196,9 +202,9 @@ class _LikeMosaic(NamedTuple):
         found = []
         for k in np.flatnonzero(self.lacking < 1).tolist():
             (least, first), *others = self._others(k, aside) or [(np.nan, -1)]
-            beaten = [(more, n) for more, n in others if _plainly(more, least) and more > least + LITTLE]
+            beaten = [(more, n) for more, n in others if plainly(more, least) and more > least + LITTLE]
             # What the mosaic was made of explains it as well as a copy does; neighbours of its one image do not.
-            if beaten and not _plainly(least, self.lacking[k] + HARDLY_LACKING):
+            if beaten and not plainly(least, self.lacking[k] + HARDLY_LACKING):
                 more, second = beaten[0]
                 preferred = self._lacked_by(number, second, k) - self._lacked_by(number, first, k)
                 share = preferred / ((more - least) * (1 - self.lacking[k]))
@@ -223,7 +229,7 @@ class _Judge:
 
     def __init__(self, mosaic: Raster, sources: Sequence[Source], pool: RasterPool) -> None:
         self._mosaic, self._sources, self._pool = mosaic, sources, pool
-        self._looks: dict[int, _Look] = {}
+        self._looks: dict[int, Look] = {}
         self.has_failed = False
         """Whether something could not be read, so that another time may tell more."""
 
@@ -246,9 +252,9 @@ class _Judge:
                 found[number] = Likeness.EQUAL if np.nanmax(one.lacking) <= NEARLY_ALL else Likeness.LIKE
         return dict(sorted(found.items()))
 
-    def _look(self, step: int) -> _Look:
+    def _look(self, step: int) -> Look:
         if step not in self._looks:
-            self._looks[step] = _Look(self._mosaic, step, self._sources, self._pool)
+            self._looks[step] = Look(self._mosaic, step, self._sources, self._pool)
         return self._looks[step]
 
     def _alike(self, number: int) -> _LikeMosaic | None:
@@ -301,7 +307,7 @@ def _goes_along(turns: Sequence[_Turn]) -> bool:
     return bool(turns) and bool(np.percentile([turn.share for turn in turns], 25) >= LEAST_FOLLOWED)
 
 
-def _plainly(more: float, less: float) -> bool:
+def plainly(more: float, less: float) -> bool:
     return more > PLAINLY * less + NEARLY_ALL
 
 

@@ -78,8 +78,7 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
     """The standing of each raster by its key.
 
     Other systems and other types of pixels are left out only where there are as many rasters or more that share the
-    mosaic's, since all of the sources of a mosaic may have been converted; one that lies where the mosaic does only
-    where there are as many that do not, since all may lie on one canvas. One that covers the mosaic stays open.
+    mosaic's, since all of the sources of a mosaic may have been converted. One that covers the mosaic stays open.
     """
     found = {one.key: reason for one in rasters if (reason := _unfit(mosaic, one)) is not None}
     fit = [one for one in rasters if one.key not in found]
@@ -88,7 +87,6 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
         ([one.pixel_type == mosaic.pixel_type for one in fit], {
             one.key: messages.OTHER_TYPE(own=one.pixel_type, mosaic=mosaic.pixel_type) for one in fit
         }),
-        ([not _lies_as(mosaic, one) for one in fit], {one.key: messages.LIES_AS_MOSAIC() for one in fit}),
     ):
         if 2 * sum(group) >= len(group):
             found |= {one.key: reasons[one.key] for one, shares in zip(fit, group) if not shares}
@@ -104,15 +102,18 @@ def covers(mosaic: RasterFacts, raster: RasterFacts) -> bool:
     return bool(mosaic.extent and raster.extent and covered_share(mosaic.extent, raster.extent) >= SAME_PLACE)
 
 
-def _lies_as(mosaic: RasterFacts, raster: RasterFacts) -> bool:
-    return covers(mosaic, raster) and covers(raster, mosaic)
+_LEFT_OUT = {Likeness.COPY: messages.MOSAIC_AGAIN, Likeness.MOSAIC: messages.OTHER_MOSAIC}
+_QUESTIONED = {
+    Likeness.EQUAL: messages.MOSAIC_OR_SOURCE, Likeness.TURNING: messages.MOSAIC_OR_ANOTHER,
+    Likeness.UNLIKE: messages.UNLIKE_MOSAIC,
+}
 
 
 def suitable_by_pixels(likeness: Likeness) -> Suitability:
     """The standing of a raster by what it is to the mosaic."""
-    if likeness is Likeness.COPY:
-        return left_out(messages.MOSAIC_AGAIN())
-    return Suitability(Standing.SUGGESTED, messages.MOSAIC_OR_SOURCE()) if likeness is Likeness.EQUAL else SUGGESTED
+    if likeness in _LEFT_OUT:
+        return left_out(_LEFT_OUT[likeness]())
+    return Suitability(Standing.SUGGESTED, _QUESTIONED[likeness]()) if likeness in _QUESTIONED else SUGGESTED
 
 
 def likely_mosaic(rasters: Sequence[RasterFacts]) -> str | None:

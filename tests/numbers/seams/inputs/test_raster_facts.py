@@ -31,7 +31,7 @@ def test_headers_tell_what_can_not_be_a_source() -> None:
     rasters = [SOURCE, replace(SOURCE, key="b"), replace(SOURCE, key="finer", pixel_size=0.05)]
     found = suitable_by_header(MOSAIC, [*rasters, *(replace(one, key=key) for key, one in others.items())])
     assert [key for key, one in found.items() if one.is_suggested] == ["a", "b", "finer"]
-    assert [key for key, one in found.items() if one.standing is Standing.OPEN] == ["whole"]
+    assert [key for key, one in found.items() if one.standing is Standing.OPEN] == ["whole", "edition"]
     told = {key: one.reason.template for key, one in found.items() if one.reason is not None}
     assert told == {
         "apart": messages.APART_FROM_MOSAIC.template,
@@ -42,7 +42,7 @@ def test_headers_tell_what_can_not_be_a_source() -> None:
         "converted": messages.OTHER_TYPE.template,
         "moved": messages.OTHER_SYSTEM.template,
         "whole": messages.BEING_LOOKED_AT.template,
-        "edition": messages.LIES_AS_MOSAIC.template,
+        "edition": messages.BEING_LOOKED_AT.template,
         "itself": messages.IS_THE_MOSAIC.template,
     }
 
@@ -52,9 +52,10 @@ def test_sources_that_were_all_converted_stay() -> None:
     assert all(one.is_suggested for one in suitable_by_header(MOSAIC, moved).values())
 
 
-def test_orthoimages_that_all_lie_on_the_mosaic_s_canvas_stay() -> None:
-    canvas = [replace(SOURCE, key=key, extent=MOSAIC.extent) for key in "abc"]
-    assert all(one.standing is Standing.OPEN for one in suitable_by_header(MOSAIC, canvas).values())
+def test_orthoimages_on_the_mosaic_s_canvas_stay_wherever_others_lie() -> None:
+    canvas = replace(SOURCE, key="canvas", extent=MOSAIC.extent)
+    found = suitable_by_header(MOSAIC, [canvas, *(replace(SOURCE, key=key) for key in "abc")])
+    assert found["canvas"].standing is Standing.OPEN
 
 
 def test_one_mosaic_with_sources_is_likely_and_two_are_not() -> None:

@@ -139,7 +139,7 @@ def test_what_is_no_source_by_its_header_is_left_out_with_the_reason(desk: Desk,
     assert list(desk.listed())[:2] == ["east", "west"]  # what is left out comes last
     for name, words in {
         "apart": "not overlap", "height": "1 and not 3", "half": "2.0 times as large", "deep": "16 bit",
-        "turned": "another reference system", "copy": "Lies where the mosaic does", "again": "mosaic itself",
+        "turned": "another reference system", "copy": "being compared", "again": "mosaic itself",
     }.items():
         assert words in desk.reason(name)
     desk.check("height", True)  # the operator may know better
@@ -148,17 +148,25 @@ def test_what_is_no_source_by_its_header_is_left_out_with_the_reason(desk: Desk,
     assert desk.sources == {"east", "west"}
 
 
-def test_a_copy_is_unchecked_once_it_was_looked_at_and_a_part_of_the_mosaic_is_questioned(
+def test_copies_and_parts_of_the_mosaic_and_other_mosaics_are_unchecked_once_they_were_looked_at(
     desk: Desk, scene: Scene, tmp_path: Path
 ) -> None:
     desk.add_cut_mosaic_and_part(scene, tmp_path)
+    west, east = noisy(scene)
+    canvas, other = east.copy(), np.concatenate([west[..., :190], east[..., 190:]], axis=-1)
+    canvas[..., :64] = 0
+    for name, pixels in (("canvas", canvas), ("other", other)):
+        write_raster(tmp_path / f"{name}.tif", pixels, nodata=0)
+        desk.rasters[name] = QgsRasterLayer(str(tmp_path / f"{name}.tif"), name)
+        QgsProject.instance().addMapLayer(desk.rasters[name])
     desk.choose("mosaic", desk.id("cut"))
-    assert desk.listed()["part"]
+    assert "being compared" in desk.reason("other")
     wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
-    assert desk.listed()["part"]
-    assert "or a copy of it or of a part of it" in desk.reason("part")
-    assert not desk.listed()["larger"]
+    assert {name for name, is_checked in desk.listed().items() if not is_checked} >= {"larger", "other", "part"}
+    assert desk.listed()["canvas"]
     assert "it goes with it across its seams" in desk.reason("larger")
+    for name in ("other", "part"):
+        assert "follows several of them" in desk.reason(name)
 
 
 @pytest.mark.parametrize("is_suggested_before", [False, True])
