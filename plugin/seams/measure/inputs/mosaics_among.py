@@ -73,7 +73,7 @@ def mosaics_among(
     aside = {n for n, one in known.items() if one is Likeness.COPY}
     scores = {n: 1 for n in range(len(sources)) if n not in aside}
     # An orthoimage that several mosaics were made of follows these, each in its part, but in fewer places than they do.
-    while scores:
+    while scores and not is_cancelled():
         scores = {n: score for n in scores if n not in aside and (score := _followed_places(places, n, aside))}
         if scores:
             likely = max(scores, key=lambda n: scores[n])

@@ -15,6 +15,8 @@ from qgis.PyQt.QtGui import QColor, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QStyleOptionViewItem
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.measure.inputs import messages
+from seam_inspector.plugin.seams.measure.inputs.raster_facts import Standing, Suitability, left_out
 from seam_inspector.plugin.toolkit.desk.theme import contrast
 
 from tests.numbers.synthetic import ORIGIN, write_raster
@@ -167,6 +169,13 @@ def test_copies_and_parts_of_the_mosaic_and_other_mosaics_are_unchecked_once_the
     assert "it goes with it across its seams" in desk.reason("larger")
     for name in ("other", "part"):
         assert "follows several of them" in desk.reason(name)
+
+
+def test_what_is_suggested_with_a_remark_can_be_taken_by_the_button(desk: Desk) -> None:
+    questioned = Suitability(Standing.SUGGESTED, messages.MOSAIC_OR_SOURCE())
+    for standing, is_enabled in ((questioned, True), (left_out(messages.MOSAIC_AGAIN()), False)):
+        desk.panel.sources.show_sources(desk.id("mosaic"), (), lambda _, one=standing: one)
+        assert desk.panel.sources.suggested.isEnabled() is is_enabled
 
 
 @pytest.mark.parametrize("is_suggested_before", [False, True])
