@@ -15,7 +15,7 @@ if [ "${1:-}" = package ]; then
     PACKAGES="git python3-venv python3-pip qttools5-dev-tools"
 elif [ "${1:-}" != demo ]; then
     PACKAGES="$PACKAGES git gdal-bin libopenblas0-pthread python3-venv python3-pip pyqt5-dev-tools qttools5-dev-tools
-        xvfb xauth libgl1-mesa-dri fonts-dejavu-core fonts-open-sans procps poppler-utils"
+        xvfb xauth xdotool libgl1-mesa-dri fonts-dejavu-core fonts-open-sans procps poppler-utils"
     # It prints the reports in a test, which is skipped without it: Ubuntu has it as a snap alone, not from apt-get
     grep -qs '^ID=ubuntu' /etc/os-release || PACKAGES="$PACKAGES chromium"
 fi

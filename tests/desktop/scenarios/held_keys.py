@@ -83,7 +83,7 @@ def hold_space(desk: Desk, where: str) -> None:
         desk.pause(HELD_S)
         held = [*seen, swipe.is_shown]
         xdotool("keyup", "space")
-        desk.wait(lambda: not swipe.is_shown, 2, "mosaic again")
+        desk.wait(lambda: not swipe.is_shown, 10, "mosaic again")
         holds.append([*held, *seen[len(held) - 1:]])
         seen.clear()
     del swipe.show
