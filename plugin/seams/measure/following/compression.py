@@ -50,6 +50,6 @@ def vanished_share(plane: np.ndarray) -> float:
             part = plane[top : top + rows * side, left : left + columns * side]
             squares = part.reshape(rows, side, columns, side)[::step, :, ::step].swapaxes(1, 2)
             waves = product(squares.reshape(-1, side**2).astype(np.float32, copy=False), transform)
-            shares.append(np.count_nonzero(np.abs(waves, out=waves) < _VANISHED_DN) / waves.size)
+            shares.append(int(np.count_nonzero(np.abs(waves, out=waves) < _VANISHED_DN)) / waves.size)
     best = int(np.argmax(shares))
     return shares[best] - float(np.median(np.delete(shares, best)))
