@@ -10,7 +10,7 @@ from qgis.PyQt.QtXml import QDomDocument
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import Message, RasterError
-from ....imagery.gdal_calls import gdal_call
+from ....imagery.gdal_calls import drop_from_memory, gdal_call
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import raster_writer
 from ....imagery.rasters import RasterRef
@@ -125,8 +125,13 @@ def composite_job(request: WindowRequest, path: str) -> Job:
             return error.message
         return private_layer(RasterRef(path, request.mosaic.wkt))
 
-    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        yield 1.0, made()
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        layer = made()
+        if cancelled():  # who asked for it dropped the file before it was written
+            del layer
+            drop_from_memory(path)
+            return
+        yield 1.0, layer
 
     return job
 
