@@ -2,8 +2,10 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Callable
 
 from qgis.core import QgsCoordinateReferenceSystem
@@ -34,6 +36,11 @@ def asked_in_thread(ask: Callable[[], object]) -> Iterator[None]:
     finally:
         over.set()
         thread.join()
+        task = Path(f"/proc/self/task/{thread.native_id}")
+        until = time.monotonic() + 60
+        while task.exists():  # PROJ's part goes with the system's thread, a moment after Python's is joined
+            assert time.monotonic() < until
+            time.sleep(0.001)
 
 
 def emptied_system(wkt: str) -> QgsCoordinateReferenceSystem:
