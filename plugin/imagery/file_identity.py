@@ -11,6 +11,7 @@ import os
 import stat
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from hashlib import blake2b
 from itertools import chain
@@ -264,12 +265,10 @@ class FileState(NamedTuple):
 def local_states(paths: Iterable[str]) -> dict[str, FileState]:
     """Of the files of this machine that rasters are read from, by their whole paths: all that GDAL counts to them but
     statistics and overviews, and those that a VRT or an archive is made of. What is not there is left out."""
-    found = dict[str, FileState]()
-    for one in (part for path in paths for part in with_parts(path)):
-        for file in () if is_remote(one) else _read_from(one):
-            if file not in found and (state := local_state(file)) is not None:
-                found[file] = state
-    return found
+    parts = (part for path in paths for part in with_parts(path) if not is_remote(part))
+    files = list(dict.fromkeys(file for part in parts for file in _read_from(part)))
+    with ThreadPoolExecutor(os.cpu_count()) as pool:  # digests are made while Python waits
+        return {file: state for file, state in zip(files, pool.map(local_state, files)) if state is not None}
 
 
 def _read_from(path: str) -> dict[str, None]:

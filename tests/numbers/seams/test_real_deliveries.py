@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from osgeo import gdal, ogr
 from seam_inspector import Decision, ScanSettings, decide, limit_rules, make_delivery, open_block, scan, seam_rows
-from seam_inspector.plugin.imagery.gdal_calls import gdal_silenced
 
 
 def files(folder: Path) -> tuple[Path, list[Path], Path]:
@@ -35,7 +34,7 @@ def as_jpeg(path: Path, folder: Path) -> Path:
 
 def decision(mosaic: Path, orthoimages: list[Path], seamlines: Path | str = "") -> Decision:
     block = open_block(mosaic, orthoimages)
-    found = scan(block, ScanSettings(piece_m=5.0), seamlines=seamlines)
+    found = scan(block, ScanSettings(piece_m=3.0), seamlines=seamlines)
     delivery = make_delivery({"a": seam_rows(found)}, block.mosaic.wkt, {"a": found.told})
     assert (float(found.told["metres"]), delivery.lacking_m) == (found.seam_metres, 0)
     return decide(delivery, limit_rules(min_kept=0.7, max_share=0.02, max_run_m=25, min_measured=0.8))
@@ -50,30 +49,56 @@ def test_a_sound_delivery_is_accepted(tmp_path: Path, data_folder: Path, is_jpeg
     assert found.accepted, str(found.sentences[0])
 
 
+def part(mosaic: Path, made: Path, width: int) -> Path:
+    """900 rows where many orthoimages meet, from the left."""
+    gdal.Translate(str(made), str(mosaic), srcWin=[950, 1000, width, 900])
+    return made
+
+
+def borders(seamlines: Path, mosaic: Path) -> list[ogr.Geometry]:
+    """Between two polygons on a mosaic, the longest first."""
+    given, raster = ogr.Open(str(seamlines)), gdal.Open(str(mosaic))
+    left, size, _, top, _, _ = raster.GetGeoTransform()
+    right, bottom = left + size * raster.RasterXSize, top - size * raster.RasterYSize
+    corners = (left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)
+    extent = ogr.CreateGeometryFromWkt(f"POLYGON(({', '.join(f'{x} {y}' for x, y in corners)}))")
+    areas = [feature.geometry().Intersection(extent) for feature in given.GetLayer(0)]
+    shared = (one.Intersection(other) for one, other in combinations(areas, 2))
+    lines = (ogr.ForceToMultiLineString(one) for one in shared if one.GetDimension() == 1)
+    return sorted(lines, key=lambda line: -line.Length())
+
+
+def as_lines(given: Path, path: Path, lines: list[ogr.Geometry]) -> Path:
+    """In the reference system of the polygons."""
+    polygons, made = ogr.Open(str(given)), ogr.GetDriverByName("GPKG").CreateDataSource(str(path))
+    layer = made.CreateLayer("seams", polygons.GetLayer(0).GetSpatialRef(), ogr.wkbMultiLineString)
+    for line in lines:
+        feature = ogr.Feature(layer.GetLayerDefn())
+        feature.SetGeometry(line)
+        layer.CreateFeature(feature)
+    return path
+
+
 @pytest.mark.slow
-def test_seams_left_out_of_the_seamlines_leave_it_open(tmp_path: Path, data_folder: Path) -> None:
-    """Two neighbours are delivered as one polygon."""
+@pytest.mark.parametrize("left_out", [slice(0, 1), slice(3, 6), slice(5, 8)])
+def test_seams_left_out_of_the_seamlines_leave_it_open(tmp_path: Path, data_folder: Path, left_out: slice) -> None:
+    """The longest, or some of 190 to 530 px each."""
     mosaic, orthoimages, seamlines = files(data_folder)
-    given, made = ogr.Open(str(seamlines)), tmp_path / "seamlines.gpkg"
-    with gdal_silenced():
-        copy = ogr.GetDriverByName("GPKG").CopyDataSource(given, str(made))
-    layer = copy.GetLayer(0)
-    areas: dict[str, list[ogr.Geometry]] = {}
-    for feature in layer:
-        areas.setdefault(feature["source"], []).append(feature.geometry().Clone())
-    shared = {
-        (one, other): sum(a.Intersection(b).Length() for a in areas[one] for b in areas[other])
-        for one, other in combinations(sorted(areas), 2)
-    }
-    one, other = max(shared, key=lambda pair: shared[pair])
-    for feature in layer:
-        if feature["source"] == other:
-            feature["source"] = one
-            layer.SetFeature(feature)
-    del layer, copy
-    found = decision(mosaic, orthoimages, made)
+    made = part(mosaic, tmp_path / "part.tif", 1100)
+    lines = borders(seamlines, made)
+    assert decision(made, orthoimages, as_lines(seamlines, tmp_path / "all.gpkg", lines)).accepted
+    del lines[left_out]
+    found = decision(made, orthoimages, as_lines(seamlines, tmp_path / "some.gpkg", lines))
     assert found.accepted is None
     assert "are in no figure (the longest around" in str(found.sentences[0])
+
+
+@pytest.mark.slow
+def test_a_sound_part_with_seamlines_is_accepted(tmp_path: Path, data_folder: Path) -> None:
+    """Filters and ground are learned from all of it, however little that is."""
+    mosaic, orthoimages, seamlines = files(data_folder)
+    made = part(mosaic, tmp_path / "part.tif", 550)
+    assert decision(made, orthoimages, seamlines).accepted
 
 
 @pytest.mark.slow

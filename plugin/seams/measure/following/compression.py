@@ -14,7 +14,7 @@ were resampled from JPEGs up to 0.033."""
 
 _VANISHED_DN = 1.5  # of an amplitude: five times what rounding to whole values makes of one that is 0
 _HIGH_FREQUENCY = 6  # of 0 to 14, both axes together
-_SAMPLED_SQUARES = 400  # of each of the 64 grids: 17,000 waves to tell a share of some per cent by
+_SAMPLED_SQUARES = 400  # at most, of each of the 64 grids: 17,000 waves to tell a share of some per cent by
 
 
 def was_compressed(plane: np.ndarray) -> bool:
@@ -41,7 +41,7 @@ def vanished_share(plane: np.ndarray) -> float:
     rows, columns = (length // side - 1 for length in plane.shape)
     if min(rows, columns) < 1:
         return 0.0
-    step = max(1, int(np.sqrt(rows * columns / _SAMPLED_SQUARES)))
+    step = int(np.ceil(np.sqrt(rows * columns / _SAMPLED_SQUARES)))
     fine = np.add.outer(np.arange(side), np.arange(side)) >= _HIGH_FREQUENCY
     transform = np.kron(basis, basis)[fine.ravel()].T.copy()  # of a square's 64 pixels at once
     shares = []

@@ -328,21 +328,19 @@ class BlockRun:
 
     def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
         self._request, self._journal = request, journal
-        self._looks_twice = request.seam_squares is None
-        shape = (request.blocks.rows, request.blocks.columns) if self._looks_twice else (0, 0)
-        self._squares = np.full([SQUARES * count for count in shape], NOTHING, np.int32)
+        shape = request.blocks.rows * SQUARES, request.blocks.columns * SQUARES
+        self._squares = np.full(shape, NOTHING, np.int32)
         self._dense: dict[BlockKey, bytes] = {}
 
     def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
         """First every block, then along the borders of blocks what only two neighbours together show."""
         blocks = JournaledBlocks(self._journal, executor, ahead, cancelled)
         for step in blocks.steps(FIRST_LOOK, self._request.keys(), self._request.block):
-            if self._looks_twice:
-                numbers = global_numbers(step.brief.sources, self._request.numbers)
-                self._squares[place_of(step.key, SQUARES)] = numbers[step.brief.squares]
-                self._dense[step.key] = step.brief.dense
+            numbers = global_numbers(step.brief.sources, self._request.numbers)
+            self._squares[place_of(step.key, SQUARES)] = numbers[step.brief.squares]
+            self._dense[step.key] = step.brief.dense
             yield step
-        if self._looks_twice and not cancelled():
+        if not cancelled():
             second = dict(self._second_look())
             yield from blocks.steps(SECOND_LOOK, list(second), lambda key: self._looked_at_again(key, second[key]))
 
@@ -365,7 +363,7 @@ class BlockRun:
         found = set(np.unique(around).tolist())
         followed = frozenset(i for i, one in enumerate(request.sources) if self._request.numbers[one.ref.path] in found)
         learned = learned_in(self._journal.files, key)
-        return replace(request, wanted=wanted, look_every=0, learned=learned, followed=followed)
+        return replace(request, wanted=wanted, learned=learned, followed=followed)
 
 
 def _units(bits: bytes) -> np.ndarray:

@@ -15,12 +15,11 @@ from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from ..inputs.grey_values import grey_factor
 from ..inputs.whole_images import whole_images
-from ..limits import FULL
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
 from ..source_images import Footprints, Source
 from . import messages
-from .blocks.block_grid import LOOK_EVERY, BlockGrid, BlockKey
+from .blocks.block_grid import BlockGrid, BlockKey
 from .blocks.scan_block import BlockRequest
 from .blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
 from .lines.given_seams import GivenSeams
@@ -108,8 +107,8 @@ class ScanRequest:
 
     @cached_property
     def seam_squares(self) -> SeamSquares | None:
-        """What the seamlines call for; None without them, or where everything is measured."""
-        if not self.seams or (self.settings.density == FULL and not self.settings.corridor_m):
+        """What the seamlines call for; None without them."""
+        if not self.seams:
             return None
         corridor_px = self.settings.corridor_m / self.mosaic.ground_sample_distance
         return SeamSquares(self.seams, self.blocks, corridor_px)
@@ -149,9 +148,7 @@ class ScanRequest:
         squares = self.seam_squares
         if squares is None:
             return request
-        return replace(
-            request, wanted=squares.dense_in(key), look_every=LOOK_EVERY, sides=self._sides(window, sources)
-        )
+        return replace(request, along_seams=squares.dense_in(key), sides=self._sides(window, sources))
 
     def _sides(self, window: PixelWindow, sources: Sequence[Source]) -> SeamSides:
         """Of the given seams near a window, by the numbers that the sources of its block have."""

@@ -14,8 +14,6 @@ SQUARE_PX = 128
 """Side of a square: one patch in each is looked at."""
 SQUARES = BLOCK_PX // SQUARE_PX
 """Along a side of a block."""
-LOOK_EVERY = 4
-"""Squares along both sides of which one is looked at where seamlines are given."""
 UNIT_PX = 32
 """What is measured densely is told in units of this side."""
 UNITS = BLOCK_PX // UNIT_PX

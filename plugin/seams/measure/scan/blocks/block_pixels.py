@@ -17,7 +17,6 @@ from .....imagery.wavelets import judged_plane
 from ...compared_image import ComparedImage
 from ...inputs.grey_values import factor_of
 from .. import messages
-from .block_grid import UNIT_PX
 
 _Pick = Callable[[np.ndarray], np.ndarray]
 """Of pixels (..., rows, columns) those that are wanted, as an image of their own."""
@@ -109,26 +108,24 @@ class BlockPixels:
         return self._held.own.valid[first : first + self.window.height, first : first + self.window.width]
 
     def patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
-        """Squares of ``side`` px that begin at these rows and columns of the block, side by side as one image."""
-        if self._held is None:
-            return self._single_patches(rows, columns, side)
+        """Squares of ``side`` px that begin at these rows and columns of the block, side by side as one image, of a
+        block that was read as a whole."""
         down, across = (rows + self._margin).tolist(), (columns + self._margin).tolist()
 
         def pick(pixels: np.ndarray) -> np.ndarray:
             return _squares(pixels, down, across, side)
 
-        planes = self._planes(self._held, pick)
+        planes = self._planes(self.held, pick)
         for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
-            read = BlockClips(self._held.own, self._read_sources(self._around, [number]))
+            read = BlockClips(self.held.own, self._read_sources(self._around, [number]))
             planes.take_sources(self._planes(read, pick))
         return planes
 
     def strip_of_patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
         """Squares of ``side`` px that begin at these places (n,) of the block, one below the other, of a block that was
         read as a whole; of the sources that are held only."""
-        assert self._held is not None
         places = (np.column_stack([rows, columns]) + self._margin).tolist()
-        return self._planes(self._held, lambda pixels: np.concatenate(
+        return self._planes(self.held, lambda pixels: np.concatenate(
             [pixels[..., row : row + side, column : column + side] for row, column in places], axis=-2
         ))
 
@@ -141,31 +138,6 @@ class BlockPixels:
             return self._planes(self._read(window, numbers))
         held = BlockClips(self._held.own, {i: self._held.clips[i] for i in numbers})
         return self._planes(held, lambda pixels: pixels[..., top : top + window.height, left : left + window.width])
-
-    def _single_patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
-        """Patches read one by one."""
-        shape = len(rows) * side, len(columns) * side
-        mosaic, known = np.zeros(shape, np.float32), np.zeros(shape, bool)
-        sources: dict[int, np.ndarray] = {}
-        valid: dict[int, np.ndarray] = {}
-        resampled: set[int] = set()
-        for i, row in enumerate(rows.tolist()):
-            for j, column in enumerate(columns.tolist()):
-                window = PixelWindow(self.window.column + column, self.window.row + row, side, side)
-                try:
-                    found = self._planes(self._read(window, self.numbers))
-                except NotCoveredError:
-                    continue
-                place = np.s_[i * side : (i + 1) * side, j * side : (j + 1) * side]
-                mosaic[place] = found.mosaic
-                known[place] = True if found.mosaic_valid is None else found.mosaic_valid
-                resampled.update(found.resampled)
-                for number, plane in found.sources.items():
-                    if number not in sources:
-                        sources[number], valid[number] = np.zeros(shape, np.float32), np.zeros(shape, bool)
-                    sources[number][place] = plane
-                    valid[number][place] = found.valid.get(number, True)
-        return Planes(mosaic, known, sources, valid, resampled=resampled)
 
     def _read(self, window: PixelWindow, numbers: Sequence[int]) -> BlockClips:
         own = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
@@ -204,19 +176,6 @@ class BlockPixels:
             {i: (clip.offset_x, clip.offset_y) for i, clip in clips.items()},
             {i for i, clip in clips.items() if clip.resampled},
         )
-
-
-def thin_valid(mosaic: Raster, window: PixelWindow) -> np.ndarray | None:
-    """One pixel in each unit of a block, (rows, columns) bool; None where all are valid or the file says nothing of it.
-
-    Raises RasterError where it can't be read.
-    """
-    opened = open_raster(mosaic.ref)
-    if opened.is_all_valid:
-        return None
-    size = -(-window.width // UNIT_PX), -(-window.height // UNIT_PX)
-    invalid = opened.read(window, size).invalid
-    return None if invalid is None else ~invalid
 
 
 @dataclass(frozen=True, eq=False)

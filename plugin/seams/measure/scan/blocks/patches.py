@@ -63,19 +63,17 @@ class SquareLook:
     """One cell of each patch that follows one source for sure, finest level only."""
     learned: Learned | None = None
     """What came over the mosaic here; None where it is not known."""
-    looked: np.ndarray | bool = True
-    """bool: squares whose own patch was looked at."""
     plain: np.ndarray | bool = False
     """bool: those whose patch has no texture to tell a source by."""
 
 
-def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int = 1) -> SquareLook:
-    """The patches of a block, or those of ``every`` so many-th square along both sides."""
-    rows, columns = (_every(_starts(length), every) for length in (pixels.window.height, pixels.window.width))
+def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLook:
+    """The patches of a block that was read as a whole."""
+    rows, columns = (_starts(length) for length in (pixels.window.height, pixels.window.width))
     shape = len(rows), len(columns)
     planes = pixels.patches(rows, columns, PATCH_PX)
     with_patch = _share(planes.mosaic_valid, shape) >= _MIN_VALID
-    empty = ~with_patch & ~_any_valid(pixels, every)
+    empty = ~with_patch & ~_any_valid(pixels)
     if not planes.sources or empty.all():
         nothing = np.full(shape, UNKNOWN, np.uint8)
         return SquareLook(nothing, np.zeros(shape, bool), empty, CellTable.empty(levels))
@@ -203,19 +201,6 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     return found
 
 
-def spread_out(look: SquareLook, shape: tuple[int, int], every: int) -> SquareLook:
-    """A look at ``every`` so many-th square as one at all: each stands for those around it."""
-    source, doubtful, empty, plain = (
-        enlarged(np.pad(
-            one, [(0, max(0, -(-length // every) - have)) for length, have in zip(shape, one.shape)], mode="edge"
-        ), every)[: shape[0], : shape[1]]
-        for one in (look.source, look.doubtful, look.empty, np.broadcast_to(look.plain, look.source.shape))
-    )
-    looked = [np.isin(np.arange(length), _every(np.arange(length), every)) for length in shape]
-    is_looked = np.logical_and.outer(*looked)
-    return replace(look, source=source, doubtful=doubtful, empty=empty, plain=plain, looked=is_looked)
-
-
 def _starts(length: int) -> np.ndarray:
     """First row or column of every square's patch; the last square may be smaller, its patch lies within it or ends
     where the block does."""
@@ -284,19 +269,12 @@ def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * LEAST_ENERGY)
 
 
-def _every(starts: np.ndarray, every: int) -> np.ndarray:
-    """Of ``every`` so many the middle one; one at least."""
-    return starts[min(every // 2, len(starts) - 1) :: every]
-
-
-def _any_valid(pixels: BlockPixels, every: int) -> np.ndarray:
-    """Squares that are looked at and have any pixels, (rows, columns) bool."""
+def _any_valid(pixels: BlockPixels) -> np.ndarray:
+    """Squares that have any pixels, (rows, columns) bool."""
     firsts = [np.arange(0, length, SQUARE_PX) for length in (pixels.window.height, pixels.window.width)]
     if pixels.valid is None:
-        found = np.ones([len(one) for one in firsts], bool)
-    else:
-        found = np.logical_or.reduceat(np.logical_or.reduceat(pixels.valid, firsts[0], axis=0), firsts[1], axis=1)
-    return found[_every(np.arange(len(firsts[0])), every)][:, _every(np.arange(len(firsts[1])), every)]
+        return np.ones([len(one) for one in firsts], bool)
+    return np.logical_or.reduceat(np.logical_or.reduceat(pixels.valid, firsts[0], axis=0), firsts[1], axis=1)
 
 
 def _filled(winner: np.ndarray, silent: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

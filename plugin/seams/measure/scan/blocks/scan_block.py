@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy import ndimage
 
 from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
@@ -22,8 +21,8 @@ from ..mosaic_reading import ALL_READ, BlockReading
 from ..scan_settings import ScanSettings
 from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey, rectangles
 from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
-from .block_pixels import BlockPixels, thin_valid
-from .patches import SquareLook, look_at_squares, middle_sources, spread_out
+from .block_pixels import BlockPixels
+from .patches import SquareLook, look_at_squares, middle_sources
 from .seam_sides import SeamSides
 
 WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
@@ -38,8 +37,6 @@ MOST_LACKING = 3 / 8
 takes so much of one unit wherever it lies."""
 CELLS = BLOCK_PX // CELL_PX
 """Cells along a side of a block."""
-FARTHEST_FILLED_PX = 700
-"""Between samples where seamlines are given: as far as the next one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,9 +51,9 @@ class BlockRequest:
     """Its pixels, on the mosaic's grid."""
     settings: ScanSettings
     wanted: np.ndarray | None = None
-    """(UNITS, UNITS) bool, what is to be measured densely; None: what the patches call for."""
-    look_every: int = 1
-    """A patch of every so many-th square along both sides is looked at; 0: none."""
+    """(UNITS, UNITS) bool, what is to be measured densely, without a look at patches; None: what these call for."""
+    along_seams: np.ndarray | None = None
+    """(UNITS, UNITS) bool, what given seams call for beside the patches."""
     grey_factor: float = 1.0
     """What floating point values are multiplied by."""
     sides: SeamSides | None = None
@@ -92,8 +89,8 @@ class BlockScan:
     beside: MixtureTable
     """What is mixed of what along its seams."""
     ground: np.ndarray
-    """(UNITS, UNITS) int16: number of the source that most of a unit follows, or ``LACKING``, ``NOT_LOOKED``, ``EMPTY``
-    or ``PLAIN``."""
+    """(UNITS, UNITS) int16: number of the source that most of a unit follows, or ``LACKING``, ``EMPTY`` or
+    ``PLAIN``."""
     learned: Learned | None = None
     """What its patches tell of what came over the mosaic."""
     notices: tuple[Message, ...] = ()
@@ -123,19 +120,21 @@ def scan_block(request: BlockRequest) -> BlockScan:
 
 def _scanned(request: BlockRequest) -> BlockScan:
     """The same, raising."""
-    wanted, every = request.wanted, request.look_every
+    wanted = request.wanted
     is_full = request.settings.density == FULL and wanted is None
     whole = wanted is None or wanted.mean() >= WHOLE_SHARE
     refs, settings = [one.ref for one in request.sources], request.settings
     pixels = BlockPixels(request.mosaic, refs, _widened(request.window), whole, BLOCK_MARGIN_PX if is_full else 0,
                          request.grey_factor)
     made = _Block(request)
-    look = _look(pixels, request) if every else None
-    if wanted is None:
-        assert look is not None
-        midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
-        wanted = called_for(look.source, UNKNOWN, midway) | _in_units(look.doubtful)
+    look = look_at_squares(pixels, settings.wavelet, settings.levels) if wanted is None else None
     units = -(-request.window.height // UNIT_PX), -(-request.window.width // UNIT_PX)
+    if look is not None:
+        midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
+        wanted = (called_for(look.source, UNKNOWN, midway) | _in_units(look.doubtful))[: units[0], : units[1]]
+        if request.along_seams is not None:
+            wanted |= request.along_seams[: units[0], : units[1]]
+    assert wanted is not None
     wanted = wanted[: units[0], : units[1]]
     if look is not None:
         made.take_look(look, wanted)
@@ -161,36 +160,13 @@ def _scanned(request: BlockRequest) -> BlockScan:
         else:
             made.take_part(part)
     made.leave_out(pixels.valid)
-    if every > 1:
-        made.take_valid(thin_valid(request.mosaic, request.window))
     reading = BlockReading(tuple(unread), has_mosaic, pixels.has_sources)
-    found = replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
-    return replace(found, labels=filled(found)) if every > 1 else found
-
-
-def filled(scan: BlockScan) -> np.ndarray:
-    """Labels of a block of which only strips along its seams and some samples were looked at: what is nearest."""
-    step = LABELS // UNITS
-    labels = scan.labels[step // 2 :: step, step // 2 :: step]
-    known = labels != UNKNOWN
-    if not known.any():
-        return scan.labels
-    distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
-    nearest = np.where(distance <= FARTHEST_FILLED_PX / LABEL_PX / step, labels[row, column], UNKNOWN).astype(np.uint8)
-    nearest[scan.dense | (scan.ground == EMPTY)] = UNKNOWN
-    return np.where(scan.labels == UNKNOWN, enlarged(nearest, step), scan.labels)
+    return replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
 
 
 def _widened(window: PixelWindow) -> PixelWindow:
     """The pixels of a block at the mosaic's edge may be too few for a patch."""
     return replace(window, width=max(window.width, SQUARE_PX), height=max(window.height, SQUARE_PX))
-
-
-def _look(pixels: BlockPixels, request: BlockRequest) -> SquareLook:
-    """What its patches say of every square of a block."""
-    settings, every = request.settings, request.look_every
-    shape = -(-pixels.window.height // SQUARE_PX), -(-pixels.window.width // SQUARE_PX)
-    return spread_out(look_at_squares(pixels, settings.wavelet, settings.levels, every), shape, every)
 
 
 def called_for(
@@ -230,20 +206,19 @@ def _in_units(squares: np.ndarray) -> np.ndarray:
 def _measured(
     pixels: BlockPixels, look: SquareLook | None, window: PixelWindow, request: BlockRequest
 ) -> DensePart | None:
-    """A rectangle by the sources that are followed around it, or that given seams name; by all where they leave
+    """A rectangle by the sources that are followed around it, and that given seams name; by all where they leave
     something over, and where there is but one, which makes no seam. None where these are so many that halves of it,
     with fewer around each, are to be measured instead."""
     placed = window.moved_by(request.window.column, request.window.row)
     settings, everyone, sides = request.settings, pixels.numbers, request.sides
     if look is not None:
-        around = _followed_around(look, window, request.look_every)
+        around = _followed_around(look, window)
     else:
         around = set(everyone if request.followed is None else request.followed)
     named = sides.named_near(placed) if sides is not None else set()
-    likely = tuple(i for i in everyone if i in (named or around))
-    # Along given seams too few patches are looked at to know what came over the mosaic.
+    likely = tuple(i for i in everyone if i in named | around)
     learned = request.learned if look is None else look.learned
-    filters = learned.filters if learned is not None and sides is None and learned.of.issuperset(likely) else None
+    filters = learned.filters if learned is not None and learned.of.issuperset(likely) else None
     if len(likely) > 1:
         if _is_crowded(likely, window):
             return None
@@ -270,10 +245,10 @@ def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
     return replace(window, height=first), replace(window, row=window.row + first, height=window.height - first)
 
 
-def _followed_around(look: SquareLook, window: PixelWindow, reach: int) -> set[int]:
-    """What the squares of a rectangle and those around it follow."""
+def _followed_around(look: SquareLook, window: PixelWindow) -> set[int]:
+    """What the squares of a rectangle and those beside it follow."""
     rows, columns = (
-        slice(max(first // SQUARE_PX - reach, 0), -(-(first + length) // SQUARE_PX) + reach)
+        slice(max(first // SQUARE_PX - 1, 0), -(-(first + length) // SQUARE_PX) + 1)
         for first, length in ((window.row, window.height), (window.column, window.width))
     )
     return set(np.unique(look.source[rows, columns]).tolist())
@@ -292,7 +267,7 @@ class _Block:
         self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
         self._grain = np.full((CELLS, CELLS), np.nan, np.float32)
         self._valid = np.ones((LABELS, LABELS), bool)
-        self._looked, self._plain = (np.zeros((SQUARES, SQUARES), bool) for _ in range(2))
+        self._plain = np.zeros((SQUARES, SQUARES), bool)
         self._learned: Learned | None = None
         self._tables: list[CellTable] = []
         self._mixtures: list[MixtureTable] = []
@@ -302,11 +277,9 @@ class _Block:
         self._learned = look.learned
         rows, columns = look.source.shape
         self._squares[:rows, :columns] = look.source
-        self._looked[:rows, :columns] = look.looked
         self._plain[:rows, :columns] = look.plain & (look.source == UNKNOWN)
         side = SQUARE_PX // LABEL_PX
-        source = np.where(look.looked, look.source, np.uint8(UNKNOWN))
-        self._labels[: rows * side, : columns * side] = enlarged(source, side)
+        self._labels[: rows * side, : columns * side] = enlarged(look.source, side)
         cells, window = look.cells, self._request.window
         sides = UNIT_PX // CELL_PX
         kept = ~wanted[cells.row // sides, cells.column // sides]
@@ -343,14 +316,6 @@ class _Block:
         self._tables.append(part.cells)
         self._mixtures.append(part.beside)
 
-    def take_valid(self, valid: np.ndarray | None) -> None:
-        """Units, as far as there are some, in which the mosaic has pixels."""
-        if valid is not None:
-            whole = np.ones((UNITS, UNITS), bool)
-            whole[: valid.shape[0], : valid.shape[1]] = valid
-            self._valid &= enlarged(whole, LABELS // UNITS)
-            self._labels[~self._valid] = UNKNOWN
-
     def leave_out(self, valid: np.ndarray | None) -> None:
         """Where the mosaic has no pixels nothing is followed."""
         window, half = self._request.window, LABEL_PX // 2
@@ -373,9 +338,7 @@ class _Block:
         known = np.count_nonzero(held != UNKNOWN, axis=2)
         middle = np.take_along_axis(held, known[:, :, np.newaxis] // 2, axis=2)[:, :, 0]  # of two that which has more
         ground = np.where(has_pixels - known >= MOST_LACKING * has_pixels, LACKING, middle.astype(np.int16))
-        per_square = SQUARE_PX // UNIT_PX
-        ground[enlarged(self._plain & self._looked, per_square) & ~self._dense] = PLAIN
-        ground[~enlarged(self._looked, per_square) & ~self._dense] = NOT_LOOKED
+        ground[enlarged(self._plain, SQUARE_PX // UNIT_PX) & ~self._dense] = PLAIN
         ground[inside - has_pixels >= np.maximum(MOST_LACKING * inside, 1)] = EMPTY
         ground[inside == 0] = EMPTY
         return ground

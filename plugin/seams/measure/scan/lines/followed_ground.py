@@ -1,9 +1,9 @@
 """What the ground of a whole mosaic follows, unit by unit, held against its seams: ground that no source explains or
 that has no pixels, and borders between sources that no seam tells of.
 
-A border runs midway between the nearest units of two sources. Where all ground was looked at that is where it is;
-between samples, or across a strip that was blurred or cut out, it has to be somewhere between the two: a seam that
-crosses the way from one to the other tells of it.
+A border runs midway between the nearest units of two sources. Where these lie side by side that is where it is; across
+a strip that was blurred or cut out it has to be somewhere between the two: a seam that crosses the way from one to the
+other tells of it.
 """
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from functools import cached_property
 import numpy as np
 from scipy import ndimage
 
-from ..blocks.block_grid import LOOK_EVERY, SQUARE_PX, UNIT_PX, BlockGrid
-from ..blocks.scan_block import EMPTY, FARTHEST_FILLED_PX, LACKING, NOT_LOOKED, PLAIN
+from ..blocks.block_grid import UNIT_PX, BlockGrid
+from ..blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
 from ..scan_request import SHORTEST_PIECE_PX
 from .seam_pieces import SeamPiece
 
@@ -25,10 +25,9 @@ LEAST_PART = 0.01
 """Of the ground that follow no source together: an orthoimage that lacks leaves whole parts, chance leaves scatter."""
 WIDEST_GAP_PX = 256
 """A strip without pixels that is wider parts two areas; a narrower one may hide a seam, and is no outline."""
-_AT_SEAM_PX, _ON_SEAM_PX = 64, 8  # borders that lie so near a seam are its own; what a seam crosses
+_AT_SEAM_PX, _ON_SEAM_PX = 32, 8  # borders that lie so near a seam are its own; what a seam crosses
 _OPPOSITE = 0.85  # of the way across a gap and back, from bank to bank: at a corner of the outline both are near
 _TILE = 32  # units: a border's length is that of straight lines across so many
-_FEWEST_UNITS = 3 * (LOOK_EVERY * SQUARE_PX // UNIT_PX) ** 2 // 2  # of one source: what a lone sample says is chance
 _PLACES = 3  # that are told, the largest first
 
 
@@ -86,7 +85,7 @@ class FollowedGround:
         told = {"unexplained": f"{self.unexplained:.4f}"}
         if self.looked < 1:
             told["looked_at"] = f"{self.looked:.4f}"
-        if self.unexplained >= LEAST_UNEXPLAINED and self._is_whole:
+        if self.unexplained >= LEAST_UNEXPLAINED:
             told["unexplained_border"] = f"{self._around_lacking_m:.1f}"
         if self.empty:
             told["nodata_inside"] = f"{self.empty:.6f}"
@@ -103,20 +102,15 @@ class FollowedGround:
         return told
 
     @property
-    def _is_whole(self) -> bool:
-        """Whether all of it was looked at, and no sample stands for more than itself."""
-        return not (self._units == NOT_LOOKED).any()
-
-    @property
     def looked(self) -> float:
-        """Share of the mosaic that was looked at; samples stand for what lies around."""
+        """Share of the mosaic that was looked at."""
         count = np.count_nonzero(self._units != EMPTY)
-        return 1 - np.count_nonzero(self._stands_for == NOT_LOOKED) / count if count else 0.0
+        return 1 - np.count_nonzero(self._units == NOT_LOOKED) / count if count else 0.0
 
     @property
     def unexplained(self) -> float:
         """Share of the ground with texture that follows no source, in parts that are no scatter."""
-        total = np.count_nonzero((self._stands_for >= 0) | (self._stands_for == LACKING))
+        total = np.count_nonzero((self._units >= 0) | (self._units == LACKING))
         return np.count_nonzero(self._lacking) / total if total else 0.0
 
     @property
@@ -142,22 +136,13 @@ class FollowedGround:
         return self._border_places(hidden=True)
 
     @cached_property
-    def _stands_for(self) -> np.ndarray:
-        """Units, and those between samples as the nearest one."""
-        not_looked = self._units == NOT_LOOKED
-        if not not_looked.any() or not_looked.all():
-            return self._units
-        away, (row, column) = ndimage.distance_transform_edt(not_looked, return_indices=True)
-        return np.where(away <= FARTHEST_FILLED_PX / UNIT_PX, self._units[row, column], NOT_LOOKED)
-
-    @cached_property
     def _lacking(self) -> np.ndarray:
         """Units, bool, in parts large enough to hold a piece whichever way it runs, or much of the mosaic."""
-        lacks = self._stands_for == LACKING
+        lacks = self._units == LACKING
         parts, _ = ndimage.label(lacks)
         sizes = np.bincount(parts.ravel())
         sizes[0] = 0
-        total = np.count_nonzero((self._stands_for >= 0) | lacks)
+        total = np.count_nonzero((self._units >= 0) | lacks)
         is_part = sizes >= np.maximum(min(LEAST_PART * total, (self._piece_m / self._unit_m) ** 2), 1)
         return np.asarray(is_part[parts])
 
@@ -165,7 +150,7 @@ class FollowedGround:
     def _around_lacking_m(self) -> float:
         """Where it meets what follows a source: as much seam may be there. By the sides of units, whose staircases are
         4 / pi times as long as lines of any direction (Cauchy)."""
-        lacks, followed = self._lacking, self._stands_for >= 0
+        lacks, followed = self._lacking, self._units >= 0
         sides = sum(
             np.count_nonzero(one[:-1] & other[1:]) for one, other in
             ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))
@@ -217,7 +202,6 @@ class FollowedGround:
             return np.empty((0, 2), int), np.empty(0, bool), np.empty(0, bool)
         away, nearest = ndimage.distance_transform_edt(~known, return_indices=True)
         label = units[tuple(nearest)]
-        alone = np.zeros(label.shape, bool) if self._is_whole else _small(label, _FEWEST_UNITS)
         found = []
         for axis in (0, 1):
             first = np.argwhere(np.diff(label, axis=axis) != 0)
@@ -228,11 +212,10 @@ class FollowedGround:
             kinds = np.stack([units[one], units[two]])
             gap, lacks = ((kinds == kind).any(axis=0) for kind in (EMPTY, LACKING))
             straight = np.hypot(*(from_ - to).T) >= _OPPOSITE * way
-            farthest = np.where(gap, WIDEST_GAP_PX, 2 * FARTHEST_FILLED_PX) / UNIT_PX + 1
-            is_real = ~(kinds == PLAIN).any(axis=0) & (~gap | straight)
-            is_real &= (way <= farthest) | lacks
-            is_real &= ~((way <= 1) & (self._at_seam[one] | self._at_seam[two])) & ~(alone[one] | alone[two])
-            hides = lacks & ~gap & ~(kinds == NOT_LOOKED).any(axis=0)
+            is_real = ~np.isin(kinds, (PLAIN, NOT_LOOKED)).any(axis=0)
+            is_real &= ~gap | straight & (lacks | (way <= WIDEST_GAP_PX / UNIT_PX + 1))
+            is_real &= ~((way <= 1) & (self._at_seam[one] | self._at_seam[two]))
+            hides = lacks & ~gap
             is_real[is_real] = ~self._crossed(from_[is_real], to[is_real])
             found.append((first[is_real], np.full(np.count_nonzero(is_real), axis == 0), hides[is_real]))
         first, is_below, hidden = (np.concatenate(one) for one in zip(*found))
@@ -271,15 +254,3 @@ class FollowedGround:
         boxes = ndimage.find_objects(parts)
         order = np.argsort(-metres, kind="stable")[: np.count_nonzero(metres >= self._shortest_m)].tolist()
         return [self._place(parts, number, boxes[number - 1], float(metres[number])) for number in order]
-
-
-def _small(labels: np.ndarray, fewest: int) -> np.ndarray:
-    """What lies in parts of one label that are smaller, (rows, columns) bool."""
-    small = np.zeros(labels.shape, bool)
-    for number, box in enumerate(ndimage.find_objects(labels + 1)):
-        if box is not None:
-            parts, _ = ndimage.label(labels[box] == number)
-            sizes = np.bincount(parts.ravel(), minlength=1)
-            sizes[0] = fewest
-            small[box] |= (sizes < fewest)[parts]
-    return small

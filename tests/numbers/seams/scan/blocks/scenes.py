@@ -36,12 +36,12 @@ class Scene:
         window = BlockGrid(self.mosaic.grid).window((0, 0))
         return BlockPixels(self.mosaic, [one.ref for one in self.sources], window, whole, margin_px)
 
-    def request(self, key: BlockKey = (0, 0), wanted: np.ndarray | None = None, look_every: int = 1,
-                **settings: object) -> BlockRequest:
+    def request(self, key: BlockKey = (0, 0), wanted: np.ndarray | None = None,
+                along_seams: np.ndarray | None = None, **settings: object) -> BlockRequest:
         """To scan one block."""
         return BlockRequest(
             self.mosaic, self.sources, key, BlockGrid(self.mosaic.grid).window(key),
-            ScanSettings(**settings), wanted, look_every,  # type: ignore[arg-type]
+            ScanSettings(**settings), wanted, along_seams,  # type: ignore[arg-type]
         )
 
 

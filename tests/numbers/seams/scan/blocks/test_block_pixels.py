@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, BlockGrid
-from seam_inspector.plugin.seams.measure.scan.blocks.block_pixels import MOST_HELD, BlockPixels, Planes, thin_valid
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BlockGrid
+from seam_inspector.plugin.seams.measure.scan.blocks.block_pixels import MOST_HELD, BlockPixels, Planes
 
 from tests.numbers.seams.scan.blocks.scenes import NODATA, Scene, as_bytes, images, scene
 from tests.numbers.synthetic import luminance, orthoimage
@@ -76,20 +76,6 @@ def test_a_part_is_the_same_held_or_read_anew(
     assert_same(held.part(window, numbers), expected)
 
 
-@pytest.mark.parametrize("margin_px", [0, 32])
-def test_patches_are_the_same_held_or_read_one_by_one(crowd: Scene, margin_px: int) -> None:
-    rows, columns = np.array([0, 36, 164, 260]), np.array([36, 164, 292, 380])
-    held, single = (crowd.pixels(whole, margin_px).patches(rows, columns, 40) for whole in (True, False))
-    assert held.mosaic.shape == single.mosaic.shape == (160, 160)
-    valid = single.mosaic_valid
-    assert valid is not None
-    for plane in (*single.sources.values(), single.mosaic):
-        plane[~valid] = 0
-    for number in held.sources:  # where the mosaic lacks sources need not be read
-        held.valid[number] = held.valid.get(number, np.ones(valid.shape, bool)) & valid
-    assert_same(held, single)
-
-
 def test_patches_are_the_pixels_of_the_files(crowd: Scene) -> None:
     rows, columns = np.array([100, 200]), np.array([10, 250, 379])
     given = arrays_of(crowd)
@@ -138,20 +124,9 @@ def test_where_the_mosaic_lacks_is_told(crowd: Scene) -> None:
         assert valid[:, 90:].all()
 
 
-def test_a_thin_look_tells_by_units_where_the_mosaic_lacks(crowd: Scene) -> None:
-    thin = thin_valid(crowd.mosaic, PixelWindow(0, 0, SHAPE[1], SHAPE[0]))
-    assert thin is not None
-    assert thin.shape == (-(-SHAPE[0] // UNIT_PX), -(-SHAPE[1] // UNIT_PX))
-    assert not thin[:2, :2].any()
-    assert thin[3:].all()
-    assert thin[:, 3:].all()
-
-
-def test_a_mosaic_that_says_nothing_of_missing_pixels_needs_no_thin_look(tmp_path: Path) -> None:
+def test_a_mosaic_that_says_nothing_of_missing_pixels_is_valid_everywhere(tmp_path: Path) -> None:
     given = images((128, 128))
-    one = scene(tmp_path, given[0], given, nodata=None)
-    assert thin_valid(one.mosaic, PixelWindow(0, 0, 128, 128)) is None
-    assert one.pixels().valid is None
+    assert scene(tmp_path, given[0], given, nodata=None).pixels().valid is None
 
 
 def test_three_bands_are_judged_by_their_luminance(tmp_path: Path) -> None:

@@ -15,7 +15,6 @@ from seam_inspector.plugin.seams.measure.scan.blocks.patches import (
     SquareLook,
     look_at_squares,
     middle_sources,
-    spread_out,
 )
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
@@ -37,8 +36,8 @@ WAVELET, LEVELS = "coif3", 3
 PER_SIDE = SIDE // SQUARE_PX
 
 
-def look_at(one: Scene, every: int = 1) -> SquareLook:
-    return look_at_squares(one.pixels(), WAVELET, LEVELS, every)
+def look_at(one: Scene) -> SquareLook:
+    return look_at_squares(one.pixels(), WAVELET, LEVELS)
 
 
 def patches_of(labels: np.ndarray) -> np.ndarray:
@@ -224,30 +223,7 @@ def test_a_gain_over_all_is_in_the_composite_and_noise_is_not(tmp_path: Path) ->
     assert cells.mc[0].sum() == pytest.approx(cells.cc[0].sum(), rel=0.1)
 
 
-# --- fewer patches, and those midway ----------------------------------------------------------------------------
-
-
-def test_every_fourth_square_stands_for_those_around_it(tmp_path: Path) -> None:
-    given = images()
-    one = scene(tmp_path, blended(*given, beside(SIDE / 2)), given)
-    found = look_at(one, 4)
-    assert found.source.shape == (2, 2)
-    spread = spread_out(found, (PER_SIDE, PER_SIDE), 4)
-    assert (spread.source == look_at(one).source).all()
-    assert np.asarray(spread.looked).sum() == 4
-    assert np.argwhere(spread.looked).tolist() == [[2, 2], [2, 6], [6, 2], [6, 6]]
-
-
-@pytest.mark.parametrize("side", [1, 2, 3, 5, 7, 16])
-@pytest.mark.parametrize("every", [1, 2, 4])
-def test_spread_out_says_something_of_every_square(tmp_path: Path, side: int, every: int) -> None:
-    count = len(range(min(every // 2, side - 1), side, every))
-    numbers = np.arange(count**2, dtype=np.uint8).reshape(count, count)
-    given = scene(tmp_path, images((128, 128))[0], images((128, 128)))
-    plain = look_at(given)
-    found = spread_out(SquareLook(numbers, numbers > 250, numbers > 250, plain.cells), (side, side), every)
-    assert found.source.shape == found.doubtful.shape == found.empty.shape == (side, side)
-    assert set(found.source[np.asarray(found.looked)].tolist()) == set(range(count**2))
+# --- patches midway -------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("axis", [0, 1])

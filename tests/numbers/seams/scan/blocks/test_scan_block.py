@@ -13,7 +13,6 @@ from seam_inspector.plugin.seams.measure.following.source_filters import Filters
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CELL_PX,
     EDGES_PX,
-    FARTHEST,
     PRODUCTS,
     CellTable,
 )
@@ -173,7 +172,7 @@ def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learne
         return measure_part(*asked)
 
     monkeypatch.setattr(scan_block_module, "measure_part", noted)
-    again = replace(request, wanted=first.dense, look_every=0, learned=first.learned, followed=frozenset({0, 1}))
+    again = replace(request, wanted=first.dense, learned=first.learned, followed=frozenset({0, 1}))
     found = scan_block(again)
     assert looks
     assert all(numbers == (0, 1) and filters is first.learned.filters for numbers, filters in looks)
@@ -350,7 +349,7 @@ def test_without_sources_nothing_is_followed(hard: Scene) -> None:
 def test_only_what_is_wanted_is_measured_densely(hard: Scene) -> None:
     wanted = np.zeros((UNITS, UNITS), bool)
     wanted[:8, 10:14] = True
-    found = scan_block(hard.request(wanted=wanted, look_every=0))
+    found = scan_block(hard.request(wanted=wanted))
     assert (found.dense == wanted).all()
     cells = found.cells
     assert (cells.row < 16).all()
@@ -360,14 +359,13 @@ def test_only_what_is_wanted_is_measured_densely(hard: Scene) -> None:
     assert (np.delete(found.labels[:rows], np.s_[80:112], axis=1) == UNKNOWN).all()
 
 
-def test_given_seams_leave_samples_of_the_ground_between(hard: Scene) -> None:
-    wanted = np.zeros((UNITS, UNITS), bool)
-    wanted[: SIDE // UNIT_PX, 10:14] = True
-    found = scan_block(hard.request(wanted=wanted, look_every=4))
-    far = found.cells.bin == FARTHEST
-    assert (found.dense == wanted).all()
-    assert far.sum() == 4
-    assert (found.squares[: SIDE // SQUARE_PX, : SIDE // SQUARE_PX] != UNKNOWN).all()
+def test_what_given_seams_call_for_is_measured_beside_what_patches_do(hard: Scene) -> None:
+    along = np.zeros((UNITS, UNITS), bool)
+    along[: SIDE // UNIT_PX, 2:4] = True
+    without, found = scan_block(hard.request()), scan_block(hard.request(along_seams=along))
+    assert not (without.dense & along).any()
+    assert (found.dense == (without.dense | along)).all()
+    np.testing.assert_array_equal(found.squares, without.squares)
 
 
 def squares(*rows: str) -> np.ndarray:

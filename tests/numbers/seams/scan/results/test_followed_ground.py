@@ -9,7 +9,7 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LOOK_EVERY, UNIT_PX, UNITS, BlockGrid
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
 from seam_inspector.plugin.seams.measure.scan.lines.followed_ground import FollowedGround
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, SidedSeam
@@ -138,37 +138,19 @@ def test_scatter_is_not_unexplained_and_what_holds_a_piece_is() -> None:
     assert ground_of(units).unexplained == pytest.approx(100 / units.size, rel=0.05)
 
 
-def sampled(units: np.ndarray) -> np.ndarray:
-    """What is known of units where one square in so many is looked at."""
-    step = LOOK_EVERY * 4
-    looked = np.zeros(units.shape, bool)
-    for row in range(4):
-        for column in range(4):
-            looked[8 + row :: step, 8 + column :: step] = True
-    return np.where(looked, units, NOT_LOOKED)
-
-
-def test_samples_of_two_sources_that_no_line_parts_are_told() -> None:
-    units = sampled(halves(96, 96))
-    assert ground_of(units, [[(47.0, 0.0), (51.0, 96.0)]]).unseen == []
-    (one,) = ground_of(units).unseen
-    assert one.metres == pytest.approx(96 * UNIT_PX * GSD, rel=0.05)
-
-
-def test_a_lone_sample_of_another_source_is_chance() -> None:
-    units = np.zeros((96, 96), int)
-    units[40:44, 40:44] = 1
-    assert ground_of(sampled(units)).unseen == []
-    units[40:44, 56:60] = 1  # two of them are not
-    assert len(ground_of(sampled(units)).unseen) == 1
-
-
 def test_what_was_not_read_is_told() -> None:
     units = halves(200, 200)
     units[:, 50:] = NOT_LOOKED
     found = ground_of(units)
     assert found.unseen == []
-    assert found.looked == pytest.approx(50 / 200 + 22 / 200, abs=0.01)  # as far as the last unit may stand for
+    assert found.looked == pytest.approx(50 / 200)
+
+
+def test_a_border_in_ground_that_was_not_read_is_told_as_that() -> None:
+    units = halves()
+    units[:, 18:22] = NOT_LOOKED
+    found = ground_of(units)
+    assert (found.unseen, found.looked) == ([], pytest.approx(36 / 40))
 
 
 # --- scans ------------------------------------------------------------------------------------------------------

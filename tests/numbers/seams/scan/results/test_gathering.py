@@ -15,14 +15,7 @@ from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, PRODUCTS, CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, both_looks, global_numbers
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
-    EMPTY,
-    FARTHEST_FILLED_PX,
-    NOT_LOOKED,
-    BlockScan,
-    filled,
-    scan_block,
-)
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import LACKING, BlockScan, scan_block
 from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, SidedSeam
 from seam_inspector.plugin.seams.measure.scan.loss_raster import NODATA as NO_LOSS
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
@@ -274,37 +267,9 @@ def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
         (0, 0), ("a", "b"), np.full((16, 16), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool),
         np.full((LABELS, LABELS), UNKNOWN, np.uint8) if labels is None else labels,
         *np.full((4, 128, 128), np.nan, np.float32), CellTable.empty(3), MixtureTable.empty(3),
-        np.full((UNITS, UNITS), NOT_LOOKED, np.int16),
+        np.full((UNITS, UNITS), LACKING, np.int16),
     )
     return replace(nothing, **arrays)
-
-
-def test_between_samples_labels_are_those_of_the_nearest() -> None:
-    step = LABELS // UNITS
-    labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
-    labels[32:64, 32:64], labels[32:64, -64:-32] = 0, 1
-    found = filled(block(labels))
-    assert (found[labels != UNKNOWN] == labels[labels != UNKNOWN]).all()
-    reach = FARTHEST_FILLED_PX // LABEL_PX
-    assert (found[: 64 + reach // 2, :150] == 0).all()
-    assert (found[: 64 + reach // 2, -150:] == 1).all()
-    assert (found[64 + reach + 2 * step :] == UNKNOWN).all()
-
-
-def test_what_was_looked_at_and_what_lies_outside_is_not_filled() -> None:
-    labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
-    labels[:64, :64] = 1
-    dense, ground = np.zeros((UNITS, UNITS), bool), np.full((UNITS, UNITS), NOT_LOOKED, np.int16)
-    dense[0, 10], ground[0, 12] = True, EMPTY
-    found = filled(block(labels, dense=dense, ground=ground))
-    times = UNIT_PX // LABEL_PX
-    assert (found[:times, 10 * times : 11 * times] == UNKNOWN).all()
-    assert (found[:times, 12 * times : 13 * times] == UNKNOWN).all()
-    assert (found[:times, 11 * times : 12 * times] == 1).all()
-
-
-def test_nothing_known_is_nothing_filled() -> None:
-    assert (filled(block()) == UNKNOWN).all()
 
 
 def test_a_second_look_replaces_what_it_looked_at_and_nothing_else(tmp_path: Path) -> None:
@@ -313,7 +278,7 @@ def test_a_second_look_replaces_what_it_looked_at_and_nothing_else(tmp_path: Pat
     first = scan_block(one.request())
     wanted = np.zeros((UNITS, UNITS), bool)
     wanted[2:10, 10:16] = True  # partly measured before
-    second = scan_block(one.request(wanted=wanted, look_every=0))
+    second = scan_block(one.request(wanted=wanted))
     both = both_looks(first, second)
     assert (both.dense == (first.dense | wanted)).all()
     times = UNIT_PX // CELL_PX
