@@ -13335,8 +13335,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
-        <source>{name}: the seams are those of the given seamlines; elsewhere the scan looked at samples only, which show a seam that lacks where it is long.</source>
-        <translation>{name}: linie mozaikowania są podane; gdzie indziej skan obejrzał tylko próbki, które pokazują brakującą linię, gdy jest długa.</translation>
+        <source>The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make sure that they are the ones that the mosaic was made from.</source>
+        <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="448"/>

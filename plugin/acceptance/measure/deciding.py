@@ -21,7 +21,8 @@ from functools import reduce
 import numpy as np
 
 from ...imagery.errors import Exceeding, Message, SettingsError, Stated
-from ...imagery.seam_totals import PieceState
+from ...imagery.file_identity import states_in
+from ...imagery.seam_totals import SOURCE_FILES, PieceState
 from ...imagery.statistics import Interval
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
@@ -409,6 +410,8 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
         yield messages.SOURCES_GONE(count=len(files.gone_sources), names=_first_names(files.gone_sources))
     if names := [one.name for one in layers if not SeenGround.of_settings(one.settings).is_known]:
         yield messages.SEAMS_ELSEWHERE_UNKNOWN(names=_first_names(names))
+    if any(states_in(one.settings.get(SOURCE_FILES, "")) for one in layers):
+        yield messages.SOURCES_BELIEVED()
     for one in layers:
         yield from _seen(one)
     for name in dict.fromkeys(name for one in layers for name in one.settings):
@@ -427,8 +430,6 @@ def _seen(layer: DeliveredLayer) -> Iterator[Message]:
         yield messages.SOURCES_NOT_GIVEN(name=layer.name, names=names)
     if layer.settings.get("seams") == "found":
         yield messages.SEAMS_FOUND(name=layer.name)
-    elif layer.settings.get("seams") == "given" and layer.settings.get("density") != "full":
-        yield messages.SEAMS_GIVEN(name=layer.name)
 
 
 TOLD_UNEXPLAINED = 0.03

@@ -409,9 +409,9 @@ SOURCES_NOT_GIVEN = Message(
     "{name}: the seamlines name orthoimages that the scan was not given ({names}); seams beside them are not measured.",
     WARNING
 )
-SEAMS_GIVEN = Message(
-    "{name}: the seams are those of the given seamlines; elsewhere the scan looked at samples only, which show a seam "
-    "that lacks where it is long.", INFO
+SOURCES_BELIEVED = Message(
+    "The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make "
+    "sure that they are the ones that the mosaic was made from.", INFO
 )
 SEAMS_FOUND = Message(
     "{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "
