@@ -8823,8 +8823,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
-        <source>The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
-        <translation>Okna mają bok {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
+        <source>The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
+        <translation>Okna mają bok do {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="311"/>

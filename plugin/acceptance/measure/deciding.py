@@ -504,7 +504,7 @@ def _borders(
 def _by_observer(delivery: Delivery) -> Iterator[Message]:
     yield messages.BY_OBSERVER()
     left, bottom, right, top = np.array([window.extent for window in delivery.windows]).T * delivery.unit_m
-    side = float(np.median(np.minimum(right - left, top - bottom)))
+    side = float(np.minimum(right - left, top - bottom).max())
     piece = float(np.median([piece.length_m for piece in delivery.pieces]))
     if side > _WIDE * piece:
         yield messages.WINDOWS_WIDER_THAN_PIECES(side=side, piece=piece)

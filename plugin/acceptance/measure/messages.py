@@ -304,7 +304,7 @@ WINDOWS_SAY_NOTHING = Message(
     WARNING,
 )
 WINDOWS_WIDER_THAN_PIECES = Message(
-    "The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen "
+    "The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen "
     "beside it, too; plan windows with a SIDE of a piece.", WARNING
 )
 OBSERVERS_AGREE = Message(
