@@ -41,6 +41,8 @@ class Delivery:
     seams: Path | None = None
     seam_fields: tuple[str, str] = ("left_source", "right_source")
     cells: str = "cells"
+    dodged: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    """xmin, ymin, xmax, ymax of a field that lost contrast: a window within it knows no other ground, a scan does."""
 
     def given(self) -> GivenSeams:
         """Its seamlines with what lies on either side."""
@@ -146,7 +148,8 @@ HARD, FEATHERED = [pytest.param(0.001, id="hard")], [pytest.param(1.5, id="feath
 def demo_block(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Delivery:
     """Its orthoimages are resampled and balanced one by one."""
     made = make_demo_block(tmp_path_factory.mktemp("block"), (120.0, 100.0), feather_m=request.param)
-    return Delivery(made.mosaic, made.sources, made.seamlines)
+    (dodged,) = (one.bounds for one in made.damage if one.cause == "dodging")
+    return Delivery(made.mosaic, made.sources, made.seamlines, dodged=dodged)
 
 
 @pytest.fixture(scope="module")
@@ -157,14 +160,18 @@ def given_pieces(demo_block: Delivery, tmp_path_factory: pytest.TempPathFactory)
 
 def is_hidden(piece: JudgedPiece) -> bool:
     """By the feather that is wider than a window."""
-    return {piece.piece.left, piece.piece.right} == {MIDDLE, GAP_FILLER}
+    return {piece.left, piece.right} == {MIDDLE, GAP_FILLER}
 
 
 def is_single(piece: JudgedPiece, one: Delivery) -> bool:
-    """Whether no other seam runs through a window around it."""
+    """Whether no other seam and no dodged field reaches into a window around it."""
     x, y = (piece.piece.vertices.min(axis=0) + piece.piece.vertices.max(axis=0)) / 2
-    around = ogr.CreateGeometryFromWkt(f"POINT ({x} {y})").Buffer(SIDE_PX / 2 * 0.1 * np.sqrt(2))
-    return sum(ogr.CreateGeometryFromWkb(cell.wkb).Intersects(around) for cell in one.known_cells()) == 2
+    reach = SIDE_PX / 2 * 0.1
+    around = ogr.CreateGeometryFromWkt(f"POINT ({x} {y})").Buffer(reach * np.sqrt(2))
+    left, bottom, right, top = one.dodged
+    is_dodged = left - reach < x < right + reach and bottom - reach < y < top + reach
+    cells = sum(ogr.CreateGeometryFromWkb(cell.wkb).Intersects(around) for cell in one.known_cells())
+    return cells == 2 and not is_dodged
 
 
 @pytest.mark.slow
@@ -172,7 +179,7 @@ def test_of_the_demo_block_along_its_seamlines(
     demo_block: Delivery, given_pieces: Sequence[JudgedPiece]
 ) -> None:
     plain = [piece for piece in given_pieces if is_single(piece, demo_block) and not is_hidden(piece)]
-    assert_they_say_the_same(demo_block, plain, True, 6)
+    assert_they_say_the_same(demo_block, plain, True, 5)
 
 
 @pytest.mark.slow
@@ -180,11 +187,16 @@ def test_of_the_demo_block_along_its_seamlines(
 def test_of_a_feather_that_is_wider_than_the_corridor(
     demo_block: Delivery, given_pieces: Sequence[JudgedPiece]
 ) -> None:
-    assert_they_say_the_same(demo_block, list(filter(is_hidden, given_pieces)), True, 3)
+    """All ground that the window has is mixed, and so it hardly knows how much; the scan knows other ground."""
+    hidden = list(filter(is_hidden, given_pieces))
+    both = [(piece, found) for piece, found in zip(hidden, windows_of(demo_block, hidden, True)) if found is not None]
+    assert len(both) >= 3
+    assert all(piece.high is not None and piece.high < 0.9 and found.kept[0] < 0.9 for piece, found in both)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("demo_block", FEATHERED, indirect=True)
-@pytest.mark.xfail(strict=True, reason="the ground beside a window in a dodged field was dodged, a scan's was not")
 def test_of_the_demo_block_along_the_seams_that_are_found(tmp_path: Path, demo_block: Delivery) -> None:
-    assert_they_say_the_same(demo_block, scanned_pieces(demo_block, tmp_path, False, 20.0), False, 4)
+    pieces = scanned_pieces(demo_block, tmp_path, False, 10.0)
+    plain = [piece for piece in pieces if is_single(piece, demo_block) and not is_hidden(piece)]
+    assert_they_say_the_same(demo_block, plain, False, 4)
