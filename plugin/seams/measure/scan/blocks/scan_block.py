@@ -14,6 +14,7 @@ from ...following.boxes import enlarged, in_squares, widened
 from ...following.source_filters import Learned
 from ...limits import FULL
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
+from ...profile.detail_sums import ROUNDING
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
 from ...while_measuring import measuring
@@ -115,7 +116,18 @@ def scan_block(request: BlockRequest) -> BlockScan:
     except NotCoveredError:
         return replace(BlockScan.nothing(request, ()), ground=np.full((UNITS, UNITS), EMPTY, np.int16))
     except RasterError as error:
-        return BlockScan.nothing(request, (error.message.as_warning(),))
+        nothing = BlockScan.nothing(request, (error.message.as_warning(),))
+        return nothing if request.along_seams is None else _along_seams(request, nothing)
+
+
+def _along_seams(request: BlockRequest, nothing: BlockScan) -> BlockScan:
+    """What can be read beside the given seams of a block that can't be read as a whole, and so was not looked at."""
+    try:
+        found = _scanned(replace(request, wanted=request.along_seams))
+    except RasterError:
+        return nothing
+    notices = tuple(dict.fromkeys((*nothing.notices, *found.notices)))
+    return replace(found, notices=notices, reading=replace(found.reading, unread=(request.window,)))
 
 
 def _scanned(request: BlockRequest) -> BlockScan:
@@ -339,6 +351,8 @@ class _Block:
         middle = np.take_along_axis(held, known[:, :, np.newaxis] // 2, axis=2)[:, :, 0]  # of two that which has more
         ground = np.where(has_pixels - known >= MOST_LACKING * has_pixels, LACKING, middle.astype(np.int16))
         ground[enlarged(self._plain, SQUARE_PX // UNIT_PX) & ~self._dense] = PLAIN
+        is_even = self._grain <= ROUNDING * np.abs(self._grey)  # never where that is not known
+        ground[in_squares(is_even, CELLS // UNITS).all(axis=(1, 3))] = PLAIN
         ground[inside - has_pixels >= np.maximum(MOST_LACKING * inside, 1)] = EMPTY
         ground[inside == 0] = EMPTY
         return ground
