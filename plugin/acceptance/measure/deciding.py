@@ -22,7 +22,7 @@ import numpy as np
 
 from ...imagery.errors import Exceeding, Message, SettingsError, Stated
 from ...imagery.file_identity import states_in
-from ...imagery.seam_totals import SOURCE_FILES, PieceState
+from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES, PieceState
 from ...imagery.statistics import Interval
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
@@ -163,7 +163,7 @@ def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) ->
     if least is not None and unseen and (seen := whole.measured_m / (whole.judged_m + unseen)) < least:
         yield messages.SEAMS_UNSEEN(metres=unseen, value=seen, limit=least)
     for layer in delivery.layers:
-        if least is not None and layer.unexplained > 1 - least and layer.settings.get("seams") != "given":
+        if least is not None and layer.unexplained > 1 - least:
             yield messages.MOSAIC_LACKS(name=layer.name, share=layer.unexplained, limit=1 - least)
     yield from unseen_seams(delivery, whole, rules)
 
@@ -398,20 +398,13 @@ def _would_narrow(
 
 
 def _layers(delivery: Delivery) -> Iterator[Message]:
-    """Whether layers are as their scan left them, and whether they were measured alike."""
-    layers, files = delivery.layers, delivery.files
+    """Whether layers are as their scan left them, what they are of, and whether they were measured alike."""
+    layers = delivery.layers
     if layers and all(one.seal is Seal.WHOLE for one in layers):
         yield messages.LAYERS_SEALED(count=len(layers))
-    if files.same:
-        yield messages.FILES_AS_SCANNED(count=files.same)
-    if files.mosaics > 1:
-        yield messages.OF_MOSAICS(count=files.mosaics)
-    if files.gone_sources:
-        yield messages.SOURCES_GONE(count=len(files.gone_sources), names=_first_names(files.gone_sources))
+    yield from _files(delivery)
     if names := [one.name for one in layers if not SeenGround.of_settings(one.settings).is_known]:
         yield messages.SEAMS_ELSEWHERE_UNKNOWN(names=_first_names(names))
-    if any(states_in(one.settings.get(SOURCE_FILES, "")) for one in layers):
-        yield messages.SOURCES_BELIEVED()
     for one in layers:
         yield from _seen(one)
     for name in dict.fromkeys(name for one in layers for name in one.settings):
@@ -420,16 +413,35 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
             yield messages.SETTINGS_DIFFER(setting=name, values=_first_names(values))
 
 
+def _files(delivery: Delivery) -> Iterator[Message]:
+    """The rasters that were scanned."""
+    files, settings = delivery.files, [one.settings for one in delivery.layers]
+    if files.same:
+        yield messages.FILES_AS_SCANNED(count=files.same)
+    if files.mosaics > 1:
+        yield messages.OF_MOSAICS(count=files.mosaics)
+    if (apart := len({one[MOSAIC_FILES] for one in settings if MOSAIC_FILES in one})) > 1:
+        yield messages.SCANNED_APART(count=apart)
+    if files.gone_sources:
+        yield messages.SOURCES_GONE(count=len(files.gone_sources), names=_first_names(files.gone_sources))
+    if any(states_in(one.get(SOURCE_FILES, "")) for one in settings):
+        yield messages.SOURCES_BELIEVED()
+
+
 def _seen(layer: DeliveredLayer) -> Iterator[Message]:
     """Where its scan could not find or measure seams."""
     if layer.unexplained >= TOLD_UNEXPLAINED:
         place = "; ".join(map(str, SeenGround.of_settings(layer.settings).unexplained_at))
         yield messages.SCAN_UNEXPLAINED(name=layer.name, share=layer.unexplained, place=place)
     yield from ground_sentences(layer.name, layer.settings)
+    if names := layer.settings.get("may_be_copies"):
+        yield messages.SOURCES_MAY_BE_COPIES(name=layer.name, names=names)
     if names := layer.settings.get("not_given"):
         yield messages.SOURCES_NOT_GIVEN(name=layer.name, names=names)
     if layer.settings.get("seams") == "found":
         yield messages.SEAMS_FOUND(name=layer.name)
+    elif layer.settings.get("seams") == "given":
+        yield messages.SEAMS_GIVEN(name=layer.name)
 
 
 TOLD_UNEXPLAINED = 0.03

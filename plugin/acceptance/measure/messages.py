@@ -409,9 +409,21 @@ SOURCES_NOT_GIVEN = Message(
     "{name}: the seamlines name orthoimages that the scan was not given ({names}); seams beside them are not measured.",
     WARNING
 )
+SOURCES_MAY_BE_COPIES = Message(
+    "{name}: orthoimages that are the mosaic, or nearly so, wherever they were compared ({names}). Where such an image "
+    "was made from the mosaic it hides every loss: make sure that it is an original.", WARNING
+)
+SCANNED_APART = Message(
+    "{count} mosaics were scanned one by one: a seam along the border between two of them is in no figure. Scan sheets "
+    "that meet as one mosaic.", WARNING
+)
 SOURCES_BELIEVED = Message(
     "The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make "
     "sure that they are the ones that the mosaic was made from.", INFO
+)
+SEAMS_GIVEN = Message(
+    "{name}: the seams are those of the given seamlines; one that lacks shows where it is longer than some 150 pixels.",
+    INFO
 )
 SEAMS_FOUND = Message(
     "{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "

@@ -27,6 +27,8 @@ class Source:
     """Where it is."""
     extent: Extent
     """Bounding box in the reference system of the windows, the mosaic's where there is one."""
+    may_be_copy: bool = False
+    """Whether it is the mosaic, or nearly so, wherever they were compared."""
 
 
 def gather_sources(

@@ -9,6 +9,7 @@ from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome,
 from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer
 from seam_inspector.plugin.acceptance.measure.seen_ground import SeenGround
+from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
 from tests.numbers.acceptance.made_decisions import UTM
@@ -61,6 +62,27 @@ def test_a_border_that_nothing_explains_counts_as_if_it_failed(hidden: str, acce
                          hidden_at=PLACE))
     assert found.accepted is accepted
     assert ("none explains the mosaic" in str(found.sentences[0])) == (accepted is None)
+
+
+@pytest.mark.parametrize("seams", ["given", "found"])
+def test_ground_that_no_orthoimage_explains_leaves_it_open_by_its_area(seams: str) -> None:
+    layer = DeliveredLayer("a", True, 0.5, said(seams=seams, unexplained="0.5"))
+    found = decide(replace(delivery(seam(SOUND)), layers=(layer,)), rules())
+    assert found.outcome is AcceptanceOutcome.UNDECIDED
+    assert "50% of the mosaic of a follow no orthoimage" in str(found.sentences[0])
+
+
+def test_an_orthoimage_that_may_be_a_copy_is_named() -> None:
+    told = " ".join(map(str, decided(said(may_be_copies="extra.tif")).sentences))
+    assert "or nearly so, wherever they were compared (extra.tif)" in told
+
+
+def test_sheets_that_were_scanned_apart_are_told() -> None:
+    def sentences(*mosaics: str) -> str:
+        return " ".join(map(str, decided(*(said(**{MOSAIC_FILES: one}) for one in mosaics)).sentences))
+
+    assert "2 mosaics were scanned one by one" in sentences('[["a.tif", 1, 2, "3"]]', '[["b.tif", 1, 2, "3"]]')
+    assert "one by one" not in sentences('[["a.tif", 1, 2, "3"]]', '[["a.tif", 1, 2, "3"]]')
 
 
 def test_what_is_broken_stays_broken() -> None:

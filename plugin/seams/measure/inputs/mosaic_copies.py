@@ -79,8 +79,8 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
     )
     if len(copies) == len(sources) > 0:  # nothing could be said without any
         equal.append(copies.pop(0))
-    left_out = set(copies)
-    return [one for n, one in enumerate(sources) if n not in left_out], [
+    left_out, doubtful = set(copies), {*equal, *like}
+    return [replace(one, may_be_copy=n in doubtful) for n, one in enumerate(sources) if n not in left_out], [
         *(messages.COPY_AMONG_SOURCES(name=sources[n].ref.name) for n in copies),
         *(messages.MAY_BE_COPY(name=sources[n].ref.name) for n in equal),
         *(messages.MAY_BE_ALTERED_COPY(name=sources[n].ref.name) for n in like),

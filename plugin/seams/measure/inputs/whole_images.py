@@ -193,4 +193,5 @@ def _one(sources: Sequence[Source], numbers: Sequence[int]) -> Source:
         return first
     xmin, ymin, xmax, ymax = zip(*(sources[number].extent for number in numbers))
     parts = (*first.ref.parts, *(path for one in others for path in one.ref.paths))
-    return Source(replace(first.ref, parts=parts), (min(xmin), min(ymin), max(xmax), max(ymax)))
+    extent = min(xmin), min(ymin), max(xmax), max(ymax)
+    return Source(replace(first.ref, parts=parts), extent, any(sources[number].may_be_copy for number in numbers))

@@ -211,6 +211,9 @@ class Gathering:
         said = {"seams": "given" if self._request.seams else "found", **self._reading.told}
         if names := self._request.not_given:
             said["not_given"] = ", ".join(names)
+        doubtful = [n for n, one in enumerate(self._request.sources) if one.may_be_copy]
+        if doubtful:
+            said["may_be_copies"] = ", ".join(self._request.source_names[n] for n in doubtful)
         return said
 
     def _no_seam(self, polygons: Sequence[SourcePolygon]) -> tuple[Message, ...]:

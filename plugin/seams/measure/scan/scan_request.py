@@ -28,8 +28,10 @@ from .lines.seam_fields import source_numbers
 from .lines.seam_pieces import SeamPiece, Side, SidedSeam, cut_in_pieces, cut_off
 from .scan_settings import ScanSettings
 
-SHORTEST_PIECE_PX = 1.25 * MIN_STRIP_PX / (2 * STRIP_PX)
-"""With a strip that is just large enough, and a quarter more as pieces may be shorter than asked for."""
+LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)
+"""With a strip that is just large enough to be measured."""
+SHORTEST_PIECE_PX = 1.25 * LEAST_SEAM_PX
+"""As pieces may be shorter than asked for."""
 LEAST_BETWEEN = 0.5
 """Of the given seams that lie on two sources or more; with less the mosaic is scanned as one without orthoimages."""
 

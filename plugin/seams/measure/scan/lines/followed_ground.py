@@ -16,7 +16,7 @@ from scipy import ndimage
 
 from ..blocks.block_grid import UNIT_PX, BlockGrid
 from ..blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
-from ..scan_request import SHORTEST_PIECE_PX
+from ..scan_request import LEAST_SEAM_PX, SHORTEST_PIECE_PX
 from .seam_pieces import SeamPiece
 
 LEAST_UNEXPLAINED = 0.03
@@ -60,7 +60,10 @@ class FollowedGround:
         )
         self._rows, self._columns = (-(-length // UNIT_PX) for length in (self._grid.rows, self._grid.columns))
         self._units = units[: self._rows, : self._columns]
-        self._on_seam = self._marked([self._grid.to_pixels(one.vertices) for one in pieces])
+        # What is too short to be measured tells nothing of a border, be there a piece of it every few metres.
+        least_m = LEAST_SEAM_PX * self._grid.ground_sample_distance
+        long = [one for one in pieces if one.length_m >= least_m]
+        self._on_seam = self._marked([self._grid.to_pixels(one.vertices) for one in long])
         self._at_seam = ndimage.maximum_filter(self._on_seam, 2 * _AT_SEAM_PX // UNIT_PX + 1)
 
     def _marked(self, paths: Sequence[np.ndarray]) -> np.ndarray:
@@ -211,7 +214,7 @@ class FollowedGround:
             from_, to = (np.column_stack([part[place] for part in nearest]) for place in (one, two))
             kinds = np.stack([units[one], units[two]])
             gap, lacks = ((kinds == kind).any(axis=0) for kind in (EMPTY, LACKING))
-            straight = np.hypot(*(from_ - to).T) >= _OPPOSITE * way
+            straight = np.hypot(*(from_ - to).T) + 1 >= _OPPOSITE * way  # to a unit
             is_real = ~np.isin(kinds, (PLAIN, NOT_LOOKED)).any(axis=0)
             is_real &= ~gap | straight & (lacks | (way <= WIDEST_GAP_PX / UNIT_PX + 1))
             is_real &= ~((way <= 1) & (self._at_seam[one] | self._at_seam[two]))

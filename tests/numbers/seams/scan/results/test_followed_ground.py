@@ -30,9 +30,8 @@ def ground_of(units: np.ndarray, lines: list[list[tuple[float, float]]] | None =
     size = [-(-length // UNITS) * UNITS for length in units.shape]
     whole = np.full(size, EMPTY, np.int32)
     whole[: units.shape[0], : units.shape[1]] = units
-    pieces = [
-        SeamPiece(1, 0.0, 1.0, np.array(line, float) * UNIT_PX * GSD * (1, -1), None, None) for line in lines or []
-    ]
+    paths = [np.array(line, float) * UNIT_PX * GSD * (1, -1) for line in lines or []]
+    pieces = [SeamPiece(1, 0.0, float(np.hypot(*np.diff(path, axis=0).T).sum()), path, None, None) for path in paths]
     return FollowedGround(whole, BlockGrid(grid), pieces, PIECE_M)
 
 
@@ -55,6 +54,21 @@ def test_a_border_without_a_seam_is_told_with_its_length_and_place() -> None:
     (one,) = ground_of(halves()).unseen
     assert one.metres == pytest.approx(40 * UNIT_PX * GSD)
     assert (one.x, one.y) == (pytest.approx(20 * UNIT_PX * GSD, abs=4), pytest.approx(-20 * UNIT_PX * GSD, abs=4))
+
+
+@pytest.mark.parametrize("dash_px", [4, 30, 60])
+def test_dashes_too_short_to_be_measured_tell_of_no_border(dash_px: int) -> None:
+    dashes = [[(20.0, row), (20.0, row + dash_px / UNIT_PX)] for row in range(0, 39, 2)]
+    (one,) = ground_of(halves(), dashes).unseen
+    assert one.metres == pytest.approx(40 * UNIT_PX * GSD)
+
+
+@pytest.mark.parametrize("width", [1, 2, 3, 5])
+def test_an_aslant_strip_without_pixels_hides_a_border(width: int) -> None:
+    row, column = np.indices((60, 60))
+    units = (column > row).astype(int)
+    units[(column - row > -width) & (column - row <= width)] = EMPTY
+    assert sum(one.metres for one in ground_of(units).unseen) == pytest.approx(60 * 2**0.5 * UNIT_PX * GSD, rel=0.15)
 
 
 def test_an_aslant_border_is_as_long_as_a_line() -> None:
@@ -90,8 +104,8 @@ def test_a_strip_too_short_for_a_piece_hides_none() -> None:
 
 def test_what_is_interrupted_is_one_place() -> None:
     units = halves()
-    units[[8, 9, 12, 13, 16], 20] = LACKING
-    ends = [(0.0, 7.7), (10.3, 11.7), (14.3, 15.7), (17.3, 40.0)]
+    units[[8, 9, 13, 14, 18], 20] = LACKING
+    ends = [(0.0, 7.7), (10.3, 12.7), (15.3, 17.7), (19.3, 40.0)]
     lines = [[(20.0, first), (20.0, last)] for first, last in ends]
     (one,) = ground_of(units, lines).hidden
     assert one.metres == pytest.approx(5 * UNIT_PX * GSD)
