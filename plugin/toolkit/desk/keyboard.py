@@ -71,6 +71,8 @@ class HeldKeys(QObject):
     def press(self, event: QKeyEvent) -> bool:
         """Whether the key went down now, and is not repeated."""
         key = event.key()
+        if key in self._up and time.monotonic() - self._up[key][0] > _REPEATED_MS / 1000:
+            self._let_go(key)  # the timer waits behind what keeps the interface busy
         is_repeated = event.isAutoRepeat() or key in self._up
         self._stop(key)
         if not is_repeated:

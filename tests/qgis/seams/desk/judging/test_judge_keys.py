@@ -2,6 +2,7 @@
 types or edits the map."""
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -166,6 +167,15 @@ def test_a_held_key_that_repeats_as_pairs_is_held(desk: _Desk, is_told: bool) ->
         QTest.keyRelease(desk.canvas, key)
         QTest.qWait(UP_MS)
     assert desk.press(desk.canvas) == ["V"]
+
+
+def test_a_key_tapped_twice_while_the_interface_is_busy_is_tapped_twice(desk: _Desk) -> None:
+    """No timer ends meanwhile."""
+    desk.canvas.setFocus()
+    QTest.keyClick(desk.canvas, Qt.Key.Key_V)
+    time.sleep(UP_MS / 1000)
+    QTest.keyClick(desk.canvas, Qt.Key.Key_V)
+    assert desk.taken == ["V", "V"]
 
 
 def test_how_long_a_key_was_held_is_told(desk: _Desk) -> None:
