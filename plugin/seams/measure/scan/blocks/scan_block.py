@@ -140,14 +140,13 @@ def _scanned(request: BlockRequest) -> BlockScan:
                          request.grey_factor)
     made = _Block(request)
     look = look_at_squares(pixels, settings.wavelet, settings.levels) if wanted is None else None
-    units = -(-request.window.height // UNIT_PX), -(-request.window.width // UNIT_PX)
     if look is not None:
         midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
-        wanted = (called_for(look.source, UNKNOWN, midway) | _in_units(look.doubtful))[: units[0], : units[1]]
+        wanted = called_for(look.source, UNKNOWN, midway) | _in_units(look.doubtful)
         if request.along_seams is not None:
-            wanted |= request.along_seams[: units[0], : units[1]]
+            wanted |= request.along_seams[: wanted.shape[0], : wanted.shape[1]]
     assert wanted is not None
-    wanted = wanted[: units[0], : units[1]]
+    wanted = wanted[: -(-request.window.height // UNIT_PX), : -(-request.window.width // UNIT_PX)]
     if look is not None:
         made.take_look(look, wanted)
         if is_full:
