@@ -54,7 +54,7 @@ def _written(driver: str, *options: str) -> Change:
 
 
 def median3(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """Of 3 x 3 pixels."""
+    """Median of 3 x 3 pixels."""
     return np.asarray(ndimage.median_filter(bands, (1, 3, 3), mode="nearest"))
 
 
@@ -111,7 +111,7 @@ def interpolated(bands: np.ndarray, y_px: float, x_px: float, order: int) -> np.
 
 
 def resampled_and_balanced(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """As one source of a block is: moved by its own 0.2 to 0.6 px by cubic convolution, by its own gain and bias."""
+    """Bands as of one source: moved by its own 0.2 to 0.6 px by cubic convolution, by its own gain and bias."""
     way, length = rng.uniform(0, 2 * np.pi), rng.uniform(0.2, 0.6)
     moved = interpolated(bands, length * np.sin(way), length * np.cos(way), 3)
     return whole_values(moved * rng.uniform(0.88, 1.12) + rng.uniform(-8, 8))
@@ -138,5 +138,5 @@ def clipping(share: float) -> Callable[[np.ndarray], Change]:
 
 
 def smoothed(bands: np.ndarray, sigma_px: float) -> np.ndarray:
-    """By a Gaussian."""
+    """Bands smoothed by a Gaussian."""
     return np.asarray(ndimage.gaussian_filter(bands.astype(np.float32), (0, sigma_px, sigma_px), mode="nearest"))

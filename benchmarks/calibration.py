@@ -43,7 +43,7 @@ class Population:
         return best, best + self.step
 
     def values(self, effects: np.ndarray, kinds: np.ndarray) -> np.ndarray:
-        """Of verdicts (True: visible) whose standard normal effects are given."""
+        """Values of verdicts (True: visible) whose standard normal effects are given."""
         shares = stats.norm.cdf(effects)
         drawn = np.where(kinds, self.visible.ppf(shares), self.invisible.ppf(shares))
         return np.round(drawn / self.step) * self.step if self.step else drawn
@@ -87,7 +87,7 @@ class Layout:
 
     @staticmethod
     def _blocks(kinds: np.ndarray) -> np.ndarray:
-        """As the product makes them of the windows' outlines."""
+        """Neighbourhoods as the product makes them of the windows' outlines."""
         extents = [(200.0 * place, 0.0, 200.0 * place + 100, 100.0) for place in range(len(kinds))]
         return np.array(find_neighbourhoods(extents, kinds.tolist()))
 
@@ -142,7 +142,7 @@ class Coverage:
 def coverage(
     population: Population, layout: Layout, counts: tuple[int, int], runs: int, are_known: bool = True
 ) -> Coverage:
-    """Of so many drawn sets of verdicts, their neighbourhoods known or not."""
+    """Coverage by so many drawn sets of verdicts, their neighbourhoods known or not."""
     random = np.random.default_rng(_SEED)
     low, high = population.truth()
     rows = []

@@ -47,7 +47,7 @@ def spread(
 
 
 def outcomes(tasks: Sequence[Task], jobs: int = 1) -> Iterator[Outcome]:
-    """Of all tasks in turn, worked out by so many processes."""
+    """Outcomes of all tasks in turn, worked out by so many processes."""
     for task, (facts, findings) in zip(tasks, _worked_out(tasks, jobs)):
         for operation, finding in zip(task.operations, findings):
             yield Outcome(operation, facts, finding)

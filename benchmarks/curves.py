@@ -32,7 +32,7 @@ def by_pywavelets(clip: np.ndarray) -> list:
 
 
 def share_error(clip: np.ndarray) -> float:
-    """By how much the curve's shares differ from PyWavelets' in float64, at most."""
+    """How much the curve's shares differ from PyWavelets' in float64, at most."""
     coarse, *details = by_pywavelets(clip - clip.mean(dtype=np.float64))
     energies = [sum(float((part**2).sum()) for part in level) for level in reversed(details)]
     energies.append(float((coarse**2).sum()))

@@ -40,7 +40,7 @@ def _details(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
 
 @lru_cache
 def _delays(level: int, wavelet: str) -> tuple[tuple[int, int], ...]:
-    """By how many pixels, downwards and to the right, the coefficients of each detail lag behind what they come from:
+    """How many pixels, downwards and to the right, the coefficients of each detail lag behind what they come from:
     where the energy of a point lies."""
     side = 2 ** (level + 6)
     point = np.zeros((side, side))

@@ -39,7 +39,7 @@ from .promises import print_promises
 SIDES = (512, 256, 128)
 COUNT = 2
 OTHER_SHARE = 0.5
-"""Of the windows, on imagery other than Brighton's."""
+"""Share of the windows on imagery other than Brighton's."""
 MISFIT_WINDOWS, MISSING_WINDOWS = 2, 4
 """So many times as many for images that do not fit, and for a source that is missing."""
 LINE = "own line"

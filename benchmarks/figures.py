@@ -20,7 +20,7 @@ def known(values: Iterable[float]) -> list[float]:
 
 
 def median(values: Iterable[float]) -> float:
-    """Of those that are known."""
+    """Median of those that are known."""
     found = known(values)
     return float(np.median(found)) if found else np.nan
 

@@ -20,13 +20,13 @@ from demo.mosaic import assemble, balance
 from demo.scene import make_scene
 
 SIDE = 1024
-"""Of a window, px."""
+"""Side of a window, px."""
 FIRST = 50
 """Column and row of the first window: it lies across tiles as most windows do, 5 x 5 of them."""
 EXTENT = 2.15 * SIDE * PIXEL
-"""Of the mosaic, m: 2 x 2 windows and some more."""
+"""Side of the mosaic, m: 2 x 2 windows and some more."""
 MARGIN = 6.0
-"""By which the orthoimages are larger, m."""
+"""How much larger the orthoimages are, m."""
 
 FORMATS = {
     "uncompressed": [],

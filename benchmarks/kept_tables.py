@@ -23,7 +23,7 @@ MEASURES: dict[str, Measure] = {
 }
 PEERS = ("variance of the Laplacian", "blur_effect of scikit-image", "SSIM against the true hard cut")
 MOST_KEPT = 0.9
-"""Of the detail along the seam: where images are alike, even a wide feather takes less than a tenth."""
+"""Greatest share kept of detail along the seam: where images are alike, even a wide feather takes less than a tenth."""
 TAKE_DETAIL = ("blur", "resampled")
 """Causes of a loss in the whole window, which a hard cut doesn't save it from."""
 

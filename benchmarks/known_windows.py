@@ -18,7 +18,7 @@ from skimage.registration import phase_cross_correlation
 from .detail import detail_energy, luminance_of
 
 MARGIN_PX = 128
-"""By which a frame is wider than its window on every side, where the imagery has that much."""
+"""How much wider a frame is than its window on every side, where the imagery has that much."""
 ENOUGH_FRAMES = 32
 STEP_PX = 16
 """Raster of the frames that are looked at."""
@@ -26,11 +26,11 @@ MIN_TEXTURE = 4.0
 """Variance of the finest detail, DN2: a window with less has no texture to judge by."""
 FARTHEST_MISFIT_PX = 4.0
 MIN_SECOND_SHARE = 0.1
-"""Of a window's pixels that come from the source it has second most of."""
+"""Least share of a window's pixels that come from the source it has second most of."""
 MIN_VALID = 0.9995
 MOST_SOURCES = 4
 RAGGED_EVERY = 4
-"""Of the imagery's windows, one in so many lies on a seam of its own, whose sources may cover it partly."""
+"""One in so many of the imagery's windows lies on a seam of its own, whose sources may cover it partly."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,7 @@ class KnownWindow:
     held_back: bool
     pixel_m: float
     side: int
-    """Of the window in the frame's middle, px."""
+    """Side of the window in the frame's middle, px."""
     sources: tuple[np.ndarray, ...]
     """(bands, rows, columns) of the frame, 8 bit; pixels that a source doesn't have hold those of the hard cut."""
     valid: tuple[np.ndarray, ...]

@@ -52,14 +52,14 @@ class LargeMosaic:
     """The files, and the seams they were made with."""
 
     side: int
-    """Of the mosaic and both sources, px."""
+    """Side of the mosaic and both sources, px."""
     files: dict[str, tuple[Path, ...]]
-    """By format, the mosaic first."""
+    """Files by format, the mosaic first."""
     seams: tuple[KnownSeam, ...]
 
     @property
     def megapixels(self) -> float:
-        """Of the mosaic."""
+        """Megapixels of the mosaic."""
         return self.side**2 / 1e6
 
     @property
@@ -83,7 +83,7 @@ class Layout:
         return (1 + seam % 2) / 3 * self.side + bends
 
     def share(self, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
-        """Of the second source, (rows, columns) float32."""
+        """Share of the second source, (rows, columns) float32."""
         share = np.zeros((len(rows), len(columns)), np.float32)
         for seam, width in enumerate(self._bands_px):
             beyond = (columns - self.place(seam, rows)[:, None] if seam < 2

@@ -30,7 +30,7 @@ SATELLITE_CONTRAST, SATELLITE_LEVEL = 70.0, 45.0
 """Grey values of light 1, and of none: haze takes texture."""
 SATELLITE_TONES = ((1.0, 0.0), (0.96, 5.0), (1.05, -4.0))
 SATELLITE_STEPS = ((0, 0), (1, 2), (3, -1))
-"""By which each image was taken farther down and right, in pixels of the scene: parts of the satellite's."""
+"""How much farther down and right each image was taken, in pixels of the scene: parts of the satellite's."""
 SATELLITE_NOISE = 1.0
 
 

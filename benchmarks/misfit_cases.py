@@ -53,7 +53,7 @@ class Case:
 
     @property
     def misfit(self) -> float:
-        """As placed, px."""
+        """Misfit as placed, px."""
         return float(np.hypot(*np.add(self.given, self.back)))
 
     def making(self, seam: str, width_px: float) -> Making:
@@ -116,7 +116,7 @@ def is_right(case: Case, causes: Sequence[str]) -> bool:
 
 
 def is_right_case(outcome: Outcome) -> bool:
-    """The same of what was read of one of these cases."""
+    """Whether what was read of one of these cases is right."""
     making = outcome.operation.making
     case = next(one for one in CASES if one.name == making.kind)
     return is_right(case, outcome.reading.causes)

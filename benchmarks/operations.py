@@ -15,7 +15,7 @@ from . import strange_makings as strange
 from .production import AS_IT_IS, HALVES, NOTHING_NAME, Aftermath, KnownTone, Making, Offset, Operation
 
 PHASE: Offset = (0.45, 0.37)
-"""Of grids that pixels are resampled from, px; below half a pixel, so that frames hold the same ground."""
+"""Phase of grids that pixels are resampled from, px; below half a pixel, so that frames hold the same ground."""
 
 
 def _feather(width_px: int, shape: str, group: str) -> Making:

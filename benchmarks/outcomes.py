@@ -109,11 +109,11 @@ class Outcome:
 
     @property
     def error(self) -> float:
-        """Of kept_1."""
+        """Error of kept_1."""
         return self.reading.kept - self.truth
 
     def tone_errors(self) -> Iterator[tuple[str, float]]:
-        """By how much what was measured of the main sources' grey values and places is off, each with what it is."""
+        """How much what was measured of the main sources' grey values and places is off, each with what it is."""
         for turn, source in enumerate(self.window.main):
             change, tone = self.reading.tones.get(source), self.operation.tone(bool(turn))
             if change is None or self.foreign:

@@ -16,11 +16,11 @@ from .true_profile import Truth, taken_by_change, truth_of
 Offset = tuple[float, float]
 
 HALVES = ("used", "held back", "strange")
-"""Of the operations; the strange ones are nobody's to look at while limits are set, as those that are held back."""
+"""Halves of the operations; strange ones are nobody's to look at while limits are set, as those that are held back."""
 TAKE_DETAIL = ("blur", "resampled", "compressed")
 """What takes detail from the whole window."""
 MIN_CLIPPED = 0.005
-"""Of the pixels: from there on an operation may be called clipping too."""
+"""Least share of the pixels: from there on an operation may be called clipping too."""
 NOTHING_NAME = "nothing"
 
 
@@ -69,7 +69,7 @@ class Making:
     tones: tuple[KnownTone | None, KnownTone | None] = (AS_IT_IS, AS_IT_IS)
     """What became of the grey values of the two sources with most pixels; None where it isn't told."""
     shift: Offset | None = None
-    """By how much the second source was moved: down and right, px."""
+    """How much the second source was moved: down and right, px."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ class Aftermath:
     tone: KnownTone | None = AS_IT_IS
     """What became of the grey values; None where that is not one line or power for all bands and pixels."""
     shift: Offset | None = None
-    """By how much the mosaic was moved: down and right, px."""
+    """How much the mosaic was moved: down and right, px."""
 
     @property
     def is_nothing(self) -> bool:
@@ -160,7 +160,7 @@ class Operation:
         return own if whole == AS_IT_IS else whole if own == AS_IT_IS else None
 
     def shift(self, of_second: bool) -> Offset | None:
-        """By how much a main source was moved; None where it wasn't."""
+        """How much a main source was moved; None where it wasn't."""
         return self.aftermath.shift or (self.making.shift if of_second else None)
 
     def make(self, window: KnownWindow) -> Made:

@@ -37,9 +37,9 @@ class Figures:
     reads: list[Run] = field(default_factory=list)
     """Bare reads, one before each scan."""
     scans: dict[str, Run] = field(default_factory=dict)
-    """By kind."""
+    """Runs by kind."""
     peers: dict[str, Speed] = field(default_factory=dict)
-    """By name."""
+    """Speeds by name."""
 
     @property
     def read(self) -> Run:
@@ -51,7 +51,7 @@ class Figures:
         return self.scans[kind].wall / self.read.wall
 
     def cpu_over_read(self, kind: str) -> float:
-        """The same by the time on the processor, which other processes hardly move."""
+        """How many times longer than the bare read on the processor, which other processes hardly move."""
         return self.scans[kind].cpu / self.read.cpu
 
 

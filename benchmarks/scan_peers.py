@@ -49,7 +49,7 @@ def sampled(side: int, size: int, count: int) -> list[PixelWindow]:
 
 
 def megapixels(of: Iterable[PixelWindow]) -> float:
-    """Of the mosaic, in all windows together."""
+    """Megapixels of the mosaic, in all windows together."""
     return sum(one.width * one.height for one in of) / 1e6
 
 
@@ -62,7 +62,7 @@ def bare_read(paths: Sequence[Path], side: int, threads: int) -> None:
 
 
 def inspected_windows(paths: Sequence[Path], side: int, threads: int, count: int) -> Speed:
-    """By ``inspect_window``, over a sample of the windows that would cover the mosaic."""
+    """Speed of ``inspect_window``, over a sample of the windows that would cover the mosaic."""
     refs = [RasterRef(str(path)) for path in paths]
     block = Block(describe_mosaic(refs[0]), tuple(Source(ref, describe(ref).extent) for ref in refs[1:]))
     places = sampled(side, WINDOW_PX, count)
@@ -78,10 +78,10 @@ def inspected_windows(paths: Sequence[Path], side: int, threads: int, count: int
 
 
 def pywavelets_loop(paths: Sequence[Path], side: int, threads: int, count: int, by_band: bool = False) -> Speed:
-    """By a plain loop: read, ``pywt.wavedec2``, sums by cell of every raster.
+    """Speed of a plain loop: read, ``pywt.wavedec2``, sums by cell of every raster.
 
-    Of the luminance, or ``by_band`` of red, green and blue. It leaves out what costs the scan most: which source is
-    followed. Over a sample of blocks.
+    It measures the luminance, or ``by_band`` red, green and blue, over a sample of blocks. It leaves out what costs the
+    scan most: which source is followed.
     """
     decompose = decomposed_bands if by_band else decomposed
     datasets = Datasets(paths)

@@ -33,7 +33,7 @@ from .timing import Run, print_machine, print_table, say, timed
 
 WORKERS = (1, 2, 4, 16, 64, 256)
 BLOCKS = 20_000
-"""Of a simulated mosaic: a sheet index of 84 gigapixels."""
+"""Blocks of a simulated mosaic: a sheet index of 84 gigapixels."""
 DASK_TASKS = 300
 TRACED, CUT, MEASURED = 0.5, 0.6, 0.95
 """Shares that ``WholeScan.result`` tells when blocks have told their outputs, pieces are cut, and all are measured."""
@@ -41,10 +41,10 @@ TRACED, CUT, MEASURED = 0.5, 0.6, 0.95
 
 @dataclass
 class Tasks:
-    """Of one kind, as workers do them."""
+    """Tasks of one kind, as workers do them."""
 
     seconds: list[float] = field(default_factory=list)
-    """Of the processor, task by task."""
+    """Seconds of the processor, task by task."""
     to_worker: int = 0
     """Bytes in all, as the next."""
     back: int = 0
@@ -79,7 +79,7 @@ class ScanCosts:
     blocks: int
     """That are put together."""
     kinds: dict[str, Tasks]
-    """Of tasks, in the order in which they are done."""
+    """Kinds of tasks, in the order in which they are done."""
     handed: dict[str, float]
     """In the one process, while each of them is done."""
     cut: float
@@ -91,12 +91,12 @@ class ScanCosts:
 
     @property
     def worked(self) -> float:
-        """By workers, a block."""
+        """Seconds that workers work, a block."""
         return sum(sum(one.seconds) for one in self.kinds.values()) / self.blocks
 
     @property
     def gathered(self) -> float:
-        """By the one process, a block, with the picture."""
+        """Seconds of the one process, a block, with the picture."""
         return (sum(self.handed.values()) + self.cut + self.end + self.aside) / self.blocks
 
 
@@ -182,7 +182,7 @@ def simulated(service: Sequence[float], handed: float, workers: int, count: int)
 
 
 def whole_seconds(cost: ScanCosts, through_dask: dict[str, float], workers: int) -> float:
-    """Of a scan of ``BLOCKS`` blocks."""
+    """Seconds of a scan of ``BLOCKS`` blocks."""
     by_kind = {}
     for name, one in cost.kinds.items():
         count = round(BLOCKS * len(one.seconds) / cost.blocks)

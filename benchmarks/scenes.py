@@ -28,7 +28,7 @@ from seam_inspector.plugin.seams.measure.inspection import Block, make_block
 STEP_PX = 24
 """Raster of the windows that are looked at."""
 MIN_SECOND_SHARE = 0.1
-"""Of a window's pixels that come from the source it has second most of."""
+"""Least share of a window's pixels that come from the source it has second most of."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +66,7 @@ class Truth:
     colours: tuple[float, float, float] | None = None
     """Gains of the bands."""
     shift: tuple[float, float] | None = None
-    """Of the mosaic on its second source, x and y px."""
+    """Shift of the mosaic on its second source, x and y px."""
     linear: Callable[[Scene], tuple[float, float]] | None = field(default=None)
     """Gain and bias where they follow from the clip."""
 

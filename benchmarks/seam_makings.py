@@ -12,11 +12,11 @@ from .known_windows import KnownWindow, crooked_cut
 
 PYRAMID_LEVELS = 5
 MEETING_RADIUS = 0.25
-"""Of the frame's side: how far from its middle three sources may meet."""
+"""Share of the frame's side: how far from its middle three sources may meet."""
 
 Mix = Callable[[KnownWindow, np.random.Generator], "Mixed"]
 Change = Callable[[np.ndarray, np.random.Generator], np.ndarray]
-"""Of one source's bands, 8 bit to 8 bit."""
+"""Change of one source's bands, 8 bit to 8 bit."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +100,7 @@ def each_changed(change: Change, width_px: float = 0.0) -> Mix:
 
 
 def blended(window: KnownWindow, rng: np.random.Generator) -> Mixed:
-    """By Laplacian pyramids (Burt and Adelson 1983)."""
+    """Seam blended by Laplacian pyramids (Burt and Adelson 1983)."""
     masks = [gaussian(window.labels == k) for k in _all(window)]
     pyramids = [laplacian(source) for source in window.sources]
     levels = [sum(image[r] * mask[r] for image, mask in zip(pyramids, masks)) for r in range(PYRAMID_LEVELS + 1)]
@@ -149,7 +149,7 @@ def feather(sources: Sequence[np.ndarray], labels: np.ndarray, width_px: float, 
 
 
 def feather_weights(count: int, labels: np.ndarray, width_px: float, shape: str) -> list[np.ndarray]:
-    """By the distance from each source's own border; where two meet they add up to 1 as they are. Width 0: cut hard."""
+    """Weights by the distance from each source's own border; where two meet they add up to 1. Width 0: cut hard."""
     inside = [labels == number for number in range(count)]
     if not width_px:
         return [one.astype(np.float32) for one in inside]

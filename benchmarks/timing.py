@@ -45,7 +45,7 @@ class Timing:
 
     wall: tuple[float, ...]
     cpu: tuple[float, ...]
-    """Of the process: what other processes take from the machine hardly shows in it."""
+    """Times of the process: what other processes take from the machine hardly shows in it."""
 
     @property
     def milliseconds(self) -> str:
@@ -57,7 +57,7 @@ class Timing:
         return Spread.of(a / b for a, b in zip(self.wall, other.wall))
 
     def cpu_over(self, other: Timing) -> float:
-        """The same by the time on the processor, median."""
+        """How many times longer than another call, by the time on the processor, median."""
         return statistics.median(a / b for a, b in zip(self.cpu, other.cpu))
 
 
@@ -70,7 +70,7 @@ class Goal:
     measured: float
     at_least: bool = True
     processor: float = float("nan")
-    """The same in processor time, which other processes hardly change; NaN where it was not measured."""
+    """Figure in processor time, which other processes hardly change; NaN where it was not measured."""
 
     @property
     def met(self) -> bool:
@@ -110,7 +110,7 @@ class Run:
     wall: float
     """Seconds by the clock on the wall."""
     cpu: float
-    """Of the processor, all threads together."""
+    """Seconds of the processor, all threads together."""
 
 
 @dataclass(frozen=True)
@@ -118,18 +118,18 @@ class Speed:
     """Megapixels of the mosaic a second."""
 
     wall: float
-    """By the clock on the wall, of all threads together."""
+    """Speed by the clock on the wall, of all threads together."""
     core: float
-    """Of a core: by the time on the processor."""
+    """Speed of a core: by the time on the processor."""
 
     @classmethod
     def of(cls, megapixels: float, run: Run) -> Speed:
-        """Of one run."""
+        """Speed of one run."""
         return cls(megapixels / run.wall, megapixels / run.cpu)
 
     @property
     def cells(self) -> tuple[str, str]:
-        """Of a row for ``table``."""
+        """Cells of a row for ``table``."""
         return f"{self.wall:.1f}", f"{self.core:.1f}"
 
 

@@ -13,7 +13,7 @@ FARTHEST_PX = 64
 REACH_PX = 32
 """Farther than the wavelets look."""
 MIN_PIXELS = 256
-"""Of a bin."""
+"""Fewest pixels of a bin."""
 
 
 @dataclass(frozen=True)
@@ -51,13 +51,13 @@ class Truth:
     """What a mosaic kept before anything came over the whole of it; nan where that can't be told."""
 
     near: float
-    """Of the finest detail energy in the ``BIN_PX`` beside the seam."""
+    """Share kept of the finest detail energy in the ``BIN_PX`` beside the seam."""
     taken: float
     """The share of it that mixing took from the whole window."""
 
 
 def truth_of(mixed: Mixed, distance_px: np.ndarray, where: tuple[slice, slice], wavelet: str = "coif3") -> Truth:
-    """By what the mosaic was made of.
+    """Truth by what the mosaic was made of.
 
     The sum over its parts of weight x detail, squared, over the square of the detail of the source on whose side each
     pixel lies. A hard cut keeps 1 whatever it joins: the edge of the cut itself is nobody's detail.

@@ -33,7 +33,7 @@ Place = tuple[str, PixelWindow]
 """A raster and the pixels of it that a window needs."""
 
 Curves = dict[str, Curve]
-"""By band."""
+"""Curves by band."""
 
 MOST_OF_BARE_READ = 2.0
 CLOSE_TO_TWO = 1.8
@@ -57,7 +57,7 @@ def places(request: WindowRequest) -> list[Place]:
 
 
 def bare_read(wanted: Sequence[Place]) -> list[np.ndarray]:
-    """The same pixels by GDAL alone; each dataset is opened and closed, so no block is in the cache."""
+    """Those pixels read by GDAL alone; each dataset is opened and closed, so no block is in the cache."""
     return [gdal.Open(path).ReadAsArray(at.column, at.row, at.width, at.height) for path, at in wanted]
 
 

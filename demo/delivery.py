@@ -48,7 +48,7 @@ class Spoilt:
     start: float
     stop: float
     width: float
-    """Of the feather, or of the brush, m."""
+    """Width of the feather, or of the brush, m."""
     soft: bool = False
     """Brushed soft instead of feathered."""
 

@@ -121,7 +121,7 @@ class Desk:
         return layer
 
     def open_dock(self) -> None:
-        """By the button of the toolbar."""
+        """Open the dock by the button of the toolbar."""
         action = next(
             action for action in iface.rasterToolBar().actions() if action.objectName() == "seamInspectorAction"
         )

@@ -42,7 +42,7 @@ class Run:
     """What became of one start of QGIS."""
 
     code: int | None
-    """Of the process; None when it had to be killed."""
+    """Exit code of the process; None when it had to be killed."""
     seconds: float
     status: str
     """``passed``, or why not."""

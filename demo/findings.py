@@ -40,7 +40,7 @@ class Inspected:
     band_width: float | None
     """m"""
     sharpness_1: float | None
-    """Of the whole window against its sources."""
+    """Sharpness of the whole window against its sources."""
     extent: Extent
 
     @property
@@ -52,7 +52,7 @@ class Inspected:
 
     @property
     def sharpness(self) -> str:
-        """Of the whole window, %."""
+        """Sharpness of the whole window, %."""
         return "" if self.sharpness_1 is None else f"{100 * self.sharpness_1:.0f} %"
 
     @property
@@ -76,7 +76,7 @@ class ProfilePoint(NamedTuple):
 
 
 Profile = dict[int, list[ProfilePoint]]
-"""By level, from the seam outwards."""
+"""Points by level, from the seam outwards."""
 
 
 def read_windows(uri: str) -> list[Inspected]:
@@ -97,7 +97,7 @@ def read_windows(uri: str) -> list[Inspected]:
 
 
 def representative(inspected: list[Inspected], damage: Sequence[Damage] | None) -> list[Inspected]:
-    """Of the generated block the most spoilt window of each kind, else the best, the median and the worst window."""
+    """Windows to show: of the generated block the most spoilt of each kind, else the best, the median and the worst."""
     compared = [one for one in inspected if one.verdict != "not_comparable"]
     if damage is not None:
         kinds: dict[str, Inspected] = {}
@@ -180,7 +180,7 @@ def _number(value: object) -> float | None:
 
 
 def _share(extent: Extent, bounds: Extent) -> float:
-    """Of an extent that lies within bounds."""
+    """Share of an extent that lies within bounds."""
     width = min(extent[2], bounds[2]) - max(extent[0], bounds[0])
     height = min(extent[3], bounds[3]) - max(extent[1], bounds[1])
     return max(width, 0) * max(height, 0) / ((extent[2] - extent[0]) * (extent[3] - extent[1]))

@@ -22,9 +22,9 @@ class Gaps:
 
     def __init__(self) -> None:
         self.longest_s = 0.0
-        """By the clock."""
+        """Longest gap by the clock."""
         self.longest_work_s = 0.0
-        """Of the interface's thread."""
+        """Longest work of the interface's thread."""
         self.long_ones: list[tuple[float, float, str]] = []
         """Gap, work in it, and where Python was."""
         self._timer = QTimer()

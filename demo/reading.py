@@ -43,7 +43,7 @@ class Example:
     title: str
     is_hard: bool
     corner_m: tuple[float, float]
-    """Of the window, from the mosaic's upper left, right and down."""
+    """Corner of the window, from the mosaic's upper left, right and down."""
     on_clip: tuple[Note, ...]
     on_profile: tuple[Note, ...]
     on_curves: tuple[Note, ...]

@@ -107,7 +107,7 @@ def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, 
 
 
 def _panels(request: PictureRequest, window: PixelWindow, part: tuple[int, int, int]) -> Iterator[ProofPanel]:
-    """Of a part, given by row, column and side in the window."""
+    """Panels of a part, given by row, column and side in the window."""
     from .acceptance.paper.proofs import CUT_PANEL, IMAGE_PANEL, MOSAIC_PANEL, ProofPanel
     from .seams.clip_pictures import composite_picture, make_pictures
     from .seams.measure.window.explained_window import WindowComposite, window_composite

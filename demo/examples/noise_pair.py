@@ -1,4 +1,4 @@
-"""The same ground by a clean sensor and on grainy film, with quiet fields between its woods."""
+"""Two images of one ground: by a clean sensor and on grainy film, with quiet fields between its woods."""
 from __future__ import annotations
 
 from pathlib import Path

@@ -35,7 +35,7 @@ def make_satellite_scene(folder: Path) -> None:
     write_raster(folder / "terrain.tif", heights[np.newaxis].astype(np.float32), UTM, (left, top, TERRAIN_PIXEL))
 
     def height(ground: np.ndarray) -> np.ndarray:
-        """Of the terrain at (n, 2) places."""
+        """Height of the terrain at (n, 2) places."""
         at = [(top - ground[:, 1]) / TERRAIN_PIXEL - 0.5, (ground[:, 0] - left) / TERRAIN_PIXEL - 0.5]
         return np.asarray(ndimage.map_coordinates(heights, at, order=1, mode="nearest"))
 

@@ -143,7 +143,7 @@ class CheckDelivery(SeamInspectorAlgorithm):
 
 
 def _rasters(folder: Path, with_folders: bool) -> list[Path]:
-    """By name; ``with_folders``: those in folders of it, too."""
+    """Paths of the rasters in ``folder``, by name; ``with_folders``: those in folders of it, too."""
     paths = folder.rglob("*") if with_folders else folder.glob("*")
     return sorted(path for path in paths if path.suffix.lower() in RASTERS)
 

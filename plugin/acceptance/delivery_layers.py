@@ -162,7 +162,7 @@ def read_delivery(
 
 
 def metres_in_unit(crs: QgsCoordinateReferenceSystem) -> float:
-    """Of a system that is not in degrees; 1 where there is none."""
+    """Metres in a unit of a system that is not in degrees; 1 where there is none."""
     return QgsUnitTypes.fromUnitToUnitFactor(crs.mapUnits(), _METRES) if crs.isValid() else 1.0
 
 
@@ -193,8 +193,8 @@ def _is_same(layer: QgsVectorLayer, other: QgsVectorLayer) -> bool:
 
 
 def _name(layer: QgsVectorLayer) -> str:
-    """Of its file where the layer has the title that scans give theirs, or that of a file with dots, whose name ends at
-    the first one for QGIS."""
+    """Name of the layer; of its file where the layer has the title that scans give theirs, or that of a file with dots,
+    whose name ends at the first one for QGIS."""
     name, file = layer.name(), Path(layers.layer_path(layer))
     return file.stem if file.stem and name in (file.name.split(".")[0], tr("Seams")) else name
 

@@ -155,7 +155,7 @@ class SampledItem:
     """A piece that was drawn."""
 
     order: int
-    """As the how-manieth, from 1."""
+    """Place in the order of drawing, from 1."""
     piece: DeliveredPiece
     lot_size: int
 
@@ -183,7 +183,7 @@ PIECE_COLUMNS: tuple[Column[SampledItem], ...] = (
     Column("verdict", "text", lambda one: one.piece.verdict or None),
     Column("reason", "text", lambda one: one.piece.reason or None),
 )
-"""As the scan's SEAMS, so that acceptmosaic takes it."""
+"""Columns of a sample, like those of the scan's SEAMS, so that acceptmosaic takes it."""
 
 WINDOW_COLUMNS: tuple[Column[SampledItem], ...] = (
     Column("window_id", "integer", lambda one: one.order),
@@ -194,7 +194,7 @@ WINDOW_COLUMNS: tuple[Column[SampledItem], ...] = (
     Column("sheet", "text", lambda one: one.piece.sheet),
     *_DRAWN,
 )
-"""As ``placewindows`` writes them, with the sheet."""
+"""Columns of a sample's windows, as ``placewindows`` writes them, with the sheet."""
 
 
 def write_sample(

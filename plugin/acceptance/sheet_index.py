@@ -43,7 +43,7 @@ class _Sheets:
         self.outlines: list[tuple[str, QgsGeometry]] = []
         """Names and outlines in the order of the layer."""
         self._engines: dict[int, QgsGeometryEngine] = {}
-        """By number, of those that hold anything."""
+        """Geometry engines of the outlines that hold anything, by number."""
         self._index = QgsSpatialIndex()
 
     def add(self, name: str, outline: QgsGeometry) -> None:
@@ -123,7 +123,7 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
 
 
 def index_rows(run: Run, parameter: str, index_path: str) -> Iterator[tuple[str, str, bytes, str]]:
-    """Of each sheet its name, its file where the index names one, its outline as WKB and that one's reference system.
+    """Name of each sheet, its file where the index names one, its outline as WKB and that one's reference system.
 
     ``index_path``: the index's own file, at whose folder paths start. Raises SettingsError for sheets without a name or
     a place.

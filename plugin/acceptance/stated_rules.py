@@ -101,7 +101,7 @@ def standard_quality(run: Run, name: str) -> str:
 
 
 def known_word(run: Run, name: str, known: tuple[str, ...]) -> str:
-    """Of a choice; raises SettingsError for a word that is none of it."""
+    """Word of a choice; raises SettingsError for a word that is none of it."""
     word = run.word(name)
     if word not in known:
         raise SettingsError(messages.WORD_UNKNOWN(parameter=name, value=word, known=", ".join(known)))

@@ -99,7 +99,7 @@ class RuleObject:
     file: str
     """Name of the file."""
     place: Message
-    """Of the object in it."""
+    """Place of the object in it."""
 
     def allow(self, known: Collection[str]) -> None:
         """Refuse every other key."""
@@ -110,7 +110,7 @@ class RuleObject:
                 )
 
     def number(self, key: str, least: float = 0) -> float | None:
-        """Of ``least`` or more; None when it is left out."""
+        """Number of ``least`` or more; None when it is left out."""
         value = self.content.get(key)
         if value is None:
             return None

@@ -23,7 +23,7 @@ _LONGEST = 300  # letters of a name in a sentence
 
 
 def QT_TR_NOOP(text: str) -> str:  # noqa: N802
-    """As Qt's, which is not known here: marks a text that is translated where it is shown."""
+    """Stand-in for Qt's, which is not known here: marks a text that is translated where it is shown."""
     return text
 
 
@@ -74,13 +74,13 @@ class Message:
     """What goes into the template: numbers, texts, other messages or a tuple of those."""
 
     def __call__(self, **values: object) -> Message:
-        """The same sentence with its values. Raises TypeError for one that lacks or that has no place in it."""
+        """This sentence with its values. Raises TypeError for one that lacks or that has no place in it."""
         if values.keys() != (wanted := placeholders(self.template)):
             raise TypeError(f"{self.template!r} takes {sorted(wanted)} and was given {sorted(values)}")
         return replace(self, values=values)
 
     def as_warning(self) -> Message:
-        """The same sentence where it is told and the work goes on, though an exception carries it elsewhere."""
+        """This sentence where it is told and the work goes on, though an exception carries it elsewhere."""
         return replace(self, level=WARNING)
 
     def __str__(self) -> str:

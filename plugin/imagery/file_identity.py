@@ -219,7 +219,7 @@ def _name(path: str) -> tuple[str, str]:
 
 
 def _identity(path: str) -> _Identity:
-    """The same for every name of a file: relative, through links, in other letters where the system takes them so."""
+    """One key for all names of a file: relative, through links, in other letters where the system takes them so."""
     try:
         found = os.stat(path)
     except (OSError, ValueError):
@@ -246,14 +246,15 @@ class FileState(NamedTuple):
     size: int
     """Bytes."""
     time_ns: int
-    """Of its last change; 0 of a VRT, into which GDAL writes statistics, and of what a server has."""
+    """Time of its last change; 0 of a VRT, into which GDAL writes statistics, and of what a server has."""
     digest: str
-    """Of all its bytes, of a large file of some all over it; of a VRT of all that it says but the folders of its files.
+    """Digest of all its bytes, of a large file of some all over it; of a VRT of all it says but the folders of its
+    files.
     Empty where it is no plain file."""
 
     @property
     def content(self) -> tuple[int, str]:
-        """The same for a copy."""
+        """Size and digest, equal for a copy."""
         return self.size, self.digest
 
     @property
@@ -263,8 +264,8 @@ class FileState(NamedTuple):
 
 
 def local_states(paths: Iterable[str]) -> dict[str, FileState]:
-    """Of the files of this machine that rasters are read from, by their whole paths: all that GDAL counts to them but
-    statistics and overviews, and those that a VRT or an archive is made of. What is not there is left out."""
+    """States of the files of this machine that rasters are read from, by their whole paths: all that GDAL counts to
+    them but statistics and overviews, and those that a VRT or an archive is made of. What is not there is left out."""
     parts = (part for path in paths for part in with_parts(path) if not is_remote(part))
     files = list(dict.fromkeys(file for part in parts for file in _read_from(part)))
     with ThreadPoolExecutor(os.cpu_count()) as pool:  # digests are made while Python waits
@@ -295,7 +296,7 @@ def known_states(paths: Iterable[str], ask: bool = True) -> dict[str, FileState]
 
 
 def content_of(path: str) -> str:
-    """The same for a copy of a raster elsewhere: a digest of what its files hold, or the address where it is remote."""
+    """Key of a raster, equal for a copy elsewhere: a digest of what its files hold, or the address of a remote one."""
     if is_remote(path):
         return path
     return blake2b(repr([state.content for state in local_states([path]).values()]).encode()).hexdigest()

@@ -224,7 +224,7 @@ def _banded(x: np.ndarray, matrix: np.ndarray, out: np.ndarray) -> None:
 
 
 def product(first: np.ndarray, second: np.ndarray) -> np.ndarray:
-    """Of two matrices of one type, (n, k) and (k, m) -> (n, m)."""
+    """Product of two matrices of one type, (n, k) and (k, m) -> (n, m)."""
     made = np.empty((first.shape[0], second.shape[1]), np.result_type(first, second))
     multiply(first, second, made)
     return made

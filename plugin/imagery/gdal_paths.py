@@ -143,7 +143,7 @@ class _PathLook(NamedTuple):
     parts: tuple[str, ...] = ()
     """What a VRT names, or a file of auxiliary data; none of what is neither."""
     bands: int = 1
-    """Of a VRT, which names its parts once for each."""
+    """Number of bands of a VRT, which names its parts once for each."""
     driver: str = ""
     """GDAL's, which is why or by which an image is read."""
     identity: tuple[int, ...] = ()
@@ -302,7 +302,7 @@ def _identity(found: os.stat_result) -> tuple[int, ...]:
 
 
 def _look_by_name(path: str) -> _PathLook:
-    """Of what the system has no file of: a part of a file, a file in an archive or elsewhere, or a description."""
+    """Look at what the system has no file of: a part of a file, a file in an archive or elsewhere, or a description."""
     if "<" in path and not path.startswith("/vsi"):
         return _inline(path)
     if any(word in path.upper() for word in _MEMORY):
@@ -334,7 +334,7 @@ def _files_in(text: str, folder: str = "") -> Iterator[str]:
 
 
 def _look_in_file_system(path: str) -> _PathLook:
-    """Of GDAL's own: archives, memory, the network."""
+    """Look at a path of GDAL's own file systems: archives, memory, the network."""
     rest = path
     while rest.startswith("/vsi"):
         handler, _, rest = rest[len("/vsi") :].partition("/")
@@ -366,7 +366,7 @@ def _look_in_file_system(path: str) -> _PathLook:
 
 @lru_cache(_MOST_PARTS)
 def _look(path: str, file: str, mode: int, *identity: int) -> _PathLook:
-    """Of a path that is read from a file: links may lead elsewhere by now, but then to one of another ``identity``."""
+    """Look at a path read from a file: links may lead elsewhere by now, but then to one of another ``identity``."""
     if _is_special(file, mode):
         return _PathLook(_Refused.ENDLESS)
     if stat.S_ISDIR(mode):
@@ -501,7 +501,7 @@ def _text(attribute: list[Any]) -> str:
 
 
 def _is_true(text: str) -> bool:
-    """As C's atoi and GDAL take it."""
+    """Whether a text is true as C's atoi and GDAL take it."""
     return re.match(r"\s*[+-]?0*[1-9]|\s*(yes|true|on)\b", text, re.I) is not None
 
 

@@ -45,7 +45,7 @@ class RasterRef:
 
     @property
     def paths(self) -> tuple[str, ...]:
-        """Of all its parts."""
+        """Paths of all its parts."""
         return self.path, *self.parts
 
     @property

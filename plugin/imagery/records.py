@@ -50,11 +50,11 @@ class Column(Generic[Result]):
     """Whether there are columns ``name_1``..``name_R``; the value is then that of all levels, in their order."""
 
     def names(self, levels: int) -> list[str]:
-        """Of the fields."""
+        """Names of the fields."""
         return [f"{self.name}_{level}" for level in range(1, levels + 1)] if self.by_level else [self.name]
 
     def values(self, result: Result, levels: int) -> Sequence[object]:
-        """Of the fields."""
+        """Values of the fields."""
         found = self.value(result)
         listed = ([None] * levels if found is None else found) if self.by_level else [found]
         return [value.item() if isinstance(value, np.generic) else value for value in listed]  # fields take no numpy's

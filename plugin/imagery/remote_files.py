@@ -135,7 +135,8 @@ def read_until(cancelled: Callable[[], bool]) -> None:
 
 @contextmanager
 def heeding(cancelled: Callable[[], bool]) -> Iterator[None]:
-    """The same while the block runs, also in the threads that read for it."""
+    """Give up reading over the network once this says so, while the block runs, also in the threads that read for
+    it."""
     outer = getattr(_thread, "cancelled", None)
     read_until(cancelled)
     try:
@@ -219,7 +220,7 @@ def forget_failures() -> None:
 
 
 _failures: dict[str, tuple[float, _Failure]] = {}
-"""By path or host: until when it is not asked for again, and why."""
+"""Until when a path or host is not asked for again, and why."""
 _failures_lock = threading.Lock()
 
 
@@ -241,7 +242,7 @@ def _raise_remembered(path: str) -> None:
 
 
 def _failure_in_between(error: RasterError, name: str) -> _Failure:
-    """Of a raster that failed though its server gives it: the connection broke, or the file itself is broken."""
+    """Why a raster failed though its server gives it: the connection broke, or the file itself is broken."""
     if error.message.template == messages.NOT_READABLE.template:
         return _Failure(messages.REMOTE_IN_PART(name=_shown(name)), may_pass=True)
     return _Failure(error.message, may_pass=True)

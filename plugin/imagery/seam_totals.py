@@ -28,7 +28,7 @@ MOST_KEPT = 3.0
 PIECE, STRETCH = "piece", "stretch"
 """Words of the field ``level``: pieces add up, a stretch is what several of them keep together."""
 TOTALS_DOMAIN = "SEAM_INSPECTOR"
-"""Of the metadata in which a scan's layer holds its totals, and its picture of losses its settings."""
+"""Domain of the metadata in which a scan's layer holds its totals, and its picture of losses its settings."""
 
 
 class PieceState(Enum):
@@ -55,7 +55,7 @@ def possible_kept(value: float | None) -> float | None:
 def piece_state(
     kept: float | None, low: float | None, high: float | None, least: float, has_verdict: bool = True
 ) -> PieceState:
-    """By what a piece kept, with its 95 % interval; ``least``: with less it fails, with exactly as much it passes.
+    """State of a piece by what it kept, with its 95 % interval; ``least``: with less it fails, with as much it passes.
 
     A number is measured where its interval lies on one side of the limit, or spans no more than a factor of two. A
     piece that keeps all, as far as can be told, never fails. Without an interval the scan's verdict vouches for it.
@@ -88,11 +88,11 @@ def failing_chance(kept: float | None, low: float | None, high: float | None, le
 
 
 SYSTEM = "system"
-"""Of what stands beside rows: the reference system of their lines, as WKT."""
+"""Key, among what stands beside rows, of the reference system of their lines, as WKT."""
 MOSAIC_FILES, SOURCE_FILES = "mosaic_files", "source_files"
-"""Of what stands beside rows: which files were scanned, as ``file_identity`` writes them."""
+"""Keys, among what stands beside rows, of which files were scanned, as ``file_identity`` writes them."""
 METRES = "metres"
-"""Of what stands beside rows, and of what a scan tells: the length of all its pieces."""
+"""Key, among what stands beside rows and what a scan tells, of the length of all its pieces."""
 _SEAL = "digest"
 _SEALED = (
     "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "band_width", "visibility",
@@ -103,19 +103,19 @@ _SEALED = (
 
 @dataclass(frozen=True)
 class SeamTotals:
-    """Of the rows of a layer of seams."""
+    """Totals of the rows of a layer of seams."""
 
     rows: int
     metres: float
-    """Of all pieces."""
+    """Length of all pieces, metres."""
     failed_metres: float
-    """Of those that failed by the standard limit."""
+    """Length of those that failed by the standard limit, metres."""
     digest: str
     """SHA-256 of what was measured and where, whatever the order of the rows; in notes, their seal."""
 
     @classmethod
     def of_notes(cls, notes: Mapping[str, str]) -> SeamTotals | None:
-        """As ``sealed`` wrote them; None where there are none that can be read."""
+        """Totals as ``sealed`` wrote them; None where there are none that can be read."""
         try:
             return cls(int(notes["rows"]), float(notes[METRES]), float(notes["failed_metres"]), notes[_SEAL])
         except (KeyError, ValueError):
@@ -160,7 +160,7 @@ class RowTotals:
 
     @property
     def totals(self) -> SeamTotals:
-        """Of all rows so far."""
+        """Totals of all rows so far."""
         digest = hashlib.sha256("\n".join(sorted(self._lines)).encode()).hexdigest()
         return SeamTotals(len(self._lines), math.fsum(self._metres), math.fsum(self._failed), digest)
 
@@ -174,7 +174,7 @@ def sealed_notes(notes: Mapping[str, str], rows: Iterable[tuple[Mapping[str, obj
 
 
 def _written(value: object) -> str:
-    """The same for a value and for what a file made of it."""
+    """Text of a value, equal to that of what a file made of it."""
     if value is None or (isinstance(value, float) and not math.isfinite(value)):
         return ""
     return f"{value:.9g}" if isinstance(value, (int, float)) else str(value)

@@ -228,7 +228,7 @@ def _nearest_pixel(cross: np.ndarray, side: int) -> Shift:
 
 
 def _refined(cross: np.ndarray, side: int, start: Shift) -> Shift:
-    """The same to a five hundredth of a pixel, by the sum of the spectrum itself."""
+    """The shift ``start`` to a five hundredth of a pixel, by the sum of the spectrum itself."""
     down, across = _frequencies(side)
     x, y, reach, height = start.x, start.y, 1.0, start.peak
     for turns_down, turns_across in _searches(side):

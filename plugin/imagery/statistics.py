@@ -86,7 +86,7 @@ class Agreement:
 
 
 def agreement(words: Sequence[tuple[str, str]]) -> Agreement:
-    """Of pairs of words; where one of the two did not judge, or was not sure, a pair does not count."""
+    """Agreement of pairs of words; where one of the two did not judge, or was not sure, a pair does not count."""
     import numpy as np  # not when QGIS starts
 
     table = np.zeros((2, 2), np.int64)
@@ -127,7 +127,7 @@ def cohen_kappa(table: np.ndarray) -> Interval | None:
 def _standard_error(
     shares: np.ndarray, rows: np.ndarray, columns: np.ndarray, kappa: float, by_chance: float
 ) -> float:
-    """Of one window; Fleiss, Cohen and Everitt 1969, equation 13."""
+    """Standard error of kappa for one window; Fleiss, Cohen and Everitt 1969, equation 13."""
     rest = 1 - kappa
     same = shares.diagonal()
     agreeing = float((same * (1 - (rows + columns) * rest) ** 2).sum())

@@ -155,8 +155,9 @@ def detail_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
 
 
 def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:
-    """The same without what only the periodic edges show: the bands are mirrored there, so the step from one edge to
-    the opposite one is no detail. The energies therefore don't add up to the bands', as those of ``clip_curves`` do.
+    """Components as of ``detail_components``, without what only the periodic edges show: the bands are mirrored there,
+    so the step from one edge to the opposite one is no detail. The energies therefore don't add up to the bands', as
+    those of ``clip_curves`` do.
 
     Each coefficient is at the pixels that it comes from, to half of 2^r px: filters that are not symmetric lag behind,
     the low-pass of coif3 by 2.5 px and its high-pass by as much the other way.
@@ -287,7 +288,7 @@ def measure_clip(clip: Clip, wavelet: str, levels: int) -> tuple[dict[str, Curve
 def measure_bands(
     bands: np.ndarray, names: Sequence[str], wavelet: str, levels: int
 ) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
-    """The same for bands (bands, rows, columns) with their names."""
+    """Curves and coarse components, by name, of bands (bands, rows, columns) with their names."""
     weights = limits.LUMINANCE_WEIGHTS if has_colours(names) else ()
     curves, coarse = clip_curves(bands, wavelet, levels, weights)
     if weights:

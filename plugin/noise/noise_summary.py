@@ -84,7 +84,7 @@ class NoiseGroup:
     window_class: str | None
     group: int
     name: str
-    """Of the group of images."""
+    """Name of the group of images."""
     results: tuple[ClipNoise, ...]
 
     @property
@@ -94,7 +94,7 @@ class NoiseGroup:
 
     @property
     def curves(self) -> list[tuple[float, ...]]:
-        """By which they are compared."""
+        """Curves by which they are compared."""
         return [curve for result in self.results if (curve := compared_curve(result)) is not None]
 
 

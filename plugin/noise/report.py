@@ -98,7 +98,7 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
 
 
 def _sigmas(results: Iterable[ClipNoise]) -> list[float]:
-    """Of the noisiest bands."""
+    """Standard deviations of the noise of the noisiest bands, DN."""
     judged = map(judged_noise, results)
     return [one.sigma for one in judged if one is not None and one.sigma is not None]
 

@@ -164,5 +164,5 @@ class CompareMarks(SeamInspectorAlgorithm):
 
 
 def _verdict(made: DifferenceStatistics, limit: float) -> str:
-    """Of the mean distance against a limit in the same unit."""
+    """Verdict on the mean distance, against a limit in the same unit."""
     return WITHIN if made.mean <= limit else BEYOND

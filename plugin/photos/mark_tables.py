@@ -115,7 +115,7 @@ def folder_marks(folder: Path) -> list[ComparedMark]:
 
 
 def _file_marks(path: Path) -> list[ComparedMark]:
-    """Of all layers of a file that have a field ``mark``."""
+    """Marks of all layers of a file that have a field ``mark``."""
     made = []
     opened = QgsVectorLayer(str(path), path.stem, "ogr")
     parts = [part.split(QgsDataProvider.sublayerSeparator()) for part in opened.dataProvider().subLayers()]

@@ -189,7 +189,7 @@ def histogram_figure(result: Assessment) -> Figure | None:
 
 
 def _drawn(result: Assessment) -> Mapping[str, Histogram]:
-    """Of one band the luminosity is the band itself, so that one of the two is enough."""
+    """Histograms that are drawn: of one band the luminosity is the band itself, so that one of the two is enough."""
     return dict(list(result.histograms.items())[:1]) if len(result.image.band_names) == 1 else result.histograms
 
 

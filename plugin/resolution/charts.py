@@ -66,7 +66,7 @@ def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: flo
 
 
 def band_colour(band: str, place: int, count: int, style: ChartStyle = PAPER) -> str:
-    """Of a band's profile among those of ``count`` bands."""
+    """Colour of a band's profile among those of ``count`` bands."""
     return BAND_COLOURS.get(band, style.text if count == 1 else _OTHERS[place % len(_OTHERS)])
 
 

@@ -53,7 +53,7 @@ class ClipPicture:
     resampled: bool = False
     """Whether the pixels were warped to the mosaic's grid, which softens them."""
     reduced: tuple[np.ndarray, ...] = ()
-    """The same at 1/2, 1/4, ... of the size, each pixel the mean of 2 x 2: what is drawn when all is to be seen."""
+    """Its pixels at 1/2, 1/4, ... of the size, each the mean of 2 x 2: what is drawn when all is to be seen."""
     inside: PixelWindow | None = None
     """The window's own pixels, where there is ground around them; None: the picture is the window."""
     is_composite: bool = False
@@ -173,7 +173,7 @@ def _largest(clip: Clip) -> float:
 def _own_ranges(
     shown: Iterable[tuple[np.ndarray, np.ndarray | None]], inside: PixelWindow | None = None
 ) -> GreyRanges:
-    """By what the clips hold in this window."""
+    """Grey ranges by what the clips hold in this window."""
     samples: dict[str, list[np.ndarray]] = {}
     for bands, valid in shown:
         where = None if valid is None else _part(valid, inside)

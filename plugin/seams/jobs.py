@@ -124,7 +124,7 @@ _MINUTE_S, _HOUR_S = 60, 3600
 
 
 def time_left(seconds: float) -> str:
-    """As precise as it can be told."""
+    """Words for the time that is left, as precise as it can be told."""
     if seconds < _MINUTE_S:
         return tr("less than a minute left")
     if seconds < 1.5 * _HOUR_S:
@@ -221,7 +221,7 @@ class ScanNews:
     """How far a scan is."""
 
     share: float
-    """Of all there is to do, 0 to 1."""
+    """Share that is done of all there is to do, 0 to 1."""
     seconds_left: float | None
     """None while that is not known."""
     measured: bool = True

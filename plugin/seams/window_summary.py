@@ -408,7 +408,7 @@ def _done_about(row: WindowRecord, causes: list[str]) -> list[str]:
 
 
 def _may_be_significant(row: WindowRecord) -> bool:
-    """By what its reason tells, in whatever language."""
+    """Whether a reduction may be significant, by what its reason tells, in whatever language."""
     if row.verdict != "reduced" or row.kept_low is None or row.kept_high is None:
         return False
     return all(f"{100 * end:.0f}" in row.reason for end in (row.kept_low, row.kept_high))
@@ -486,7 +486,7 @@ def _is_thin(composite: float, kept: float) -> bool:
 
 
 def _sharpness(sharpness: float | None, happened: Happening) -> list[str]:
-    """Of the whole window, with what took of it where that is known."""
+    """Sharpness of the whole window in words, with what took of it where that is known."""
     if happened.in_the_whole or sharpness is None:
         return [happened.in_the_whole] if happened.in_the_whole else []
     if abs(sharpness - 1) < _AS_SHARP:

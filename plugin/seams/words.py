@@ -42,7 +42,7 @@ VERDICTS = {
     ),
     "": ShownVerdict(QT_TR_NOOP("not inspected"), "#c8c8c8", QT_TR_NOOP("Not inspected yet.")),
 }
-"""By the word that tables hold, the worst first; the empty one is that of a window not inspected."""
+"""Verdicts by the word that tables hold, the worst first; the empty one is that of a window not inspected."""
 LOSSES = ("significant", "reduced")
 CLAIMS = (*LOSSES, "preserved")
 """Verdicts that say whether detail was lost, the worst first."""
@@ -261,7 +261,7 @@ CAUSES: dict[str, ShownCause] = {
         (QT_TR_NOOP("the cause is unclear"),),
     ),
 }
-"""By the word that tables hold; a table of a later version may hold others."""
+"""Causes by the word that tables hold; a table of a later version may hold others."""
 
 
 def cause_word(cause: str) -> str:

@@ -41,7 +41,7 @@ MODEL_TITLES = {
     "pushbroom": QT_TR_NOOP("the parametric model of a line scanner"),
     "rpc_bias": QT_TR_NOOP("the RPC that came with the image, corrected"),
 }
-"""By the model's name in the registry; a test looks that every model has its entry."""
+"""Titles by the model's name in the registry; a test looks that every model has its entry."""
 
 
 class FitSensorModel(SensorAlgorithm):

@@ -37,7 +37,7 @@ class OrthoAlgorithm(SensorAlgorithm):
     RASTER_LISTS = (DEM,)
 
     def addOrientations(self) -> None:
-        """Of aerial photos."""
+        """Add the parameters of aerial photos' orientations."""
         self.addFile(EXTERIOR, tr("Exterior orientation"), tr(
             "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and "
             "kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, Applanix, Inpho, "
@@ -96,7 +96,7 @@ class OrthoAlgorithm(SensorAlgorithm):
     def _request(
         self, run: Run, image: RasterRef, sight: tuple[SensorModel, str, Domain, Datum], output: Path
     ) -> OrthoRequest:
-        """Of one image and what ``_model`` says of it, in its whole extent."""
+        """Request for one image and what ``_model`` says of it, in its whole extent."""
         from ..toolkit.layers import system_wkt
         from .measure.orthorectification import OrthoRequest
 

@@ -217,7 +217,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         return rpc
 
     def _orbit_height_m(self, run: Run, image: OpenRaster | None) -> float:
-        """As given, else by the satellite that the image's metadata name, else the default."""
+        """Height of the orbit as given, else by the satellite that the image's metadata name, else the default."""
         from .measure.rpc import satellite_name
 
         name = satellite_name(image).upper() if image is not None else ""
@@ -255,5 +255,5 @@ def image_box(image: OpenRaster | None, points: Points) -> ImageBox:
 
 
 def _file_path(value: object) -> str:
-    """Of a georeferencer's file or an image that holds points; empty for a layer."""
+    """Path of a georeferencer's file or an image that holds points; empty for a layer."""
     return value if isinstance(value, str) and value.lower().endswith((POINTS_SUFFIX, *IMAGE_SUFFIXES)) else ""

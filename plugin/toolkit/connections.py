@@ -7,7 +7,7 @@ from typing import Any
 
 
 class Connections:
-    """Of signals with slots, until ``close``."""
+    """Connections of signals with slots, until ``close``."""
 
     def __init__(self, *followed: tuple[Any, Callable[..., Any]]) -> None:
         self._followed = list(followed)

@@ -200,7 +200,7 @@ class WatchedExecutor(Executor):
         self._watch.start()
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """As any executor does."""
+        """Submit work as any executor does."""
         promised: Future[Any] = Future()
         self._waiting.add(promised)
         under_way = self._executor.submit(fn, *args, **kwargs)

@@ -64,7 +64,7 @@ _OF_LEVEL = {
     "sharpness": QT_TR_NOOP("sharpness {level}"),
     "added": QT_TR_NOOP("added detail {level}"),
 }
-"""By the name in front of ``_1``..``_R``."""
+"""Titles by the name in front of ``_1``..``_R``."""
 _LEVELLED = re.compile(r"(\w+)_(\d+)")
 
 

@@ -223,7 +223,7 @@ def box_extent(box: QgsRectangle) -> Extent:
 def transformed_point(
     point: QgsPointXY, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
 ) -> QgsPointXY | None:
-    """By the project's choice of transformations."""
+    """A point in another reference system, by the project's choice of transformations."""
     with suppress(QgsCsException, WindowError):
         return transformation(crs, target, QgsProject.instance().transformContext()).transform(point)
     return None

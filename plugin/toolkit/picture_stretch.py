@@ -28,7 +28,7 @@ GreyRange = tuple[float, float]
 """The values that become black and white, the same for all bands."""
 
 GreyRanges = Mapping[str, GreyRange]
-"""By data type, since numbers of two types can't be compared."""
+"""Grey ranges by data type, since numbers of two types can't be compared."""
 
 
 class Stretch(str, Enum):

@@ -15,7 +15,7 @@ _RESOURCES = _PLUGIN / "resources"
 
 @cache
 def plugin_version() -> str:
-    """As the plugin's metadata have it."""
+    """Version as the plugin's metadata have it."""
     parser = ConfigParser(interpolation=None)
     parser.read(_PLUGIN / "metadata.txt", encoding="utf-8")
     return parser["general"]["version"]
@@ -40,7 +40,7 @@ _REFERENCE = "ref: "
 
 
 def _lines(path: Path) -> list[str]:
-    """Of a text file; none where there is no such file."""
+    """Lines of a text file; none where there is no such file."""
     with suppress(OSError, UnicodeError):
         return path.read_text(encoding="utf-8").splitlines()
     return []

@@ -35,7 +35,7 @@ def shown_number(value: float, decimals: int = 2) -> str:
 
 
 def grouped_number(value: float, decimals: int = 0) -> str:
-    """The same with its thousands apart, whatever QGIS is set to, as labels on the map have them."""
+    """A number with its thousands apart, whatever QGIS is set to, as labels on the map have them."""
     locale = QLocale()
     locale.setNumberOptions(QLocale.NumberOption.DefaultNumberOptions)
     return locale.toString(float(value), "f", decimals)

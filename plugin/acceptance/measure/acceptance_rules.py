@@ -93,12 +93,12 @@ class AcceptanceRules:
     """A file's name may be any: it says nothing of the limits."""
 
     def limit(self, check: str) -> float | None:
-        """Of a check; None where there is none."""
+        """Limit of a check; None where there is none."""
         rule = self.rule(check)
         return None if rule is None else rule.limit
 
     def rule(self, check: str) -> AcceptanceRule | None:
-        """Of a check; None where there is none."""
+        """Rule of a check; None where there is none."""
         return next((rule for rule in self.rules if rule.check == check), None)
 
 
@@ -137,7 +137,7 @@ def limit_rules(
 
 
 SUBJECT = "acceptance"
-"""Of the ready files."""
+"""Subject of the ready files."""
 
 _OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 

@@ -195,7 +195,7 @@ def _unseen(
 def _sheet_outcomes(
     sheets: Sequence[MetreFigures], pieces: Sequence[DecidedPiece], rules: AcceptanceRules, delivery: Delivery
 ) -> Iterator[AcceptanceOutcome | None]:
-    """Of each sheet by its own metres; pieces over a border are looked at in the sheet of their middle.
+    """Outcome of each sheet by its own metres; pieces over a border are looked at in the sheet of their middle.
 
     None is accepted on a layer that is not as its scan left it, none decided on where files are not those of the scan.
     """
@@ -224,7 +224,7 @@ class _Ruling:
     rules: AcceptanceRules
 
     def outcomes(self) -> list[RuleOutcome]:
-        """Of the rules in their order, those of sampling apart."""
+        """Outcomes of the rules in their order, those of sampling apart."""
         return [self._outcome(rule) for rule in self.rules.rules]
 
     def _outcome(self, rule: AcceptanceRule) -> RuleOutcome:
@@ -445,15 +445,15 @@ def _seen(layer: DeliveredLayer) -> Iterator[Message]:
 
 
 TOLD_UNEXPLAINED = 0.03
-"""Of a mosaic without an orthoimage behind it: where the scan tells it, too."""
+"""Share of a mosaic without an orthoimage behind it, from which on it is told: where the scan tells it, too."""
 MOST_AT_ENDS = 0.2
-"""Of the metres that may fail, that the ends of failures inside of pieces may leave open: with more the pieces are too
-coarse, as nothing above 1.25 times the allowed share is to be accepted nor below 0.8 times rejected."""
+"""Share of the metres that may fail, which the ends of failures inside of pieces may leave open: with more the pieces
+are too coarse, as nothing above 1.25 times the allowed share is to be accepted nor below 0.8 times rejected."""
 MOST_OF_RUN = 1.5
 """Times the longest failure that is allowed: how long a piece of a scan with such a PIECE may be. A longer one averages
 a failure with what is sound beside it. Where no piece may fail its length does not matter."""
 MOST_DOUBLED = 0.1
-"""Of all metres, that may lie on others, as where sheets meet: with more two scans of one mosaic were given."""
+"""Share of all metres that may lie on others, as where sheets meet: with more two scans of one mosaic were given."""
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
 """What makes figures of one layer differ from those of another."""
 

@@ -30,7 +30,7 @@ class DecidedPiece:
     """A piece of seam, held against the least that it must keep."""
 
     piece: DeliveredPiece
-    """As it was delivered."""
+    """The piece as it was delivered."""
     state: PieceState
     """Passed, failed, not measured, or on ground without detail."""
     is_unclear: bool
@@ -55,11 +55,11 @@ class FailureRun:
     number: int
     """1 for the longest."""
     length_m: float
-    """Of its pieces together."""
+    """Length of its pieces together."""
     pieces: tuple[int, ...]
     """The pieces' numbers, in the order in which they follow each other."""
     turned: tuple[bool, ...]
-    """Of each piece whether the failure runs against its line."""
+    """Whether the failure runs against its line, for each piece."""
     sheets: tuple[str, ...]
     """That it lies in."""
     place: tuple[float, float]
@@ -68,55 +68,55 @@ class FailureRun:
 
 @dataclass(frozen=True)
 class MetreFigures:
-    """Of a sheet, or of the whole delivery."""
+    """Numbers of pieces and metres of seam, of a sheet or of the whole delivery."""
 
     name: str
-    """Of the sheet; empty for the whole delivery."""
+    """Name of the sheet; empty for the whole delivery."""
     piece_count: int
     """All pieces."""
     failed_count: int
     """Pieces that failed."""
     total_m: float
-    """Of all seams."""
+    """Metres of all seams."""
     no_detail_m: float
-    """Of the pieces on ground without detail, which has nothing to lose: no part of what is judged."""
+    """Metres of the pieces on ground without detail, which has nothing to lose: no part of what is judged."""
     measured_m: float
-    """Of the pieces that could be measured."""
+    """Metres of the pieces that could be measured."""
     failed_m: float
-    """Of those that failed."""
+    """Metres of the pieces that failed."""
     unclear_m: float
     """In pieces of which the interval holds the limit, failed or passed."""
     longest_failure_m: float | None
-    """Of the pieces in it alone; None where they are a sample."""
+    """Metres of the pieces in the longest failure without a break, these alone; None where they are a sample."""
     failed_unclear_m: float = 0.0
-    """Of those that failed, in pieces whose interval reaches above the limit."""
+    """Metres that failed, in pieces whose interval reaches above the limit."""
     longest_unknown_m: float = 0.0
-    """Of the longest row of pieces that were not measured, with those that failed among them: so long a failure may
-    be."""
+    """Metres of the longest row of pieces that were not measured, with those that failed among them: so long a failure
+    may be."""
 
     @property
     def judged_m(self) -> float:
-        """Of the pieces on ground with detail: what shares are of."""
+        """Metres of the pieces on ground with detail: what shares are of."""
         return self.total_m - self.no_detail_m
 
     @property
     def not_measured_m(self) -> float:
-        """Of those that could not be measured."""
+        """Metres of the pieces on ground with detail that could not be measured."""
         return self.judged_m - self.measured_m
 
     @property
     def failed_share(self) -> float | None:
-        """Of what was measured, 0 to 1; None where nothing was."""
+        """Share of the measured metres that failed, 0 to 1; None where nothing was measured."""
         return self.failed_m / self.measured_m if self.measured_m else None
 
     @property
     def failed_unclear_share(self) -> float | None:
-        """Of the metres that failed those whose interval reaches above the limit, 0 to 1; None where none failed."""
+        """Share of the failed metres whose interval reaches above the limit, 0 to 1; None where none failed."""
         return self.failed_unclear_m / self.failed_m if self.failed_m else None
 
     @property
     def measured_share(self) -> float:
-        """Of the seams on ground with detail, 0 to 1."""
+        """Share of the seams on ground with detail that could be measured, by metres, 0 to 1."""
         return self.measured_m / self.judged_m if self.judged_m > 0 else 0.0
 
 
@@ -151,11 +151,11 @@ class PlanOutcome:
     plan: SamplingPlan
     characteristic: OperatingCharacteristic
     seed: int | None
-    """Of the drawing; None where the sample came with the layer, or is the whole lot."""
+    """Seed of the drawing; None where the sample came with the layer, or is the whole lot."""
     inspected: int
     """Items of the sample that were measured."""
     nonconforming: int
-    """Of these, that failed."""
+    """Inspected items that failed."""
 
 
 @dataclass(frozen=True)
@@ -177,19 +177,19 @@ class Decision:
     sentences: tuple[Message, ...]
     """The decision with its reasons first, then what would decide it where it is undecided, then what it rests on."""
     rules: AcceptanceRules
-    """By which it was taken."""
+    """The rules by which it was taken."""
     delivery: Delivery
     """What was decided on."""
     outcomes: tuple[RuleOutcome, ...]
-    """Of the rules that decide."""
+    """Outcomes of the rules that decide."""
     whole: MetreFigures
     """The metres of all sheets together."""
     sheets: tuple[MetreFigures, ...]
     """In the order of ``Delivery.sheets``; one without seams has no pieces."""
     sheet_outcomes: tuple[AcceptanceOutcome | None, ...]
-    """Of each sheet by itself, by the same limits; None for one without seams, or where a sample decides."""
+    """Outcome of each sheet by itself, by the same limits; None for one without seams, or where a sample decides."""
     failed_share: Interval | None
-    """Of the measured metres, with its 95 % interval; None where nothing was measured."""
+    """Share of the measured metres that failed, with its 95 % interval; None where nothing was measured."""
     pieces: tuple[DecidedPiece, ...]
     """In the delivery's order."""
     runs: tuple[FailureRun, ...]
@@ -235,11 +235,11 @@ class Defect:
     worst: DecidedPiece
     """The piece that kept least."""
     unclear_m: float
-    """Of it in pieces whose interval holds the limit."""
+    """Metres of it in pieces whose interval holds the limit."""
     band_width_m: float | None
-    """Of its widest band; None where none is known."""
+    """Width of its widest band; None where none is known."""
     cause: str
-    """Of the inspected window that lies nearest to the worst piece, else of another one on it; empty without any."""
+    """Cause of the inspected window nearest to the worst piece, else of another one on it; empty without any."""
     remarks: tuple[str, ...]
     """What operators wrote of the windows on it."""
 

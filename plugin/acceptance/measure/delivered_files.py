@@ -43,7 +43,7 @@ class OrderedForm:
     data_type: str = ""
     """numpy's name, such as ``uint8``."""
     pattern: str = ""
-    """Of the file's name, with ``*`` and ``?``; empty: any."""
+    """Pattern of the file's name, with ``*`` and ``?``; empty: any."""
     most_missing: float = 0.0
     """Share of an outline that may have no data, 0 to 1."""
 
@@ -54,7 +54,7 @@ class OrderedSheet:
 
     name: str
     path: str
-    """Of its file; empty where there is none."""
+    """Path of its file; empty where there is none."""
     outline: bytes | None
     """WKB of what it has to cover; None: all that its file covers."""
     wkt: str = ""

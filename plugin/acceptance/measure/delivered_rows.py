@@ -52,7 +52,7 @@ _NUMBERS, _SIDES = ("kept_low", "kept_high", "band_width"), ("left_source", "rig
 
 @dataclass
 class LayerDoubts:
-    """Of one layer, piece by piece."""
+    """What is doubtful in one layer, gathered piece by piece."""
 
     sheet: str
     rows: int = 0
@@ -60,13 +60,13 @@ class LayerDoubts:
     pieces: int = 0
     """That they made."""
     metres: float = 0.0
-    """Of these."""
+    """Metres of these pieces."""
     without_line: int = 0
     without_line_m: float = 0.0
     """What the field says of these, metres."""
     kept: list[float] = field(default_factory=list)
     claimed: list[float] = field(default_factory=list)
-    """Of pieces with a verdict: where the scan has none, its interval is too wide, any number may stand."""
+    """Shares kept by pieces with a verdict: where the scan has none, its interval is too wide, any number may stand."""
     words: list[str] = field(default_factory=list)
     """That stand where numbers should."""
     lengths: list[tuple[float, float]] = field(default_factory=list)
@@ -74,9 +74,9 @@ class LayerDoubts:
     along: dict[str, list[tuple[float, float]]] = field(default_factory=dict)
     """Stations and lengths by seam, metres."""
     totals: RowTotals = field(default_factory=RowTotals)
-    """Of all rows, as their scan counted them."""
+    """Totals of all rows, as their scan counted them."""
     extent: Extent | None = None
-    """Of the first line, as its layer has it."""
+    """Extent of the first line, as its layer has it."""
     failed_m: float = 0.0
     """Metres that fail as the scan fails them, by what the rows say of what is kept."""
 

@@ -56,7 +56,7 @@ class DeliveredPiece:
     """When the orthoimage on the left hand was taken, as the layer has it."""
     right_date: str = ""
     sample_number: int | None = None
-    """As the how-manieth of its sample it was drawn, from 1; None where the layer is no sample."""
+    """Place in the order in which its sample was drawn, from 1; None where the layer is no sample."""
     scan: str = ""
     """What ``seam_id`` numbers the seams of, where that is not the sheet: a scan of many sheets."""
     visibility: float | None = None
@@ -78,7 +78,7 @@ class DeliveredPiece:
 
     @property
     def seam(self) -> tuple[str, str]:
-        """The same for all pieces of one seam, and for no others."""
+        """Key of its seam: the same for all pieces of one seam, and for no others."""
         return self.scan or self.sheet, self.seam_id
 
     @property
@@ -101,7 +101,7 @@ def extent_of(lines: Iterable[np.ndarray]) -> Extent:
 
 
 def in_order(pieces: Iterable[DeliveredPiece]) -> tuple[DeliveredPiece, ...]:
-    """By sheet, seam and station, whatever the order in which layers were given, and numbered so."""
+    """Pieces by sheet, seam and station, whatever the order in which layers were given, and numbered so."""
     ordered = sorted(pieces, key=lambda piece: (
         in_words(piece.sheet), in_words(piece.seam_id), -1.0 if piece.station_m is None else piece.station_m,
         *np.round(piece.vertices[0], 3).tolist(),
@@ -153,7 +153,7 @@ class SheetState(Enum):
 
     @classmethod
     def of_word(cls, word: str) -> SheetState:
-        """By its word; layers without a word of ours say nothing against a sheet."""
+        """State that a word stands for; layers without a word of ours say nothing against a sheet."""
         return next((one for one in cls if one.value == word), cls.SHOWN)
 
 
@@ -233,7 +233,7 @@ class FileDoubts:
     changed: tuple[str, ...] = ()
     """Changed since they were scanned."""
     gone: tuple[str, ...] = ()
-    """Of the mosaic, and not found any more."""
+    """Files of the mosaic that are not found any more."""
     gone_sources: tuple[str, ...] = ()
     """Orthoimages that are not found any more."""
     same: int = 0
@@ -249,7 +249,7 @@ class Delivery:
     """All that is judged together."""
 
     pieces: tuple[DeliveredPiece, ...]
-    """Of all sheets, in order."""
+    """Pieces of all sheets, in order."""
     wkt: str
     """The reference system of all coordinates."""
     unit_m: float = 1.0
@@ -259,7 +259,7 @@ class Delivery:
     lot_size: int | None = None
     """Pieces of the lot that the pieces are a sample of; None where they are no sample."""
     outlines: tuple[SheetOutline, ...] = ()
-    """Of the sheets where they were given."""
+    """Outlines of the sheets where they were given."""
     is_checked: bool = False
     """Whether the outlines come from a check of the files: those without findings are complete."""
     layers: tuple[DeliveredLayer, ...] = ()

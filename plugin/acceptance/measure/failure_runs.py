@@ -72,7 +72,7 @@ class PiecePlaces:
         return self._nearest_ends(np.array(following, int).reshape(-1, 2).T)
 
     def _nearest_ends(self, following: np.ndarray) -> Iterator[tuple[int, int]]:
-        """Of pairs of pieces, (2, pairs) numbers, the two ends nearest to each other."""
+        """The two ends nearest to each other, for each pair of pieces; ``following``: (2, pairs) numbers."""
         ones, others = self._ends[following]
         apart = np.hypot(*(ones[:, :, np.newaxis] - others[:, np.newaxis]).transpose(3, 0, 1, 2)).reshape(-1, 4)
         apart[:, 2] -= 1e-9  # as the lines are drawn, where a ring of two pieces leaves the choice
@@ -133,7 +133,7 @@ _End = tuple[int, int]  # a piece, and 0 for its first place, 1 for its second
 def _next_ends(
     ends: Mapping[int, tuple[int, int]], seams: Mapping[int, tuple[str, str] | None]
 ) -> dict[_End, _End]:
-    """By the end of a piece that of the one that follows there."""
+    """Ends of pieces, each with the end of the one that follows there."""
     meeting: dict[int, list[_End]] = defaultdict(list)
     for piece, places in ends.items():
         for end, place in enumerate(places):

@@ -31,7 +31,7 @@ STANDARD_CORRELATION = 0.3  # where no scan says it: what software does to a sea
 def plan_of_risk(
     pieces: Sequence[DeliveredPiece], lot_size: int, risk: StatedRisk, correlation: float | None, least_kept: float
 ) -> RiskPlan:
-    """By stated risks. ``correlation``: None to estimate it from what the pieces kept, where a scan measured them."""
+    """Plan by stated risks. ``correlation``: None to estimate it from what pieces kept, where a scan measured them."""
     seams = [piece.seam for piece in pieces]
     if correlation is None:
         states = [state_of(piece, least_kept) for piece in pieces]
@@ -84,7 +84,7 @@ def risk_sentences(found: RiskPlan, risk: StatedRisk) -> Iterator[Message]:
 
 
 def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
-    """Of the standard that a rule names. Raises SettingsError for a lot of fewer than two items."""
+    """Plan of the standard that a rule names. Raises SettingsError for a lot of fewer than two items."""
     if rule.lq:
         return isolated_lot_plan(lot_size, rule.lq)
     return single_sampling_plan(lot_size, rule.aql, rule.inspection_level, rule.severity)

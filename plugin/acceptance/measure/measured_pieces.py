@@ -18,14 +18,14 @@ NO_VERDICT = "not_comparable"  # the scan's word
 
 
 def state_of(piece: DeliveredPiece, least_kept: float) -> PieceState:
-    """By what it kept and what the scan says of it."""
+    """State of a piece, by what it kept and what the scan says of it."""
     if not piece.has_detail:
         return PieceState.NO_DETAIL
     return piece_state(piece.kept_1, piece.kept_low, piece.kept_high, least_kept, piece.verdict != NO_VERDICT)
 
 
 def seen_state(windows: Sequence[SeenWindow]) -> PieceState:
-    """By what an operator saw in the windows over a piece, the nearest that was judged.
+    """State of a piece by what an operator saw in the windows over it, the nearest that was judged.
 
     The first operator's word comes first. A visible loss fails.
     """
@@ -74,7 +74,7 @@ def _goes_on(piece: DeliveredPiece, other: DeliveredPiece) -> bool:
 def metre_figures(
     pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun], unknown: Sequence[FailureRun]
 ) -> MetreFigures:
-    """Of the whole delivery: sums of pieces. ``unknown``: rows of pieces that were not measured."""
+    """Figures of the whole delivery: sums of pieces. ``unknown``: rows of pieces that were not measured."""
     longest = [max((run.length_m for run in rows), default=0.0) for rows in (runs, unknown)]
     return _figures("", pieces, [(one, one.piece.length_m) for one in pieces], longest)
 
@@ -82,7 +82,7 @@ def metre_figures(
 def sheet_figures(
     delivery: Delivery, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun], unknown: Sequence[FailureRun]
 ) -> list[MetreFigures]:
-    """Of each sheet by itself, of one without seams too.
+    """Figures of each sheet by itself, of one without seams too.
 
     A piece over a border counts in the sheet of its middle, its metres where they lie.
     """
@@ -163,7 +163,7 @@ def failed_interval(pieces: Sequence[DecidedPiece]) -> Interval | None:
 def failed_share_interval(
     lengths: Sequence[float], failed: Sequence[float], clusters: Sequence[Hashable]
 ) -> Interval | None:
-    """Of a ratio of metres, pieces being drawn seam by seam (``clusters``); ``failed``: the share of each that did.
+    """Failed share of metres, pieces being drawn seam by seam (``clusters``); ``failed``: the share of each that did.
 
     The interval of Korn and Graubard 1998 (Survey Methodology 24, 193-201), made for small shares of clustered data:
     that of Clopper and Pearson for the effective number of pieces, which is what the linearised variance over clusters
@@ -190,7 +190,7 @@ def failed_share_interval(
 def _effective_count(
     weights: np.ndarray, values: np.ndarray, share: float, members: np.ndarray, count: int
 ) -> float:
-    """Of independent pieces that would tell as much."""
+    """Number of independent pieces that would tell as much."""
     sizes = np.bincount(members, weights)
     clusters, pieces = float(sizes.sum() ** 2 / (sizes**2).sum()), float(weights.sum() ** 2 / (weights**2).sum())
     squares = (np.bincount(members, weights * (values - share)) / weights.sum()) ** 2

@@ -92,7 +92,7 @@ def _differ_much(one: np.ndarray, other: np.ndarray, valid: np.ndarray) -> bool:
 
 
 def _means(values: np.ndarray, side: int) -> np.ndarray:
-    """Of squares, those at the edge smaller, (..., rows, columns)."""
+    """Means of squares of ``side`` px, those at the edge smaller, (..., rows, columns)."""
     rows, columns = (np.arange(0, length, side) for length in values.shape[-2:])
     sums = np.add.reduceat(np.add.reduceat(values, rows, axis=-2), columns, axis=-1)
     high, wide = (np.diff(np.append(first, length)) for first, length in zip((rows, columns), values.shape[-2:]))

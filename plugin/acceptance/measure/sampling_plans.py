@@ -33,7 +33,7 @@ class SamplingPlan:
     inspection_level: str
     severity: str
     code_letter: str
-    """Of the table's row that the plan was taken from, arrows followed; empty where there are no letters."""
+    """Letter of the table's row that the plan was taken from, arrows followed; empty where there are no letters."""
     lq: float | None = None
     """Limiting quality of an isolated lot: nonconforming items per hundred with which it is hardly ever accepted."""
 
@@ -78,7 +78,7 @@ AQLS = tuple(
     "0.010 0.015 0.025 0.040 0.065 0.10 0.15 0.25 0.40 0.65 1.0 1.5 2.5 4.0 6.5 10 15 25 40 65 100 150 250 400 650 "
     "1000".split()
 )
-"""As the standard writes them: nonconforming items per cent up to 10, above it nonconformities per 100 items."""
+"""AQLs as the standard writes them: nonconforming items per cent up to 10, above it nonconformities per 100 items."""
 SHARE_AQLS = AQLS[: AQLS.index("10") + 1]
 """Those for items that conform or don't."""
 MIN_LOT = 2
@@ -128,7 +128,7 @@ _TABLES: dict[str, tuple[tuple[int, ...], _Numbers, dict[int, _Numbers]]] = {
 
 
 def code_letter(lot_size: int, inspection_level: str) -> str:
-    """Of table 1."""
+    """Code letter of a lot by table 1."""
     place = sum(lot_size > largest for largest in _LARGEST_LOTS)
     return _LETTERS_OF_LEVEL[inspection_level][place]
 
@@ -164,7 +164,7 @@ _ISOLATED = {  # table A: sample sizes and acceptance numbers by the lot sizes
     "31.5": "6/0 6/0 8/0 13/1 13/1 20/3 32/5 50/10 80/18 80/18 80/18 80/18 80/18",
 }
 LIMITING_QUALITIES = tuple(_ISOLATED)
-"""As the standard writes them: nonconforming items per cent."""
+"""Limiting qualities as the standard writes them: nonconforming items per cent."""
 DEFAULT_LQ = "5.00"
 
 

@@ -26,7 +26,7 @@ _REACH = 2.5  # times the limiting quality: where the curve ends
 
 
 def operating_characteristic(plan: SamplingPlan) -> OperatingCharacteristic:
-    """Of the lot itself."""
+    """Operating characteristic of the lot itself."""
     good = good_items(plan) / plan.lot_size
     limiting = limiting_quality(plan)
     producers, consumers = 1 - acceptance_probability(plan, good), acceptance_probability(plan, limiting)
@@ -119,7 +119,7 @@ class RiskPlan:
 
     @property
     def design_effect(self) -> float:
-        """By how much the sample grew since items are alike."""
+        """Factor by which the sample grew since items are alike."""
         return self.plan.sample_size / self.independent_size
 
 

@@ -127,7 +127,7 @@ class _Scanned:
 
 
 def _known_by(file: PlacedState) -> tuple[int, str] | str:
-    """By its content, or its path where no more is known of it."""
+    """What a file is known by: its content, or its path where no more is known of it."""
     path, state = file
     return state.content if state.digest else path
 

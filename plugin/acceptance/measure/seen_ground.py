@@ -16,8 +16,8 @@ from .decision import MetreFigures
 from .delivery import Delivery
 
 MOST_APART = 0.05
-"""Of the metres, that only the scan or only the seamlines have as a seam: sound seamlines, and what a scan finds of
-them in samples, differ by less."""
+"""Share of the metres that only the scan or only the seamlines may have as a seam: sound seamlines, and what a scan
+finds of them in samples, differ by less."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class SeenPlace:
     """A part of the ground."""
 
     x: float
-    """Of its middle, in the reference system of its layer."""
+    """Its middle, ``x`` and ``y``, in the reference system of its layer."""
     y: float
     width_m: float | None = None
     """From west to east; None where the scan does not say."""
@@ -66,7 +66,7 @@ class SeenGround:
 
     @classmethod
     def of_settings(cls, settings: Mapping[str, str]) -> SeenGround:
-        """As a scan wrote it beside its rows."""
+        """What a scan wrote beside its rows."""
         def figures(name: str, nothing: float) -> list[float]:
             return _numbers(settings.get(name, "").replace(",", " ")) or [nothing]
 
@@ -147,7 +147,7 @@ def _first(places: tuple[SeenPlace, ...]) -> str:
 
 
 def _numbers(text: str) -> list[float]:
-    """Of words that are all numbers; none otherwise."""
+    """Words of a text as numbers, where all of them are; none otherwise."""
     try:
         return [float(word) for word in text.split()]
     except ValueError:

@@ -42,9 +42,9 @@ from .words import (
 )
 
 MOST_ROWS = 300
-"""Of the table of failures, the longest first."""
+"""Most rows of the table of failures, the longest first."""
 MOST_LAYERS = 40
-"""Of seams, listed with where they were read from."""
+"""Most layers of seams that are listed with where they were read from."""
 MOST_IMAGES = 1000
 """Listed with their dates: some 25 pages."""
 _LONG = 12

@@ -127,8 +127,8 @@ def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
 
 
 def _draw_numbers(axes: Axes, places: Mapping[int, np.ndarray], seams: cKDTree) -> None:
-    """Of failures, each beside its place and joined to it, as near as it does not lie on seams; those without room are
-    left out."""
+    """Draw the numbers of failures, each beside its place and joined to it, as near as it does not lie on seams; those
+    without room are left out."""
     turns = np.linspace(0, 2 * np.pi, _TURNS, endpoint=False) + np.pi / _TURNS
     around = np.array([(np.cos(turn), np.sin(turn)) for turn in turns])
     offsets = np.concatenate([far * around for far in _BESIDE_PT[: None if len(places) <= _MANY else 1]])

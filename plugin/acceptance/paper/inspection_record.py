@@ -33,7 +33,7 @@ class ListedImage:
     """An orthoimage that the delivery was made from."""
 
     name: str
-    """Of its file, or as the seams call it."""
+    """Name of its file, or as the seams call it."""
     path: str
     """Empty where nobody gave it."""
     date: str
@@ -92,11 +92,11 @@ class InspectionRecord:
     loss_bands: tuple[str, ...] = ()
     """What the picture of losses holds: ``described_bands`` of it."""
     head: PaperHead = field(default_factory=PaperHead)
-    """Of which delivery it is, under which contract."""
+    """Head of the paper: which delivery it is of, under which contract."""
     images: tuple[ListedImage, ...] = ()
     """The orthoimages, by name."""
     digests: tuple[Digest, ...] = ()
-    """Of what was decided on; none where they were not wanted."""
+    """Digests of what was decided on; none where they were not wanted."""
     radiometry: tuple[RatedImage, ...] = ()
     """The images whose radiometry was checked; none where it was not."""
     report: str = ""
@@ -149,7 +149,7 @@ class Digest:
     """What was digested, and what came of it."""
 
     path: str
-    """Of a file; what it is, in words, where there is none."""
+    """Path of a file; what it is, in words, where there is none."""
     size: int | None
     """Bytes; None of what is no file."""
     sha256: str
@@ -192,7 +192,7 @@ def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> list
 
 
 def text_digest(name: str, lines: Iterable[str]) -> Digest:
-    """Of lines of text, each ended by a line feed, in UTF-8."""
+    """Digest of lines of text, each ended by a line feed, in UTF-8."""
     content = "".join(f"{line}\n" for line in lines).encode()
     return Digest(name, len(content), hashlib.sha256(content).hexdigest())
 

@@ -62,7 +62,7 @@ class ReadFiles:
     seams: tuple[tuple[str, str], ...]
     """Sheets and where their layers were read from, in words for people."""
     windows: str
-    """The same of the windows; empty without."""
+    """Where the windows were read from, in words for people; empty without."""
     rules: str
     """The file of rules; empty without."""
 
@@ -199,7 +199,7 @@ def _file_of(destination: str) -> Path | None:
 def _cut_pictures(
     run: Run, defects: Sequence[Defect], maker: DefectPictures | None, pictures: dict[int, DefectPicture]
 ) -> None:
-    """Of the longest failures. Raises CancelledError when they are not wanted any more."""
+    """Cut the pictures of the longest failures. Raises CancelledError when they are not wanted any more."""
     shown = defects[:MOST_PICTURES]
     if maker is None or not shown:
         return

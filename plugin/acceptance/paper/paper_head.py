@@ -20,7 +20,7 @@ from ..measure import messages
 TITLE, CONTRACT, PRODUCER, CLIENT = "TITLE", "CONTRACT", "PRODUCER", "CLIENT"
 DELIVERY, DELIVERY_DATE = "DELIVERY", "DELIVERY_DATE"
 _DATES = "%Y-%m-%d", "%d.%m.%Y", "%Y/%m/%d", "%Y:%m:%d", "%Y%m%d"
-"""As people write dates, and layers of seams, with a time of day perhaps."""
+"""Forms of dates as people and layers of seams write them, with a time of day perhaps."""
 
 _TEXTS = {
     TITLE: (QT_TR_NOOP("Title"), QT_TR_NOOP("Of the report; empty: Acceptance of an orthophoto mosaic.")),
@@ -38,7 +38,7 @@ _TEXTS = {
 
 @dataclass(frozen=True)
 class PaperHead:
-    """As it was given; empty is left out."""
+    """Head of the paper as it was given; empty is left out."""
 
     title: str = ""
     contract: str = ""
@@ -82,7 +82,7 @@ def _day(value: str) -> date | None:
 
 
 def iso_date(value: str) -> str:
-    """As all dates on paper are written, 2026-11-23; what is no date as it is."""
+    """Date as all on paper are written, 2026-11-23; what is no date as it is."""
     day = _day(value)
     return value if day is None else day.isoformat()
 

@@ -32,7 +32,7 @@ class ProofPanel:
     kind: str
     """``mosaic``, ``cut`` (the composite: the same orthoimages cut hard) or ``image`` (an orthoimage)."""
     name: str
-    """Of the orthoimage's file; empty for the others."""
+    """Name of the orthoimage's file; empty for the others."""
     pixels: np.ndarray
     """(rows, columns, 3) uint8, a pixel of the mosaic each; all panels of a proof are stretched alike."""
 

@@ -61,7 +61,7 @@ class Quantity:
     values: tuple[float, ...]
     unit: str
     meaning: str = ""
-    """Of the values where they are several."""
+    """Meaning of the values where they are several."""
     sheet: str = ""
     """That it is of; empty for all."""
 
@@ -81,7 +81,7 @@ class QualityElement:
 
     kind: str
     code: str
-    """Of the measure; the element is known by it within the document."""
+    """Code of the measure; the element is known by it within the document."""
     name: str
     description: str
     evaluation: Evaluation

@@ -30,7 +30,7 @@ _UNITS = {
     rules.KEPT: _SHARE, rules.FAILED_SHARE: _SHARE, rules.MEASURED_SHARE: (100, 1, "\u00a0%"),
     rules.LONGEST_FAILURE: (1, 1, "\u00a0m"), rules.SAMPLING: (1, 0, ""),
 }  # fmt: skip
-"""By what a figure is multiplied, with how many decimals it is shown at least, and its unit."""
+"""What a figure is multiplied by, with how many decimals it is shown at least, and its unit."""
 QUALITY_STANDARDS = "ISO 19157:2013", "ISO/TS 19157-2:2016", "ISO 19115-3:2016"
 DIGEST_STANDARD = "FIPS 180-4 (SHA-256)"
 """With their editions, on which the decision rests, its record and its digests."""
@@ -73,7 +73,7 @@ def whole_share(value: float | None) -> str:
 
 
 def failing_sentence(decision: Decision) -> str:
-    """By what pieces fail."""
+    """Sentence that says by what pieces fail."""
     if decision.by_observer:
         return tr("A piece of seam fails where the operator saw a loss in its window, whatever it kept.")
     least = whole_share(decision.rules.least_kept)
@@ -105,7 +105,7 @@ SHEET_COLOURS = {
     AcceptanceOutcome.ACCEPTED: "#009e73", AcceptanceOutcome.REJECTED: "#d55e00",
     AcceptanceOutcome.UNDECIDED: "#e69f00", None: "#8c959f",
 }  # fmt: skip
-"""Of sheets on the map; None for those without a verdict."""
+"""Colours of sheets on the map; None for those without a verdict."""
 
 
 def sheet_word(outcome: AcceptanceOutcome | None, figures: MetreFigures) -> str:

@@ -108,7 +108,7 @@ class _Alike:
     ref: RasterRef
     fids: frozenset[int]
     keys: tuple[_Key, ...]
-    """Of as many as a noise check chooses on an image."""
+    """Keys of as many as a noise check chooses on an image."""
 
 
 def _drawn(request: WindowOnRasters, window: PixelWindow) -> DrawnWindow:

@@ -76,7 +76,7 @@ class BandNoise:
     curve: Curve
     """Relative variances of the components."""
     kurtosis: tuple[float | None, ...]
-    """Of level 1 (finest), 2, ..., R: fourth central moment over squared variance of the level's three detail
+    """Kurtosis of level 1 (finest), 2, ..., R: fourth central moment over squared variance of the level's three detail
     components, each less its mean, pooled; 3 for Gaussian noise, more for edges and structure. Without the coefficients
     that see the opposite border. None where a level is empty or too few are left."""
     sigma: float | None
@@ -98,7 +98,7 @@ class BandNoise:
     ground: tuple[QuietGround | None, ...] = ()
     """The quiet ground of level 1 (finest), 2, ..., R."""
     unshared: tuple[QuietGround | None, ...] = ()
-    """The same of what the other bands of the clip do not have; empty for a single band, and for the luminance."""
+    """Quiet ground of what the clip's other bands do not have; empty for a single band, and for the luminance."""
     are_whole: bool = True
     """Whether the values are whole numbers."""
 

@@ -33,7 +33,7 @@ class QuietGround:
     quiet: float
     """On the quietest twentieth of the ground, DN."""
     unevenness: float
-    """By how much the quietest quarter exceeds the twentieth: 1 in pure noise, more where the ground differs."""
+    """Factor by which the quietest quarter exceeds the twentieth: 1 in pure noise, more where the ground differs."""
 
 
 def quiet_ground(details: np.ndarray, usable: np.ndarray | None = None) -> QuietGround | None:
@@ -51,7 +51,7 @@ def quiet_ground(details: np.ndarray, usable: np.ndarray | None = None) -> Quiet
 
 
 def unshared_ground(details: np.ndarray, usable: np.ndarray) -> list[QuietGround | None]:
-    """The same of each band's own noise, for ``details`` (3, bands, rows, columns); empty for a single band.
+    """Quiet ground of each band's own noise, for ``details`` (3, bands, rows, columns); empty for a single band.
 
     Bands show one texture, and each has its noise. What the others leave of a band in a cell is 1 / p_bb, p the inverse
     of their covariance: noise of all, weighted by p_bk / p_bb. Were it as strong in all, it has p_bb / sum p_bk^2.
@@ -81,7 +81,7 @@ def _usable_cells(usable: np.ndarray) -> np.ndarray:
 
 
 def _quiet(means: np.ndarray) -> QuietGround | None:
-    """By the variances of cells; None where they are too few."""
+    """Quiet ground by the variances of cells; None where they are too few."""
     if means.size < MIN_CELLS:
         return None
     shares = (max(LEAST_SHARE, 1 / (means.size + 1)), QUIET_SHARE, _QUARTER)

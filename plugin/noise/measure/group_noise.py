@@ -70,7 +70,7 @@ class ClipNoise:
     paired: bool
     """Whether the window was measured on both groups, with the same pixels left out."""
     bands: dict[str, BandNoise]
-    """By band name, luminance first where there is one; empty when nothing could be measured."""
+    """Noise by band name, luminance first where there is one; empty when nothing could be measured."""
     reason: Message | None = None
     """Why nothing could be measured."""
     window_class: str | None = None

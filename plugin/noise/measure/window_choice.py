@@ -75,7 +75,7 @@ def _lattice(region: PixelWindow, side: int) -> Iterator[tuple[PixelWindow, bool
 
 
 def _starts(length: int, side: int) -> list[int]:
-    """As many windows as fit side by side, with equal gaps between them and to the edges, and those half way."""
+    """Starts of as many windows as fit side by side, equal gaps between them and to the edges, and those half way."""
     fitting = length // side
     gap = (length - fitting * side) / (fitting + 1)
     count = min(2 * fitting - 1, MAX_NOISE_PLACES)

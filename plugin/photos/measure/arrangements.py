@@ -42,7 +42,7 @@ class Arrangement:
     """Candidates that lie as the calibration says."""
 
     frame: MarkFrame
-    """As which they lie."""
+    """The frame as which they lie."""
     shape: MarkShape | None
     """What they look like, in pixels of the photo; None for a user's template."""
     sign: int
@@ -314,7 +314,7 @@ class Candidate:
 
     @property
     def side(self) -> int:
-        """Of the template, px."""
+        """Side of the template, px."""
         return 2 * self.template.margin + 1 if isinstance(self.template, MarkShape) else min(self.template.pixels.shape)
 
     @property

@@ -149,7 +149,7 @@ class MarkFinder:
 
     @cached_property
     def _own_place(self) -> Place | None:
-        """Of the mark that the user's template was cut out of: None without one, or where it is from another photo.
+        """Place of the mark the user's template was cut out of: None without one, or where it is from another photo.
 
         It fits there as nothing else does, so it is used there first.
         """
@@ -174,11 +174,11 @@ class MarkFinder:
 
     @property
     def _factor(self) -> int:
-        """By which the photo is reduced to be searched."""
+        """Factor by which the photo is reduced to be searched."""
         return max(1, math.ceil(max(self.photo.columns, self.photo.rows) / SEARCH_SIDE_PX))
 
     def _candidates(self, scene: Scene, frames: Sequence[MarkFrame]) -> Iterator[Candidate]:
-        """By the user's template or by drawn marks; by these too where the template has found its own mark only."""
+        """Candidates by the user's template or drawn marks; by these too where that has found its own mark only."""
         shapes, sign = self.settings.shapes, self.settings.sign
         yield from candidates(self.photo, scene, frames, self.settings.template, shapes, sign, self.cancelled)
         if self._own_place is not None:

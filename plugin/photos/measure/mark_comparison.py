@@ -56,17 +56,17 @@ class MarkDifference:
 
 @dataclass(frozen=True)
 class DifferenceStatistics:
-    """Of distances, in one unit."""
+    """Statistics of distances, in one unit."""
 
     count: int
     mean: float
     standard_deviation: float
-    """Of the sample (n - 1); NaN for a single mark."""
+    """Standard deviation of the sample (n - 1); NaN for a single mark."""
     maximum: float
     minimum: float
 
     def scaled(self, factor: float) -> DifferenceStatistics:
-        """The same in a unit of another size."""
+        """These statistics in a unit of another size: lengths times ``factor``."""
         lengths = (self.mean, self.standard_deviation, self.maximum, self.minimum)
         return DifferenceStatistics(self.count, *(length * factor for length in lengths))
 
@@ -108,7 +108,7 @@ def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> dict[MarkKey, Comp
 
 
 def distance_statistics(found: Sequence[MarkDifference]) -> DifferenceStatistics:
-    """Of the distances, px."""
+    """Statistics of the distances, px."""
     distances = np.array([one.distance for one in found])
     spread = float(distances.std(ddof=1)) if len(distances) > 1 else math.nan
     mean, largest, smallest = (float(value) for value in (distances.mean(), distances.max(), distances.min()))

@@ -69,7 +69,7 @@ class MarkShape:
         return max(2, math.ceil(self.radius + max(ground, 1.0) + self.softness))
 
     def scaled(self, factor: float) -> MarkShape:
-        """The same mark on pixels ``factor`` times as small."""
+        """This mark on pixels ``factor`` times as small."""
         return replace(self, size=self.size * factor, softness=max(self.softness * factor, limits.PIXEL_SOFTNESS))
 
 

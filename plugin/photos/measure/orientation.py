@@ -124,7 +124,7 @@ class FoundMarks:
     """What became of the marks that were looked for."""
 
     results: Mapping[str, MeasuredMark] = field(default_factory=dict)
-    """By the calibration's names; marks with a given place are not among them."""
+    """Measured marks by the calibration's names; marks with a given place are not among them."""
     template: MarkShape | CutOut | None = None
     """What they were measured with."""
     scan_orientation: ScanOrientation | None = None

@@ -30,7 +30,7 @@ UNIFORM_SHARE = 0.25  # the quarter of the uniform areas with the least noise: t
 
 _HALF = limits.AREA_PX // 2
 _PIXELS = _HALF * _HALF
-"""Of a quadrant."""
+"""Pixels of a quadrant."""
 _FREE = 4 * (_PIXELS - 1)
 """Degrees of freedom of the noise within an area."""
 _QUADRANTS = np.kron(np.eye(2).repeat(_HALF, axis=0), np.eye(2).repeat(_HALF, axis=0))
@@ -127,7 +127,7 @@ class GreyArea:
     """An area of which the user says that it is grey."""
 
     number: int
-    """Of its feature in the layer."""
+    """Number of its feature in the layer."""
     wkb: bytes
     """A polygon in the image's reference system."""
 
@@ -137,11 +137,11 @@ class GreyTone:
     """What an image shows of such an area."""
 
     number: int
-    """As in ``GreyArea``."""
+    """Number of the area, as in ``GreyArea``."""
     pixels: int
     """Valid ones."""
     means: tuple[float, float, float]
-    """Of red, green and blue, DN."""
+    """Means of red, green and blue, DN."""
     place: tuple[float, float]
     """The middle of its pixels, in the image's reference system."""
 
@@ -156,11 +156,11 @@ class ColourBalance:
     means: tuple[float, float, float]
     """Those means, DN."""
     tones: tuple[GreyTone, ...]
-    """Of the areas that counted."""
+    """Tones of the areas that counted."""
     worst: GreyTone
     """The area whose bands differ most."""
     worst_value: float
-    """By how much, as a share of the range."""
+    """How much its bands differ, as a share of the range."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,7 +174,7 @@ class MaybeGrey:
     spreads: np.ndarray
     """(n,): largest difference between the bands, as a share of the range."""
     share: float
-    """Of all areas that were looked at."""
+    """Share of these among all areas that were looked at."""
 
     @property
     def difference(self) -> float:

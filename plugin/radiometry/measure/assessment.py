@@ -33,7 +33,7 @@ class CheckedFigure:
     """One figure of one band against its rule."""
 
     band: str
-    """As in ``Image.band_names``, ``luminosity`` or ``all``."""
+    """Name of the band as in ``Image.band_names``, or ``luminosity`` or ``all``."""
     rule: Rule
     value: float | None
     """Shares are fractions of 1; None when it can't be measured."""
@@ -42,7 +42,7 @@ class CheckedFigure:
     reason: Message | None = None
     """Why it can't be measured or judged."""
     spot: Spot | None = None
-    """Of the worst seam, or of the grey area with most colour."""
+    """Place of the worst seam, or of the grey area with most colour."""
     is_applicable: bool = True
     """False where an image has nothing of the kind, as one band has no colours."""
 
@@ -63,13 +63,13 @@ class Assessment:
     available: ValueRange | None
     """The range that shares are shares of; None where nobody says it."""
     histograms: Mapping[str, Histogram]
-    """By band name, and luminosity; empty when the values can't be counted."""
+    """Histograms by band name, and luminosity; empty when the values can't be counted."""
     seams: tuple[SeamStep, ...] = ()
     notices: tuple[Message, ...] = ()
     maybe_grey: MaybeGrey | None = None
     """What may be grey, where no grey areas were given."""
     balance: ColourBalance | None = None
-    """By the grey areas that were given."""
+    """Colour balance by the grey areas that were given."""
 
     @property
     def pixels(self) -> int:

@@ -72,7 +72,7 @@ class Histogram:
 
     @property
     def mean(self) -> float:
-        """Of all valid pixels; NaN where there are none."""
+        """Mean of all valid pixels; NaN where there are none."""
         return float(self.counts @ self.values / self.pixels) if self.pixels else math.nan
 
     @property

@@ -32,7 +32,7 @@ class MeasuredImage:
     bands: tuple[str, ...] = ()
     """Those that areas and seams are measured in: the image's own, and luminosity where a rule asks for it."""
     histograms: Mapping[str, Histogram] = field(default_factory=dict)
-    """By band name, and luminosity; empty where the values can't be counted."""
+    """Histograms by band name, and luminosity; empty where the values can't be counted."""
     areas: Areas | None = None
     """None where the values can't be counted."""
 

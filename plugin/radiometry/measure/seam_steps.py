@@ -20,15 +20,15 @@ class SeamStep:
     """The step at one seam."""
 
     seam_id: int
-    """As in ``Seam``."""
+    """Number of the seam, as in ``Seam``."""
     stations: int
     """Pieces of 16 px along the seam that have valid pixels on both sides."""
     steps: tuple[float, ...]
-    """Of each band, DN: the means to the left less those to the right, the median over the stations."""
+    """Step of each band, DN: the means to the left less those to the right, the median over the stations."""
     contrasts: tuple[float, ...]
-    """Of each band, DN: the standard deviation on either side of a station, root mean square over the stations."""
+    """Contrast of each band, DN: standard deviation on either side of a station, root mean square over the stations."""
     places: tuple[tuple[float, float], ...]
-    """Of each band: the middle of the station whose difference is nearest to the seam's step, on the map."""
+    """Place for each band: the middle of the station whose difference is nearest to the seam's step, on the map."""
     features: tuple[str, ...] = ()
     """The features of the seamline layer that the seam comes from, as its user knows them; empty where nobody asked."""
     layer: str = ""

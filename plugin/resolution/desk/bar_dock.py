@@ -89,7 +89,7 @@ class TargetSettings(QObject):
             choice.currentIndexChanged.connect(lambda *_: self.changed.emit())
 
     def target(self) -> Target:
-        """As it is set."""
+        """The target as it is set."""
         return Target(
             self.bars.value(), self.reference_group.value(), self.reference_grd.value(),
             grd_of=self.grd_of.currentData(), full_amplitude=self.full_amplitude.currentData(),
@@ -129,7 +129,7 @@ def row(*widgets: QWidget) -> QWidget:
 
 
 MeasuredLines = dict[tuple[Optional["Segment"], int, float], MeasuredLine]
-"""By place, bars in a group and width."""
+"""Measured lines by place, bars in a group and width."""
 
 
 def image_job(ref: RasterRef) -> Job:

@@ -23,7 +23,7 @@ class ProfileDrawing:
     """What is to be drawn."""
 
     number: int
-    """Of the readings: others have another one."""
+    """Number of the readings: others have another one."""
     readings: Mapping[str, BarReading] = field(compare=False)
     criterion: float
     style: ChartStyle

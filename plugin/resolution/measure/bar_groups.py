@@ -31,7 +31,7 @@ class GroupResult:
     band: str
     """Empty for a line that could not be measured."""
     grd_cm: float | None
-    """Of the group; None without a group."""
+    """Ground resolved distance of the group; None without a group."""
     resolved: bool = False
     spurious: bool = False
     """Whether bars are seen there that are aliasing."""
@@ -61,7 +61,7 @@ class TargetResolution:
     """What a target says."""
 
     results: tuple[GroupResult, ...]
-    """By line and band, in the order of the lines."""
+    """Verdicts by line and band, in the order of the lines."""
     grd_cm: dict[tuple[str, str], float | None]
     """Ground resolved distance by direction and band; None where no group is resolved."""
     grd_error_cm: dict[tuple[str, str], float | None]
@@ -90,7 +90,8 @@ class TargetResolution:
         return min(max(low for low, _ in ends), worst), max(worst, *(high for _, high in ends))
 
     def _ends(self, key: tuple[str, str], grd_cm: float) -> tuple[float, float]:
-        """The same of one direction and band: down to where no group surely fails, and to where all surely pass."""
+        """Finest and coarsest distance of a direction and band, cm: where no group surely fails, where all surely
+        pass."""
         own = [one for one in self.results if (one.measured.line.direction, one.band) == key and one.is_judged]
         own.sort(key=lambda one: -(one.grd_cm or 0))
         possible = [one.grd_cm for one in takewhile(lambda one: one.may_pass, own) if one.grd_cm is not None]

@@ -249,7 +249,7 @@ class MeasuredLine:
     segment: Segment | None
     """The line turned to be perpendicular to the bars; None when it could not be measured."""
     readings: dict[str, BarReading] = field(default_factory=dict)
-    """By band."""
+    """Readings by band."""
     saturated: dict[str, float] = field(default_factory=dict)
     """The DN that bars are clipped at, by band."""
     shifts: dict[str, float] = field(default_factory=dict)

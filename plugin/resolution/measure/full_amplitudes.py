@@ -23,7 +23,7 @@ class TargetLevels:
     """A target's plain brightness in one band, DN."""
 
     gap: float
-    """Of its gaps, where nothing blurs them."""
+    """Brightness of its gaps, where nothing blurs them."""
     error: float
     """Its standard deviation."""
     place: PlainPlace

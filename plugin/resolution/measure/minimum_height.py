@@ -45,7 +45,7 @@ class Observation:
         return statistics.fmean(self.heights_m(required_cm))
 
     def heights_m(self, required_cm: float) -> list[float]:
-        """The same by each observer: height and distance grow alike."""
+        """Heights of the required distance by each observer, m: height and distance grow alike."""
         return [self.height_m * (required_cm / grd) for grd in self.grds_cm]
 
     def observer_spread_m(self, required_cm: float) -> float | None:

@@ -58,7 +58,7 @@ class Segment:
         return (self.end[0] - self.start[0]) / self.length, (self.end[1] - self.start[1]) / self.length
 
     def turned(self, angle: float) -> Segment:
-        """The same line turned around its middle, radians from column to row."""
+        """This line turned around its middle, radians from column to row."""
         (x, y), (u, v), half = self.middle, self.along, self.length / 2
         c, s = math.cos(angle), math.sin(angle)
         dx, dy = half * (c * u - s * v), half * (s * u + c * v)

@@ -17,7 +17,7 @@ PT = 100 / 72
 
 
 def paper_font(pixels: float) -> QFont:
-    """Of pictures that leave the desk."""
+    """Font of pictures that leave the desk."""
     font = QFont("sans-serif")
     font.setStyleHint(QFont.StyleHint.SansSerif)
     font.setPixelSize(round(pixels))

@@ -39,7 +39,7 @@ def curve_look(curve: ChartCurve, number: int, style: ChartStyle) -> tuple[str, 
 
 
 def curve_pen(colour: QColor, dashes: PenStyle, width: float) -> QPen:
-    """Of a width in px."""
+    """Pen of a curve; its width in px."""
     pen = QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap, Qt.PenJoinStyle.RoundJoin)
     if isinstance(dashes, tuple):
         pen.setDashPattern(dashes)
@@ -81,7 +81,7 @@ class CurvesPainter(ChartPainter):
             for index, curve in enumerate(chart.curves) if curve.key not in chart.hidden
             for component, share in enumerate(curve.values) if self._is_shown(share)
         }  # fmt: skip
-        """Of the points that can be seen."""
+        """Places of the points that can be seen, by curve and component."""
 
     def _lay_out(self) -> None:
         """Margins for the words around the axes, whatever the numbers are, so that they stay from window to window."""
@@ -95,12 +95,12 @@ class CurvesPainter(ChartPainter):
         self.axes = self.room.adjusted(left, 0.6 * self.line, -right, -bottom)
 
     def x_of(self, component: float) -> float:
-        """Of a component: 0 is level 1, the last one the background."""
+        """x of a component: 0 is level 1, the last one the background."""
         share = (component + _OUTER) / (max(self._levels, 1) + 2 * _OUTER)
         return float(self.axes.left() + share * self.axes.width())
 
     def y_of(self, share: float) -> float:
-        """Of a share; what is below the axis stays at its end."""
+        """y of a share; what is below the axis stays at its end."""
         low, high, share = self.low, self.high, max(share, self.low)
         if self.chart.logarithmic:
             low, high, share = math.log10(low), math.log10(high), math.log10(share)

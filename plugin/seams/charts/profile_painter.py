@@ -42,7 +42,7 @@ class ShownProfile:
     """What the ground around has of the sources' finest detail."""
 
     def bins(self, level: int) -> list[ProfileBin]:
-        """Of one level, from the seam outwards."""
+        """Bins of one level, from the seam outwards."""
         return [one for one in self.profile.bins if one.level == level]
 
     @property
@@ -63,7 +63,7 @@ class ShownProfile:
 
 
 def level_colour(level: int, style: ChartStyle) -> str:
-    """Of a level's line."""
+    """Colour of a level's line."""
     return style.sources[(level - 1) % len(style.sources)]
 
 
@@ -136,7 +136,7 @@ class ProfilePainter(ChartPainter):
         """The share at the axis's upper end."""
 
     def x_of(self, distance_m: float) -> float:
-        """Of a distance from the seam."""
+        """x of a distance from the seam."""
         away = min(max(distance_m / self._shown.pixel_m, 0.0), FARTHEST_PX)
         return float(self.axes.left() + self.axes.width() * (away / FARTHEST_PX) ** 0.5)
 
@@ -146,7 +146,7 @@ class ProfilePainter(ChartPainter):
         return float(share**2 * FARTHEST_PX * self._shown.pixel_m)
 
     def y_of(self, kept: float) -> float:
-        """Of a share that is kept; what is above the axis stays at its end."""
+        """y of a share that is kept; what is above the axis stays at its end."""
         return float(self.axes.bottom() - self.axes.height() * min(max(kept, 0.0), self.most_kept) / self.most_kept)
 
     def ends(self, one: ProfileBin) -> tuple[float, float]:

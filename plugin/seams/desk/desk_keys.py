@@ -144,7 +144,7 @@ def _holds(widget: QWidget, focus: QWidget | None) -> bool:
 
 
 def _pressed(key: str) -> tuple[int, Qt.KeyboardModifier]:
-    """As a key event says it."""
+    """Key and modifiers as a key event says them."""
     *modifiers, name = key.split("+")
     held = Qt.KeyboardModifier.NoModifier
     for modifier in modifiers:

@@ -329,7 +329,7 @@ class InspectionDock(ToolDock):
 
 
 def _triggered(action: QAction) -> Callable[[], bool]:
-    """By its key."""
+    """What the key of an action calls."""
 
     def trigger() -> bool:
         action.trigger()

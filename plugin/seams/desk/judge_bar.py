@@ -358,7 +358,7 @@ class JudgeBar(QWidget):
             self._arrange()
 
     def minimumSizeHint(self) -> QSize:
-        """As narrow as the buttons that judge; the others go below them then."""
+        """Size as narrow as the buttons that judge; the others go below them then."""
         margins = self.contentsMargins()
         moving = self._moving.minimumSize().width() - self._progress.minimumWidth() + self._least_room()
         if self._position.isVisibleTo(self):  # it may give way
@@ -395,7 +395,7 @@ class JudgeBar(QWidget):
         return self._progress.fontMetrics().horizontalAdvance(words + "n")
 
     def _least_room(self) -> int:
-        """The same whatever is judged."""
+        """Least room for the words, equal whatever is judged."""
         return max(map(self._room_for, (_sure_words(999, 100), replace(self._progress_now, left=9999).brief())))
 
     def _lay_out(self) -> None:

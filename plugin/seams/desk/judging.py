@@ -56,7 +56,7 @@ def save_judging(project: QgsProject, settings: JudgingSettings) -> None:
 
 @dataclass(frozen=True)
 class JudgingProgress:
-    """Of all windows, by the present operator."""
+    """How far the present operator is with all windows."""
 
     count: int
     judged: int
@@ -123,7 +123,7 @@ class JudgingTally:
         self._windows = windows
 
     def progress(self) -> JudgingProgress:
-        """Of the windows that were taken last."""
+        """Progress in the windows that were taken last."""
         counts = self._counts
         return JudgingProgress(len(self._windows), counts[_JUDGED], counts[_UNSURE], counts[_LEFT])
 
@@ -197,7 +197,7 @@ class Judging(QObject):
 
     @property
     def settings(self) -> JudgingSettings:
-        """As the project keeps them."""
+        """Settings as the project keeps them."""
         return self._settings
 
     @property
@@ -378,7 +378,7 @@ class Judging(QObject):
 
     @property
     def place(self) -> int:
-        """Of the selected window among those shown, 0 for the first; -1 for none."""
+        """Place of the selected window among those shown, 0 for the first; -1 for none."""
         return self._place
 
     @property

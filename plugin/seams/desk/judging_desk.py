@@ -174,7 +174,7 @@ def _renderer(operator: Operator) -> QgsRuleBasedRenderer:
 
 
 def _outline(*lines: tuple[str, float]) -> QgsFillSymbol:
-    """Of lines alone: QGIS fills even an empty polygon with the selection's colour, and hides what is to be judged."""
+    """Symbol of lines: QGIS fills even an empty polygon with the selection's colour, and hides what is to be judged."""
     symbol = QgsFillSymbol.createSimple({})
     for colour, mm in lines:
         symbol.appendSymbolLayer(QgsSimpleLineSymbolLayer.create({"line_color": colour, "line_width": str(mm)}))
@@ -198,7 +198,7 @@ _BANDS = ((0.2, "slight"), (0.4, "fair"), (0.6, "moderate"), (0.8, "substantial"
 
 
 def agreement_of(windows: Iterable[WindowRecord]) -> Agreement:
-    """Of both operators."""
+    """Agreement of both operators."""
     return agreement([(row.observer, row.observer_2) for row in windows])
 
 

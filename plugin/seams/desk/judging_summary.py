@@ -67,7 +67,7 @@ class OwnLimit(QObject):
         self._background = BackgroundTasks(self)
         self._values: list[tuple[Extent | None, bool, float]] | None = None
         self.calibration: ThresholdCalibration | None = None
-        """Of the windows asked for last; None until it is there."""
+        """Calibration by the windows asked for last; None until it is there."""
 
     def ask(self, windows: Sequence[WindowRecord], operator: Operator) -> None:
         """For these windows from now on."""

@@ -35,7 +35,7 @@ _VERSION = "3"
 
 
 class Keeping(QObject):
-    """Of every layer that is followed, until it goes."""
+    """Keeps what was changed and measured in every layer that is followed, until it goes."""
 
     told = pyqtSignal(object)
     """A Message."""
@@ -180,7 +180,7 @@ def _written(path: Path) -> float | None:
 
 
 class KeptResults(QObject):
-    """By the windows' numbers, the last one of each."""
+    """Results by the windows' numbers, the last one of each."""
 
     failed = pyqtSignal(object)
     """Why they can't be kept."""
@@ -305,7 +305,7 @@ def path_beside(layer: QgsVectorLayer, ending: str) -> Path | None:
 
 
 def _table_of(layer: QgsVectorLayer) -> str:
-    """Of a file that may hold several; empty for one that the desk made, or that holds one alone."""
+    """Table of a layer in a file that may hold several; empty for one that the desk made, or that holds one alone."""
     path = Path(layers.layer_path(layer))
     unnamed = path.stem if path.suffix == ".gpkg" else ""
     table = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName") or unnamed

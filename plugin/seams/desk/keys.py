@@ -19,7 +19,7 @@ class KeyLine(NamedTuple):
     where: str
     does: str
     keys: Mapping[str, tuple[str, ...]] = {}
-    """By what they do, as ``DeskKeys`` and the actions call it; empty where a widget of Qt's or QGIS's has them."""
+    """Keys by what they do, as ``DeskKeys`` and actions call it; empty where a widget of Qt's or QGIS's has them."""
     is_repeating: bool = False
     """Whether they go on while they are held."""
 

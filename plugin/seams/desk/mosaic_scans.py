@@ -219,8 +219,8 @@ _SCANNED, _MOSAIC = "seam_inspector/scanned", "seam_inspector/mosaic"
 
 
 class ScanGroup(QObject):
-    """Of one scan at a time. Its results are opened in the background: for a large picture QGIS takes a quarter of a
-    second, as it looks for its least and largest values whatever its style is."""
+    """The layers of one scan at a time. Its results are opened in the background: for a large picture QGIS takes a
+    quarter of a second, as it looks for its least and largest values whatever its style is."""
 
     complete = pyqtSignal(object)
     """All layers of this ScanDone are on the map."""

@@ -109,7 +109,7 @@ class Session(QObject):
         self._load()
 
     def _offer_what_parts_do(self) -> None:
-        """By the names that the desk calls it; each is described where it is done."""
+        """Offer what parts do by the names that the desk calls it; each is described where it is done."""
         self.mosaic_layer, self.scan_order = self._block.mosaic_layer, self._block.scan_order
         self.block, self.problem = self._block.silent, self._block.problem
         self.coverage, self.seam_point_near = self._coverage.at, self._seams.nearest

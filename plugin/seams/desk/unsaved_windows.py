@@ -48,7 +48,7 @@ class UnsavedWindow:
     wkb: bytes | None
     """Its outline; None when it was removed."""
     values: Mapping[str, Any]
-    """By the fields' names, those that had one."""
+    """Values by the fields' names, those that had one."""
     is_stale: bool = False
     """Whether its result was outdated."""
 
@@ -266,7 +266,7 @@ def _is_other(window: UnsavedWindow, feature: QgsFeature | None) -> bool:
 
 
 def kept_values(feature: QgsFeature) -> dict[str, Any]:
-    """By the fields' names: numbers and texts, as windows have them."""
+    """Values of a window by the fields' names: numbers and texts, as windows have them."""
     named = zip(feature.fields().names(), feature.attributes())
     return {name: value for name, value in named if type(value) in _KEPT and name != _PRIMARY_KEY}
 

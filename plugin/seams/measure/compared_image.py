@@ -58,7 +58,7 @@ class ComparedImage:
 
     @cached_property
     def spectra(self) -> Spectra:
-        """Of the plane, which is compared with those of several others."""
+        """Spectra of the plane, which is compared with those of several others."""
         return Spectra(self.plane)
 
     def with_bands(self, bands: np.ndarray, curves: Mapping[str, Curve], levels: int) -> ComparedImage:
@@ -142,7 +142,7 @@ class Change:
 def measure_changes(
     mosaic: ComparedImage, other: ComparedImage, tones: Mapping[str, Tone | None], shift: Shift | None
 ) -> dict[str, Change]:
-    """By band, the judged one first. Of a source that covers the window only partly there is no contrast."""
+    """Changes by band, the judged one first. Of a source that covers the window only partly there is no contrast."""
     clipped = {name: _clipped(mosaic, other, band) for band, name in enumerate(mosaic.names)}
     clipped[LUMINANCE] = max(clipped.values())
     nothing = (None,) * len(next(iter(mosaic.curves.values())).detail)

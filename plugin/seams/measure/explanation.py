@@ -56,17 +56,17 @@ class Explanation:
     """Standard deviation of the finest detail over the composite's, each by its own range of values; None where the
     ranges can't be compared."""
     sharpness: float | None
-    """Of the finest detail in the whole window against the composite in the mosaic's tones, as an amplitude."""
+    """Sharpness of the whole window: its finest detail against the composite in the mosaic's tones, as an amplitude."""
     added: float | None
     """Share of the mosaic's finest detail that its sources don't have."""
     curves: dict[str, Curve]
-    """Of the levelled composite, by band."""
+    """Curves of the levelled composite, by band."""
     ratios: dict[str, Ratios]
     """The mosaic against the levelled composite, by band."""
     similarity: dict[str, float | None]
     """Correlation of the coarse components with the composite's, by band."""
     changes: tuple[dict[str, Change], ...]
-    """By band: against each source in turn, then against the composite."""
+    """Changes by band: against each source in turn, then against the composite."""
     expected: tuple[float | None, ...]
     """Detail variance that a 50:50 feather would leave, levels 1..R, the smallest over the pairs of sources."""
     unclear_share: float
@@ -185,7 +185,7 @@ def _shift(image: ComparedImage, other: ComparedImage, following: FollowedSource
 
 
 def _main_shift(shifts: Sequence[Shift]) -> Shift | None:
-    """Of the composite, on the mosaic's own grid: that of its sources on their pixels, if they have the same."""
+    """Shift of the composite, on the mosaic's own grid: that of its sources on their pixels, if they have the same."""
     return shifts[0] if shifts and farthest_apart(shifts) <= MAX_SAME_SHIFT_PX else None
 
 
@@ -295,7 +295,7 @@ def _sharpness(details: np.ndarray, labels: np.ndarray) -> float | None:
 
 
 def _filter_power(cut: HardCut) -> float | None:
-    """Of what came over the sources that are followed."""
+    """Power of the filter that came over the sources that are followed."""
     source_of, taps = cut.around.followed.source_of, cut.around.expected.filters.taps
     return filter_power(
         taps[plane] for plane, source in enumerate(source_of)
@@ -322,7 +322,7 @@ def _seam_loss(profile: SeamProfile | None, sharpness: float | None, total: floa
 
 
 def _clipped_loss(image: ComparedImage, finest: np.ndarray, total: float) -> float:
-    """The same, gone where the mosaic is at an end of its scale."""
+    """Share of the sources' finest detail energy, ``total``, gone where the mosaic is at an end of its scale."""
     ends = np.zeros(image.bands.shape[1:], bool)
     for band in image.bands:
         ends |= (band == band.min()) | (band == band.max())
@@ -334,7 +334,7 @@ def _clipped_loss(image: ComparedImage, finest: np.ndarray, total: float) -> flo
 
 
 def _misfit(cut: HardCut, shifts: Sequence[Shift | None], wavelet: str) -> Misfit | None:
-    """Of the two sources that the mosaic follows most, as they are placed in it."""
+    """Misfit of the two sources that the mosaic follows most, as they are placed in it."""
     pair = cut.following.followed[:2]
     if len(pair) < 2:
         return None

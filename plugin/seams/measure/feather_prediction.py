@@ -152,7 +152,7 @@ def _smoothed(mask: np.ndarray, sigma_px: np.ndarray) -> np.ndarray:
 
 
 _DIRECTIONS = np.pi / 4 * (np.arange(4) + 0.5)
-"""Of the seams that are assumed. All are 8 % longer than a window's side; the mean of all directions is 12 %."""
+"""Directions of assumed seams. All are 8 % longer than a window's side; the mean of all directions is 12 %."""
 _MIN_SIDE_SHARE = 0.01  # of the window: smaller pieces are what is left between a line's steps and the pixels
 
 

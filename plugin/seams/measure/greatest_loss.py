@@ -37,7 +37,7 @@ def worst_places(loss: LossPicture, is_hidden: bool = False) -> list[tuple[float
 
 
 def _along(seam: np.ndarray) -> list[tuple[float, float]]:
-    """Of points (row, column) of a seam, so many that no two lie within ``SHOWN_PX`` of each other."""
+    """Points (column, row) of a seam of (row, column), so many that no two lie within ``SHOWN_PX`` of each other."""
     found: list[tuple[float, float]] = []
     left = seam[np.argsort(np.hypot(*(seam - seam.mean(axis=0)).T))] if len(seam) else seam
     while len(left) and len(found) < _MOST_PLACES:

@@ -65,7 +65,7 @@ class Block:
         self, x: float, y: float, side_m: float = imagery_limits.STANDARD_SIDE_M,
         settings: InspectionSettings | None = None, window_id: int = 1,
     ) -> WindowRequest:
-        """The same for a standard window about a place in the mosaic's reference system.
+        """What ``inspect_window`` takes for a standard window about a place in the mosaic's reference system.
 
         Its side is the smallest power of two of pixels that spans at least ``side_m`` metres.
         """
@@ -125,7 +125,7 @@ def make_block(
 
 
 def without_copies(block: Block) -> tuple[Block, list[Message]]:
-    """The same without copies of the mosaic among its sources, which are opened for that; and notices about them."""
+    """A block without copies of the mosaic among its sources, which are opened for that; and notices about them."""
     kept, notices = leave_out_copies(block.mosaic, block.sources)
     return replace(block, sources=tuple(kept)), notices
 
@@ -154,7 +154,7 @@ def inspect_window(request: WindowRequest) -> WindowResult:
 def inspect_in_stages(
     request: WindowRequest, measure: MeasureWindow = measure_window
 ) -> Iterator[WindowClips | WindowResult]:
-    """The same: the curves as soon as they are there, unless there are none, then all.
+    """Inspect one window: the curves as soon as they are there, unless there are none, then all.
 
     ``measure`` may know a faster way to the first of them.
     """

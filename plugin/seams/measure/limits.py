@@ -14,7 +14,7 @@ MAX_SIGNIFICANT_SHARPNESS_SQUARED = 0.15  # of the whole window; bilinear resamp
 SHARPNESS_TOLERANCE = 0.02  # what a sound hard cut may miss: 0.998 to 1.004 were found on real imagery
 SEAMS, FULL = "seams", "full"
 DENSITIES = (SEAMS, FULL)
-"""Of a scan. ``seams``: everything along the seams, samples elsewhere. ``full``: everything everywhere."""
+"""Densities of a scan. ``seams``: everything along the seams, samples elsewhere. ``full``: everything everywhere."""
 STANDARD_PIECE_M = 25.0  # of a seam: some 500 px at 5 cm, 100 px at 25 cm
 WORST_COUNT = 50  # windows that one operator judges within half an hour
 FAILED, REDUCED, ALL = "failed", "reduced", "all"

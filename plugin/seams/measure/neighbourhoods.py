@@ -45,7 +45,7 @@ def effective_count(places: Sequence[int] | np.ndarray) -> float:
 
 
 class Neighbourhoods:
-    """Of the judged windows of a measure, resampled as wholes."""
+    """Neighbourhoods of the judged windows of a measure, resampled as wholes."""
 
     def __init__(self, visible: Sequence[int], invisible: Sequence[int]) -> None:
         """The neighbourhoods' numbers, verdict by verdict."""
@@ -57,7 +57,7 @@ class Neighbourhoods:
 
     @classmethod
     def of_single_windows(cls, visible: int, invisible: int) -> Neighbourhoods:
-        """As if no window had anything to do with another."""
+        """Neighbourhoods as if no window had anything to do with another."""
         return cls(range(visible), range(visible, visible + invisible))
 
     def resamples(self, count: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
@@ -92,7 +92,7 @@ class Neighbourhoods:
 
 
 def _centres(extents: Sequence[Extent | None]) -> np.ndarray:
-    """Of the windows, in sides of a window, so that degrees do as well as metres."""
+    """Centres of the windows, in sides of a window, so that degrees do as well as metres."""
     left, bottom, right, top = np.array(extents, np.float64).T
     sides = np.median([right - left, top - bottom], axis=1)
     return np.column_stack([left + right, bottom + top]) / 2 / np.where(sides > 0, sides, 1)

@@ -100,13 +100,13 @@ def _footprint(ref: RasterRef, wkt: str, pool: RasterPool) -> Extent:
 
 
 def _in_parts(ref: RasterRef) -> RasterRef:
-    """By a path that GDAL reads in parts."""
+    """A raster by a path that GDAL reads in parts."""
     path = readable_path(ref.path)
     return ref if path == ref.path else replace(ref, path=path)
 
 
 def _key(ref: RasterRef) -> str:
-    """The same for the same file, however its path is written."""
+    """Key of a file, equal however its path is written."""
     return os.path.realpath(ref.path) if os.path.exists(ref.path) else ref.path
 
 

@@ -60,7 +60,7 @@ class Verdicts:
 def verdicts_of(
     measure: str, values: Sequence[tuple[Extent | None, bool, float]], is_loss: bool = False
 ) -> Verdicts:
-    """Of judged windows: where each lies, whether a loss was seen there, and the measure's value."""
+    """Verdicts of judged windows: where each lies, whether a loss was seen there, and the measure's value."""
     places = find_neighbourhoods([extent for extent, _, _ in values], [seen for _, seen, _ in values])
     rows = [(seen, value, place) for (_, seen, value), place in zip(values, places)]
     return Verdicts(
@@ -156,7 +156,7 @@ def step_at(verdicts: Verdicts, threshold: float) -> Step:
 
 
 def _negative(verdicts: Verdicts) -> Verdicts:
-    """Of a measure of loss the same, low where detail was lost."""
+    """Verdicts of a measure of loss with its values negated, low where detail was lost."""
     visible, invisible = (tuple(-value for value in kind) for kind in (verdicts.visible, verdicts.invisible))
     return replace(verdicts, visible=visible, invisible=invisible, is_loss=False)
 
@@ -198,7 +198,7 @@ def _best(verdicts: Verdicts, steps: tuple[Step, ...], smoothed: Interval, most:
 
 
 def _range(best: Step, smoothed: Interval, most: float) -> tuple[float, float]:
-    """Of thresholds that can be set, the given one among them."""
+    """Range of thresholds that can be set, the given one among them."""
     return min(smoothed.low, best.threshold), max(min(smoothed.high, most), best.threshold)
 
 

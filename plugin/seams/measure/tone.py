@@ -192,7 +192,7 @@ def _gamma(
 def _value_shares(
     pixels: np.ndarray, weights: Sequence[float], lowest: float, scale: float, count: int
 ) -> np.ndarray:
-    """Of the pixels (bands, points, rows, columns) of each point the weighted share at each value, (points, count)."""
+    """Weighted share of the pixels (bands, points, rows, columns) of each point at each value, (points, count)."""
     points = pixels.shape[1]
     number = ((pixels - np.float32(lowest)) * np.float32(scale) + np.float32(0.5)).astype(np.intp)
     number += count * np.arange(points)[:, np.newaxis, np.newaxis]
@@ -239,6 +239,6 @@ def _median(values: np.ndarray) -> np.ndarray:
 
 
 def _ranked(values: np.ndarray, rank: int) -> np.ndarray:
-    """Of each row the value of that rank, to seven digits: half the time of all, and a sixth of numpy's median."""
+    """Value of that rank in each row, to seven digits: half the time of all, and a sixth of numpy's median."""
     with np.errstate(over="ignore"):  # what float32 can't hold is the largest there, too
         return np.partition(values.astype(np.float32), rank, axis=1)[:, rank].astype(np.float64)

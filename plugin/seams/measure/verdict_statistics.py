@@ -148,7 +148,7 @@ class _Scale:
         self._least = _LEAST_SPREAD * float(np.concatenate([kind.values for kind in self._kinds]).std())
 
     def back(self, threshold: float) -> float:
-        """Of a threshold on this scale the measure's own."""
+        """The measure's own value of a threshold on this scale."""
         return math.exp(threshold + self._mean) if self._is_log else float(threshold)
 
     def best(self, visible: np.ndarray, invisible: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

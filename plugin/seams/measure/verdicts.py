@@ -23,7 +23,7 @@ class Verdict(str, Enum):
     """What a window's ratios say. The values are the words that tables hold."""
 
     SIGNIFICANT = "significant"
-    """By the best estimate at most the limit is left, and that something is lost is sure."""
+    """At most the limit is left by the best estimate, and that something is lost is sure."""
     REDUCED = "reduced"
     """Less is left than the sources have, surely."""
     PRESERVED = "preserved"
@@ -39,7 +39,7 @@ class Ratios:
     detail: tuple[float | None, ...]
     """Levels 1..R; None where the source has no detail to be compared with."""
     background: float | None
-    """Of the coarse components at level R."""
+    """Ratio of the coarse components at level R."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Judgement:
     """The verdict of one window against all of its sources."""
 
     verdict: Verdict
-    """By the reference that was asked for."""
+    """Verdict by the reference that was asked for."""
     ratios: Ratios
     """The largest over the sources, level by level, so that a flag means "against every source"."""
     reason: Message | None = None
@@ -109,7 +109,7 @@ def judge_by_seam(
 def _without_profile(
     has_seam: bool, is_blurred: bool, explained: float, mixed: float
 ) -> tuple[Verdict, Message | None]:
-    """The same where nothing could be measured along a seam."""
+    """Verdict, or why there is none, where nothing could be measured along a seam."""
     if explained < MIN_EXPLAINED:
         return Verdict.NOT_COMPARABLE, messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
     if has_seam:

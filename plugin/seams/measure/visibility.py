@@ -62,7 +62,7 @@ class Viewing:
         return 2 * self.distance_cm * math.tan(math.radians(0.5)) * self.screen_dpi / 2.54
 
     def frequency(self, level: int) -> float:
-        """Of the middle of a level's detail, level 1 the finest, in cycles a degree."""
+        """Frequency of the middle of a level's detail, level 1 the finest, in cycles a degree."""
         return CENTRE_FREQUENCY / 2 ** (level - 1) / self.magnification * self.pixels_per_degree
 
     def contrast(self, rms: float, grey: float, white: float) -> float:
@@ -75,7 +75,7 @@ class Viewing:
 
 
 DESK = Viewing()
-"""As the desk shows a window to be judged."""
+"""How the desk shows a window to be judged."""
 
 
 def contrast_sensitivity(frequency: float) -> float:
@@ -122,7 +122,7 @@ def visibility(
 
 
 MOST_REFLECTANCE = 2.0
-"""Of the brightest ground, glints with it; grey values are more."""
+"""Reflectance of the brightest ground, glints with it; grey values are more."""
 
 
 def white_grey(raster: Raster, largest: float) -> float:
@@ -142,8 +142,8 @@ def white_grey(raster: Raster, largest: float) -> float:
 def window_visibility(
     profile: SeamProfile | None, cells: CellTable, plane: np.ndarray, inside: tuple[slice, slice], raster: Raster
 ) -> float | None:
-    """The same of a window by its profile and cells; ``plane``: (rows, columns), the mosaic's pixels in the band that
-    is judged, ``inside`` their place in what was read around them, in which cells have theirs."""
+    """Visibility of a window's loss by its profile and cells; ``plane``: (rows, columns), the mosaic's pixels in the
+    band that is judged, ``inside`` their place in what was read around them, in which cells have theirs."""
     if profile is None:
         return None
     rows, columns = (length // CELL_PX for length in plane.shape)

@@ -40,7 +40,7 @@ _LARGEST = 32 * 2**20
 """Bytes of what comes from the heap: glibc takes no more, and gets there by itself with the first large raster."""
 _KEPT = {_MMAP_THRESHOLD: _LARGEST, _TRIM_THRESHOLD: 16 * _LARGEST, _TOP_PAD: 2 * _LARGEST}
 _GIVEN_BACK = {_MMAP_THRESHOLD: _LARGEST, _TRIM_THRESHOLD: 2 * _LARGEST, _TOP_PAD: 2**17}
-"""As glibc has it after that raster."""
+"""What glibc has after that raster."""
 
 _CACHE_PER_CORE = 128 * 2**20
 """Bytes: tiles of a block's bands, read one band after the other, times ten."""
@@ -90,7 +90,7 @@ def _glibc() -> ctypes.CDLL | None:
 
 @cache
 def _libraries() -> list[_Calls]:
-    """Of every BLAS that is loaded: numpy and scipy may each have brought one."""
+    """Calls of every BLAS that is loaded: numpy and scipy may each have brought one."""
     return [calls for path in _loaded() if (calls := _calls_of(path)) is not None]
 
 

@@ -189,7 +189,7 @@ def _rows(stations: np.ndarray, chosen: np.ndarray) -> Iterator[tuple[float, flo
 
 SIDES_ACROSS = 4  # of a mosaic that is too small for the window that was asked for
 LONGEST_SIDE_PX = 2 ** int(math.log2(math.sqrt(imagery_limits.MAX_WINDOW_PIXELS)))
-"""Of a square window that is not too large."""
+"""Longest side of a square window that is not too large."""
 
 
 def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> int:

@@ -59,7 +59,7 @@ class WindowRecord(NumberedWindow):
     reference: str = ""
     """What the verdict was taken by, one of ``REFERENCES``; empty in tables of earlier versions."""
     paper_verdict: str = ""
-    """By the paper's rule."""
+    """Verdict by the paper's rule."""
     loss: float | None = None
     """The finest detail that is missing, as so many m2 of the window hold; 0 where no loss is sure."""
     kept: tuple[float | None, ...] = ()

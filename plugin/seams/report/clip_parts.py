@@ -128,7 +128,7 @@ class PartPicture:
 
 @dataclass(frozen=True)
 class WindowParts:
-    """The same part of all clips of a window."""
+    """One part of a window, in all of its clips."""
 
     pictures: tuple[PartPicture, ...] = ()
     """The mosaic first."""

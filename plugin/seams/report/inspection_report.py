@@ -114,7 +114,7 @@ def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:
 
 
 def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
-    """As many as a report can show, the greatest loss first."""
+    """Windows that a report shows in detail, as many as it can, the greatest loss first."""
     return sorted(flagged, key=lambda one: (-(one.loss or 0.0), one.window_id))[:MAX_REPORT_DETAILS]
 
 

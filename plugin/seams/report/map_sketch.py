@@ -52,7 +52,7 @@ class Sketch:
 
     width: float
     height: float
-    """Of the map."""
+    """Height of the map."""
     strip: float
     """Height of what stands below the map."""
     letters: float

@@ -24,9 +24,9 @@ class ReportRequest:
     records: tuple[WindowRecord, ...]
     """The windows; their extents in the mosaic's reference system where there is a block."""
     curves: Mapping[int, Sequence[CurveRecord]] = field(default_factory=dict)
-    """By window, in the judged band."""
+    """Curves by window, in the judged band."""
     pairs: Mapping[int, Sequence[PairRecord]] = field(default_factory=dict)
-    """By window."""
+    """Pairs by window."""
     block: Block | None = None
     """Mosaic and sources whose clips are shown; None for none."""
     wkt: str = ""
@@ -40,7 +40,7 @@ class ReportRequest:
     min_kept: float = limits.MAX_SIGNIFICANT_KEPT
     """The limit drawn into the charts of what is kept."""
     profiles: Mapping[int, Sequence[ProfileRecord]] = field(default_factory=dict)
-    """By window."""
+    """Profiles by window."""
     losses: Mapping[int, LossPicture] = field(default_factory=dict)
     """Lost detail of whole windows as far as it is known; of others it is measured again where there is a block."""
     made_on: date = field(default_factory=date.today)
@@ -55,7 +55,7 @@ def report_request(
     min_kept: float,
     project: QgsProject,
 ) -> ReportRequest:
-    """Of the inspected windows among some; ``result`` gives what was measured in one, by its feature id.
+    """Request for the inspected windows among some; ``result`` gives what was measured in one, by its feature id.
 
     ``crs`` is that of the rows' extents. Raises WindowError when they can't be transformed to the mosaic's.
     """

@@ -20,7 +20,7 @@ from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 from ..measure.window_records import COMPOSITE, CurveRecord, ProfileRecord, WindowRecord
 
 CURVES_PX = 320, 260
-"""As wide as a clip."""
+"""Width and height of a chart of curves: as wide as a clip."""
 PROFILE_PX = 470, 250
 _CURVES_LETTERS_PX = 10.7  # 8 points
 _PROFILE_LETTERS_PX = 11

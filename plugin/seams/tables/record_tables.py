@@ -150,7 +150,7 @@ class _Components(NamedTuple):
     raster: str
     role: str
     shares: dict[int, float]
-    """By level; the background as _BACKGROUND."""
+    """Shares by level; the background as _BACKGROUND."""
 
     def curve(self) -> CurveRecord | None:
         """None while levels are missing."""

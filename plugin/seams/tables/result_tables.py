@@ -65,7 +65,7 @@ PLACED_COLUMNS: tuple[Column[PlacedWindow], ...] = (
 
 
 def output_fields(levels: int, said: Iterable[str]) -> QgsFields:
-    """Of OUTPUT: those of every window, and what operators said as far as the windows given have it."""
+    """Fields of OUTPUT: those of every window, and what operators said as far as the windows given have it."""
     fields = column_fields(MEASURED, levels)
     for name in said:
         if fields.indexOf(name) < 0:

@@ -36,9 +36,9 @@ class ScanLayer:
     """One of the layers that a scan leaves."""
 
     name: str
-    """Of the table in a file of several."""
+    """Name of the table in a file of several."""
     style: str
-    """Of ``resources/styles``."""
+    """Style in ``resources/styles``."""
     geometry: QgsWkbTypes.Type
     columns: Sequence[Column]
     results: Callable[[ScanResult, ScanRequest], Iterable[tuple[object, QgsGeometry]]]

@@ -76,7 +76,7 @@ class Accuracy:
 
     @property
     def rmse(self) -> float | None:
-        """Of both coordinates together, m."""
+        """Root mean square error of both coordinates together, m."""
         return None if self.rmse_x is None or self.rmse_y is None else float(np.hypot(self.rmse_x, self.rmse_y))
 
 
@@ -101,12 +101,12 @@ class Adjustment:
 
     @property
     def control(self) -> Accuracy:
-        """Of the control points that took part."""
+        """Accuracy on the control points that took part."""
         return accuracy(self.residuals_px, self.residuals_m, ~self.points.check & ~self.blunder)
 
     @property
     def check(self) -> Accuracy:
-        """Of the check points that are no blunders."""
+        """Accuracy on the check points that are no blunders."""
         return accuracy(self.residuals_px, self.residuals_m, self.points.check & ~self.blunder)
 
 
@@ -213,7 +213,7 @@ def _blunder_limit(redundancy: float) -> float:
 
 
 def _robust_sigma(residuals: np.ndarray, redundancy: float) -> float:
-    """Of a coordinate, from the median length of the residuals, those that the fit can bring to zero set aside."""
+    """Sigma of a coordinate, from the median length of residuals, those that the fit can bring to zero set aside."""
     ordered = np.sort(np.linalg.norm(residuals, axis=1))
     rest = ordered[min(round(len(ordered) - redundancy / 2), len(ordered) - 1) :]
     return max(float(np.median(rest)) / RAYLEIGH_MEDIAN, limits.MIN_SIGMA_PX)

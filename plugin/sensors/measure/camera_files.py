@@ -57,7 +57,7 @@ class Cameras:
     cameras: Mapping[str, Callable[[], FileCamera]]  # what makes each, by its name
 
     def chosen(self, camera: str) -> FileCamera:
-        """By its name, of any part of a reconstruction after the slash, or the only one. Raises SensorModelError."""
+        """Camera by name, of any part of a reconstruction after the slash, or the only one. Raises SensorModelError."""
         names = [camera, camera.partition("/")[2], *(self.cameras if len(self.cameras) == 1 else ())]
         found = next((name for name in names if name in self.cameras), None)
         if found is None and self.cameras:
@@ -282,7 +282,7 @@ def numbers_of(element: Element, *names: str) -> list[float]:
 
 
 def pix4d_photos(content: str) -> dict[str, list[float]]:
-    """Of each photo of ``..._calibrated_camera_parameters.txt``: sides, matrix, lens, position, rotation; or {}."""
+    """Values by photo of ``..._calibrated_camera_parameters.txt``: sides, matrix, lens, position, rotation; or {}."""
     lines = content.splitlines()
     if not lines or not lines[0].startswith("fileName imageWidth imageHeight"):
         return {}

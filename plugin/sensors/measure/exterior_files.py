@@ -69,7 +69,7 @@ class Exteriors:
 
     @property
     def names(self) -> list[str]:
-        """Of the photos; one that is empty in a file of one photo."""
+        """Names of the photos; one that is empty in a file of one photo."""
         return [name for name, _ in self.photos]
 
     def of(self, image: str) -> FrameExterior:
@@ -247,13 +247,13 @@ def _pix4d_exterior(name: str, numbers: Sequence[float], offset: np.ndarray) -> 
 
 
 def _from_plane(origin: Sequence[float], position: np.ndarray, axes: np.ndarray) -> FrameExterior:
-    """Of a camera in the plane (east, north, up) that touches the ellipsoid at a longitude, latitude and height."""
+    """Exterior in the plane (east, north, up) that touches the ellipsoid at a longitude, latitude and height."""
     up = _local_axes(*origin[:2])
     return _from_geocentric(geocentric(np.array([origin]))[0] + up.T @ position, up.T @ axes)
 
 
 def _from_geocentric(position: np.ndarray, axes: np.ndarray) -> FrameExterior:
-    """Of a camera in geocentric coordinates (WGS 84): in the plane below itself, from which the Earth curves away."""
+    """Exterior of a camera in geocentric coordinates (WGS 84): in the plane below, from which the Earth curves away."""
     systems = osr.SpatialReference(), osr.SpatialReference()
     for system, code in zip(systems, (4978, 4979)):
         system.ImportFromEPSG(code)

@@ -110,7 +110,7 @@ class ViewDirection:
 
 
 def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirection | None:
-    """Of a model fitted to points of the system ``wkt``; None for a plane one, or one too bent to be inverted."""
+    """View direction of a model fitted to points of ``wkt``; None for a plane one, or one too bent to be inverted."""
     if not model.SPATIAL:
         return None
     levels = np.mean(domain.heights) + np.array([-0.5, 0.5]) * _RISE_M

@@ -121,7 +121,7 @@ class Ortho:
     rows: int
     """Number of rows, px."""
     rms_px: float
-    """Of the RPC that stands for the model, in pixels of the image; 0 for an RPC itself, and for a photo."""
+    """RMS error of the RPC that stands for the model, in pixels of the image; 0 for an RPC itself, and for a photo."""
     max_px: float
     """The largest of the same."""
     uncovered: float

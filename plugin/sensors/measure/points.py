@@ -283,7 +283,7 @@ def _beyond_rpc_heights(points: Points, rpc: Rational, missed: float) -> list[Me
 
 
 def _check_turned(image: np.ndarray, seen: np.ndarray) -> None:
-    """Of the ways to mirror and turn an image, that which brings points to where the RPC sees them but for a shift."""
+    """Raise SensorModelError where an image mirrored or turned lies as the RPC sees its points but for a shift."""
     if len(image) < _FEWEST_TURNED:
         return
     as_given = _scatter(image - seen)

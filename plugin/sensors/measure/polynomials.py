@@ -77,7 +77,7 @@ class Rational(SensorModel):
         return self
 
     def padded(self) -> Rational:
-        """The same function with the 20 terms of order 3."""
+        """This function with the 20 terms of order 3."""
         missing = ((0, len(EXPONENTS_3D) - len(self.numerators)), (0, 0))
         numerators, denominators = np.pad(self.numerators, missing), np.pad(self.denominators, missing)
         return Rational(3, self.ground, self.image, numerators, denominators)
@@ -96,7 +96,7 @@ class Dlt(SensorModel):
         return self.as_rational().project(ground)
 
     def as_rational(self) -> Rational:
-        """The same function as quotients: y = (a5 + ...) / (1 + ... - a12 (a1 + ...))."""
+        """This function as quotients: y = (a5 + ...) / (1 + ... - a12 (a1 + ...))."""
         a = self.coefficients
         of_column = np.array([1.0, *a[8:11]])
         of_row = of_column - a[11] * a[0:4]

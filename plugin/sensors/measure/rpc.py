@@ -252,7 +252,7 @@ def _alos_items(text: str) -> dict[str, str]:
 
 
 def _orthority_items(text: str, name: str) -> dict[str, str]:
-    """Of a file for one image: GDAL's items in small letters."""
+    """Items of a file for one image: GDAL's in small letters."""
     try:
         (rpc,) = (one["rpc"].items() for one in yaml_document(text, name).values())
         return {key.upper(): " ".join(map(str, value if isinstance(value, list) else [value])) for key, value in rpc}
@@ -270,7 +270,7 @@ def _coefficients(items: Mapping[str, str], pattern: str, first: int) -> dict[st
 
 
 def _dimap_items(content: bytes, name: str) -> dict[str, str]:
-    """As GDAL has them, of the model from the ground to the image."""
+    """Items as GDAL has them, of the model from the ground to the image."""
     try:
         root = xml_root(content)
     except ParseError:

@@ -19,7 +19,7 @@ _MOST_YAML = 300_000  # characters, of some hundred cameras: PyYAML reads a hund
 
 
 def file_content(path: Path) -> bytes:
-    """Of a file that the user names. Raises SensorModelError where there is none that can be read."""
+    """Content of a file that the user names. Raises SensorModelError where there is none that can be read."""
     try:
         return document_bytes(path)
     except OSError:
@@ -95,7 +95,7 @@ class FittedModel:
 
 @dataclass(frozen=True)
 class Solution:
-    """Of a linear least squares problem."""
+    """Solution of a linear least squares problem."""
 
     values: np.ndarray  # the unknowns
     condition: float  # largest over smallest singular value of the design matrix with columns of length 1

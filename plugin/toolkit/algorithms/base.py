@@ -176,7 +176,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         return common.without_rasters(self, parameters, self.RASTER_LISTS)
 
     def _pages(self) -> list[str]:
-        """Of ``PAGES`` those that the algorithm has."""
+        """Those of ``PAGES`` that the algorithm has."""
         return [name for name in self.PAGES if self.parameterDefinition(name) is not None]
 
     def _missing_packages(self, parameters: dict[str, Any]) -> str:

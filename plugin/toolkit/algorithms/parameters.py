@@ -273,7 +273,7 @@ def takes_rasters(definition: QgsProcessingParameterDefinition) -> bool:
 
 
 def _paths(value: Any) -> Iterator[str]:
-    """Of one layer or several, those that are given as texts."""
+    """Paths of one layer or several, those that are given as texts."""
     for one in value if isinstance(value, (list, tuple)) else (value,):
         path = _LAYER_ADDRESS.sub("", one) if isinstance(one, str) else ""
         if path:

@@ -143,7 +143,7 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         wkt = layers.system_wkt(source.sourceCrs())
         windows = []
         self.window_values: dict[int, dict[str, str | None]] = {}
-        """Of each window's carried fields."""
+        """Values of the carried fields, by window number."""
         features = WindowFeatures(source, source.sourceCrs(), run, carried)
         for window in features.windows():
             self.window_values[window.window_id] = features.taken(window.window_id)[1]

@@ -60,7 +60,7 @@ class Run:
         return self._sinks.lost
 
     def kept(self, results: dict[str, Any]) -> dict[str, Any]:
-        """Of the results of a run that is closed those that there are; tells of the others.
+        """Results that there are of those of a run that is closed; tells of the others.
 
         Raises SettingsError where all layers are lost.
         """
@@ -77,7 +77,7 @@ class Run:
         return str(self._algorithm.parameterAsString(self.parameters, name, self.context))
 
     def word(self, name: str) -> str:
-        """Of a choice."""
+        """Word of a choice."""
         return str(self._algorithm.parameterAsEnumString(self.parameters, name, self.context))
 
     def whole(self, name: str) -> int:
@@ -105,7 +105,7 @@ class Run:
         return self._algorithm.parameterAsExtentCrs(self.parameters, name, self.context)
 
     def path(self, name: str) -> str:
-        """Of an input file."""
+        """Path of an input file."""
         return str(self._algorithm.parameterAsFile(self.parameters, name, self.context))
 
     def decomposition(self) -> tuple[str, int]:
@@ -127,7 +127,7 @@ class Run:
         return raster_ref(value, self.context) if value else None
 
     def required_raster(self, name: str) -> RasterRef:
-        """The same for one that has to be there: raises RasterError when it is not given."""
+        """The file of a raster parameter that has to be there: raises RasterError when it is not given."""
         ref = self.raster(name)
         if ref is None:
             raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
@@ -322,7 +322,7 @@ class Run:
         self.feedback.setProgress(100 * share)
 
     def goes_on(self, share: float) -> bool:
-        """The same, and whether the user wants more."""
+        """Tell how much is done, 0 to 1; whether the user wants more."""
         self.progress(share)
         return not self.is_cancelled()
 

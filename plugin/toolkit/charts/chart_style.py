@@ -9,7 +9,7 @@ from threading import Thread
 from ..translation import tr
 
 BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
-"""Of bands that are drawn together."""
+"""Colours of bands that are drawn together."""
 MOST_NAMED = 12
 """Curves in the legend of a chart; more would leave no room for the curves."""
 UNNAMED = "_"
@@ -22,12 +22,12 @@ class ChartStyle:
     """Colours of a chart, and how heavy its lines are."""
 
     text: str
-    """Of words, axes and the mosaic's curve."""
+    """Colour of words, axes and the mosaic's curve."""
     background: str
     grid: str
     limit: str
     quiet: str
-    """Of what stands beside the curves."""
+    """Colour of what stands beside the curves."""
     sources: tuple[str, ...]
     scale: float = 1.0
     """Factor on the widths of lines and the sizes of points."""

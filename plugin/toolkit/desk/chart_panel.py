@@ -47,7 +47,7 @@ class ChartPanel(QWidget):
         layout.addWidget(words)
 
     def _refresh_now(self, *_: object) -> None:
-        """As soon as the signals under way have been handled."""
+        """Refresh as soon as the signals under way have been handled."""
         self._timer.start(0)
 
     def _refresh(self) -> None:

@@ -61,7 +61,7 @@ def draw_figure(figure: Callable[[Any], Figure], request: Any) -> FigurePicture:
 
 
 def fit_figure(figure: Figure, room: Room) -> None:
-    """As many pixels as there is room for; points grow with the screen's."""
+    """Give a figure as many pixels as there is room for; points grow with the screen's."""
     dpi = 100 * room.ratio
     figure.set_dpi(dpi)
     figure.set_size_inches(room.width * room.ratio / dpi, room.height * room.ratio / dpi)

@@ -62,7 +62,7 @@ class DeskTab:
     """A tab of the inspection desk. Title and tooltip are marked for translation, not translated."""
 
     name: str
-    """By which scripts and tests find it."""
+    """Name by which scripts and tests find it."""
     title: str
     tooltip: str
     make: Callable[[Any], QWidget]

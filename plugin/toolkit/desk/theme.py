@@ -53,7 +53,7 @@ def plain_icon(*pixmaps: QPixmap) -> QIcon:
 
 
 def contrast(one: QColor, other: QColor) -> float:
-    """Of two colours, 1 to 21, as WCAG 2.1 defines it."""
+    """Contrast of two colours, 1 to 21, as WCAG 2.1 defines it."""
     darker, lighter = sorted((_luminance(one), _luminance(other)))
     return (lighter + 0.05) / (darker + 0.05)
 

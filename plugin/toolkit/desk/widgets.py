@@ -108,7 +108,7 @@ class ClippedLabel(QWidget):
             self.update()
 
     def set_lines(self, fewest: int, most: int) -> None:
-        """As high as the text needs, from now on."""
+        """Be as high as the text needs, from now on."""
         if (fewest, most) != (self._fewest, self._most):
             self._fewest, self._most = fewest, most
             self._fit()
@@ -151,7 +151,7 @@ class ClippedLabel(QWidget):
             painter.drawText(self.contentsRect(), _WRAPPED, with_units(self._fitting(self.fontMetrics())))
 
     def _fitting(self, metrics: QFontMetrics) -> str:
-        """As much of the text as there are lines for."""
+        """Text as far as there are lines for it."""
         if self._fits(metrics, self._text, self._lines):
             return self._text
         shortest, longest = 0, len(self._text)
@@ -182,8 +182,8 @@ _STYLES = Qt.ToolButtonStyle
 
 
 class FittingToolBar(QToolBar):
-    """Of the ``worded`` actions the last ones lose their icons first, and then their words, for an icon; the others
-    are icons throughout."""
+    """A tool bar that fits: of the ``worded`` actions the last ones lose their icons first, and then their words, for
+    an icon; the others are icons throughout."""
 
     def __init__(self, actions: Sequence[QAction], worded: Sequence[QAction], parent: QWidget | None = None) -> None:
         super().__init__(parent)

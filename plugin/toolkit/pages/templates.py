@@ -59,7 +59,7 @@ class HowMeasured:
 
     @property
     def day(self) -> str:
-        """As the world writes it, so that no month is taken for a day."""
+        """Day as the world writes it, so that no month is taken for a day."""
         return (self.made_on or date.today()).isoformat()
 
     @property
@@ -81,7 +81,7 @@ class HowMeasured:
 
 
 def measured_raster(role: str, raster: Raster | RasterRef) -> MeasuredRaster:
-    """Of one raster; of one that was not opened its path alone is known."""
+    """Facts of one raster; of one that was not opened its path alone is known."""
     if isinstance(raster, RasterRef):
         return MeasuredRaster(role, whole_path(raster.path))
     return MeasuredRaster(
@@ -95,7 +95,7 @@ def measured_raster(role: str, raster: Raster | RasterRef) -> MeasuredRaster:
 
 
 def each_raster(role: str, rasters: Iterable[Raster | RasterRef]) -> list[MeasuredRaster]:
-    """Of several rasters, each path once."""
+    """Facts of several rasters, each path once."""
     return list({facts.path: facts for facts in (measured_raster(role, one) for one in rasters)}.values())
 
 
@@ -194,7 +194,7 @@ def _cell_width(value: object) -> str:
 
 
 def _css_text(words: str) -> str:
-    """As a string of CSS, in which nothing but letters and digits means what it says."""
+    """Words as a string of CSS, in which nothing but letters and digits means what it says."""
     short = words if len(words) <= _LONGEST_FOOT else words[: _LONGEST_FOOT - 1] + "…"
     return re.sub(r"[^A-Za-z0-9 ]", lambda one: f"\\{ord(one.group()):x} ", short)
 

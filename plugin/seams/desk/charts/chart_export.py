@@ -128,7 +128,7 @@ class ChartExport(QToolButton):
         raise NotImplementedError
 
     def _name(self) -> str:
-        """Of a file, without its ending."""
+        """Name of a file, without its ending."""
         raise NotImplementedError
 
     def _words(self) -> tuple[str, str, str]:
@@ -213,7 +213,7 @@ class CurvesPicture:
         self._title, self._title_font, self._font = title, paper_font(_TITLE_PX), paper_font(_LEGEND_PX)
         self._title_font.setBold(True)
         self.entries: list[tuple[str, str, PenStyle, tuple[float, float]]] = []
-        """Of the legend: name, colour and dashes of the line, its width and the radius of its points."""
+        """Entries of the legend: name, colour and dashes of the line, its width and the radius of its points."""
         for number, curve in numbered(chart.curves):
             if curve.key not in chart.hidden:
                 size = (0.22, 0.26) if curve.is_mosaic else (0.1, 0.17)
@@ -250,7 +250,7 @@ class CurvesPicture:
 
 
 def csv_text(table: Iterable[Sequence[object]]) -> str:
-    """As a file of comma-separated values."""
+    """Text of a table as a file of comma-separated values."""
     buffer = io.StringIO()
     csv.writer(buffer).writerows(table)
     return buffer.getvalue()

@@ -72,19 +72,19 @@ class CurvesLegend(QListWidget):
             self.scheduleDelayedItemsLayout()
 
     def entry_size(self) -> QSize:
-        """Of each entry: a share of the width where they stand side by side."""
+        """Size of each entry: a share of the width where they stand side by side."""
         height = round(1.25 * self.fontMetrics().height())
         room = self.maximumViewportSize().width() - self._kept_free()
         return QSize(room // self._columns(room) if self.is_across else 0, height)
 
     def height_within(self, width: int, most: int) -> int:
-        """Of the rows that the entries fill side by side in this width; only whole rows, and at least one."""
+        """Height of the rows that the entries fill side by side in this width; only whole rows, and at least one."""
         around, entry = self.height() - self.viewport().height(), self.entry_size().height()
         rows = -(-self.count() // self._columns(width - around - self._kept_free()))
         return max(1, min(rows, (most - around) // entry)) * entry + around + 2
 
     def sizeHint(self) -> QSize:
-        """As wide as the names, within reason."""
+        """Size that is as wide as the names, within reason."""
         return QSize(self._entry_width() + self.fontMetrics().height(), 6 * self.fontMetrics().height())
 
     def minimumSizeHint(self) -> QSize:
@@ -98,7 +98,7 @@ class CurvesLegend(QListWidget):
             self.scheduleDelayedItemsLayout()
 
     def _kept_free(self) -> int:
-        """Of the width: Qt leaves room for a scroll bar where there is none, and breaks rows that reach into it."""
+        """Width kept free: Qt leaves room for a scroll bar where there is none, and breaks rows that reach into it."""
         return int(self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent, None, self)) + 4
 
     def _columns(self, width: int) -> int:

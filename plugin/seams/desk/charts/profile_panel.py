@@ -56,7 +56,8 @@ class ProfilePanel(ChartPanel):
     def show_profile(
         self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0
     ) -> None:
-        """Of any place, as while the mouse is dragged; the next ``refresh`` shows the selected window's again."""
+        """Show any place's profile, as while the mouse is dragged; the next ``refresh`` shows the selected window's
+        again."""
         self._fill_levels(len(profile.kept))
         self.chart.show_profile(profile, pixel_m, min_kept, ground_left)
         self._pages.setCurrentWidget(self.chart)

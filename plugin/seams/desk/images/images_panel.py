@@ -50,7 +50,7 @@ class PictureFlow(QWidget):
         self.arrange()
 
     def arrange(self) -> None:
-        """By the room without a scroll bar, or the bar would come and go; only then within the width it leaves."""
+        """Arrange by the room without a scroll bar, or it would come and go; only then within the width it leaves."""
         if not self._views:
             return
         least, area = self._views[0].minimumSizeHint(), self._scrolled.maximumViewportSize()

@@ -309,7 +309,7 @@ class PictureView(QWidget):
         painter.restore()
 
     def _paint_outline(self, painter: QPainter, inside: PixelWindow) -> None:
-        """Of the window within the ground around it, outside of its pixels: light within dark."""
+        """Paint the outline of the window within the ground around it, outside of its pixels: light within dark."""
         ratio, corner, part = self.devicePixelRatioF(), QPointF(self.image_rect().topLeft()), self._viewport.box(inside)
         box = QRectF(corner + part.topLeft() / ratio, part.size() / ratio)
         painter.setBrush(Qt.BrushStyle.NoBrush)

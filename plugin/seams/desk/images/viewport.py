@@ -29,7 +29,7 @@ class Viewport(QObject):
         self.zoom: float | None = BEST_ZOOM
         """Screen pixels per window pixel; None: whatever makes all of the window seen."""
         self.centre: Point = (0.5, 0.5)
-        """Of the views, as shares of the window's sides, so that it holds for windows of other sizes too."""
+        """Centre of the views, as shares of the window's sides, so that it holds for windows of other sizes too."""
         self.cursor: Point | None = None
         """Where the mouse is, window pixels."""
 

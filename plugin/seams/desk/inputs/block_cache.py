@@ -336,7 +336,7 @@ class OpenedFiles:
     cells: tuple[Cell, ...] = ()
     """Which source each part of the mosaic was cut from."""
     content: str = ""
-    """By which the mosaic is known again, wherever it lies."""
+    """What the mosaic is known again by, wherever it lies."""
 
 
 def block_files(project: QgsProject, inputs: Inputs) -> InputFiles:

@@ -68,7 +68,7 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
             ("corridor_m", tr("C&orridor"), corridor, tr("Metres that a scan reads on either side of the seamlines")),
         )  # fmt: skip
         self.boxes = {name: box for name, _, box, _ in fields}
-        """By the fields of ``Inputs``, in tab order."""
+        """Boxes by the fields of ``Inputs``, in tab order."""
         layout = QGridLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.setVerticalSpacing(3)

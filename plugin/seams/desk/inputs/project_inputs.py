@@ -103,7 +103,7 @@ Place = tuple[str, str]
 
 
 class LayerPlaces:
-    """By layer id, remembered in the project."""
+    """Places of layers by layer id, remembered in the project."""
 
     def __init__(self, project: QgsProject) -> None:
         self._project = project

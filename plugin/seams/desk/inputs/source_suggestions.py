@@ -46,7 +46,7 @@ Sources = tuple[str, ...]
 
 
 class SourceSuggestions(QObject):
-    """By the rasters' headers at once; copies of the mosaic and other mosaics are looked for in the background."""
+    """Suggests by rasters' headers at once; copies of the mosaic and other mosaics are looked for in the background."""
 
     changed = pyqtSignal()
     """What was open is known."""
@@ -86,7 +86,7 @@ class SourceSuggestions(QObject):
         self._looker.start()
 
     def standing(self, layer_id: str) -> Suitability | None:
-        """Of one raster; None where nothing is known of it."""
+        """Standing of one raster; None where nothing is known of it."""
         by_header = self._by_header.get(layer_id)
         if by_header is None or by_header.standing is Standing.LEFT_OUT or layer_id not in self._likeness:
             return by_header
@@ -201,7 +201,7 @@ class Suggesting(QObject):
                 self._session.set_inputs(found)
 
     def _is_ours(self, inputs: Inputs) -> bool:
-        """By identity: the same sources set by the operator, the project or a script are theirs."""
+        """Whether sources are ours, by identity: equal ones set by the operator, the project or a script are theirs."""
         return inputs.sources is self._set
 
     def _set_inputs(self, inputs: Inputs) -> None:
@@ -262,7 +262,7 @@ def _is_index(layer: QgsVectorLayer) -> bool:
 
 
 def _are_seams(layer: QgsVectorLayer, kind: QgsWkbTypes.GeometryType) -> bool:
-    """By its name or, of lines, by fields that say what lies on either side."""
+    """Whether a layer holds seams, by its name or, of lines, by fields that say what lies on either side."""
     names = layer.fields().names()
     if layer.geometryType() != kind or _OF_RESULTS.intersection(names) or _is_index(layer):
         return False
@@ -294,7 +294,7 @@ def file_rasters() -> list[QgsRasterLayer]:
 
 
 def facts_of(layers: Sequence[QgsRasterLayer], mosaic: QgsRasterLayer) -> list[RasterFacts]:
-    """Of some layers, seen from the mosaic; no file is opened for it."""
+    """Facts of some layers, seen from the mosaic; no file is opened for it."""
     crs = mosaic.crs()
     known: dict[str, bool] = {}
     return [_facts(layer, mosaic, crs, known) for layer in layers]

@@ -65,7 +65,7 @@ _SLICE_S = 0.05  # of reading results, which of thousands of windows are in a fi
 
 @dataclass(frozen=True)
 class _Picture:
-    """Of one window's result."""
+    """Picture of one window's result."""
 
     of: tuple[object, ...]
     """What was measured in the window, as its row says."""
@@ -158,7 +158,7 @@ def _picture(row: WindowRecord, result: WindowResult) -> _Picture:
 
 
 def placed_picture(result: WindowResult, image: QImage, grid: Grid, cell_px: int) -> PlacedPicture:
-    """Of a window that was measured: an image whose pixels are so many pixels of the mosaic, from its upper left."""
+    """Picture of a measured window: an image whose pixels are ``cell_px`` px of the mosaic, from its upper left."""
     assert result.window is not None
     return _placed(image, result.window, cell_px, grid)
 
@@ -310,7 +310,7 @@ class ProfileOnMap(QObject):
         return float(away) * result.ground_sample_distance
 
     def _seam_distances(self) -> np.ndarray | None:
-        """Of the followed window, (rows, columns) px; None without a seam."""
+        """Distances from the seam of the followed window, (rows, columns) px; None without a seam."""
         result = self._result
         if self._distances is None and result is not None and result.loss is not None and len(result.loss.seam):
             import numpy as np

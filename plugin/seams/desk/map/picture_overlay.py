@@ -28,9 +28,9 @@ class PlacedPicture(NamedTuple):
 
     image: QImage
     extent: Extent
-    """Of the whole image, in the overlay's reference system."""
+    """Extent of the whole image, in the overlay's reference system."""
     shown: Extent
-    """Of the part that is seen: a window may end within a cell."""
+    """Extent of the part that is seen: a window may end within a cell."""
 
 
 def rgba_image(rgba: np.ndarray) -> QImage:

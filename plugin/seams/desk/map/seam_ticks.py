@@ -86,7 +86,7 @@ class SeamTicks:
         canvas.extentsChanged.connect(self._follow)
 
     def show(self, fid: int | None) -> None:
-        """Of a window; None: of none."""
+        """Show the ticks of a window; None: of none."""
         self._fid = fid
         self._follow()
 

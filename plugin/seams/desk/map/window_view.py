@@ -121,7 +121,7 @@ def _area(box: QgsRectangle) -> float:
 
 
 SELECTED = "seam_inspector_selected"
-"""Of the map: its keys are a layer's id and a feature's, with a space between (resources/styles/windows.qml)."""
+"""Map variable: its keys are a layer's id and a feature's, with a space between (resources/styles/windows.qml)."""
 
 
 class SelectedWindows:

@@ -222,13 +222,13 @@ class Swipe(QObject):
             self.failed.emit(layer)
 
     def _forget_file(self) -> None:
-        """Of the composite before; what is still drawn keeps it open."""
+        """Forget the file of the composite before; what is still drawn keeps it open."""
         file, self._file = self._file, ""
         if file:
             drop_from_memory(file)
 
     def _draw(self, *_: object) -> None:
-        """As the canvas is drawn now; it asks for it each time it begins."""
+        """Draw both sides as the canvas is drawn now; it asks for it each time it begins."""
         mosaic, item = self._mosaic, self._item
         if mosaic is None or item is None or self.choice is None or sip.isdeleted(mosaic):
             return

@@ -137,7 +137,7 @@ def composite_job(request: WindowRequest, path: str) -> Job:
 
 
 def write_composite(composite: WindowComposite, request: WindowRequest, path: str) -> None:
-    """As a raster that differs from the mosaic's window in the composite's pixels only.
+    """Write a composite as a raster that differs from the mosaic's window in the composite's pixels only.
 
     Raises RasterError when the mosaic can't be read.
     """

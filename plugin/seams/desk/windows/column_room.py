@@ -83,7 +83,7 @@ _GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "r
 
 
 class Widths(NamedTuple):
-    """Of a column, px."""
+    """Widths of a column, px."""
 
     least: int
     """With words cut short."""
@@ -100,7 +100,7 @@ class ColumnChoosing(NamedTuple):
     short: bool
     """Whether headings are."""
     widths: list[Widths]
-    """Of all sections."""
+    """Widths of all sections."""
 
 
 class ColumnMeter:

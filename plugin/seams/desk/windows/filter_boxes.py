@@ -24,7 +24,7 @@ class WindowOrder(NamedTuple):
     """An order of windows. Title and tooltip are marked for translation, not translated."""
 
     name: str
-    """As the project keeps it."""
+    """Name as the project keeps it."""
     title: str
     tooltip: str
     key: Callable[..., Any] | None
@@ -37,18 +37,18 @@ class WindowOrder(NamedTuple):
 
 
 def along_the_seam(row: WindowRecord) -> tuple[float, float, int]:
-    """By seam and station where windows have them, else by number, as they were placed."""
+    """Sort key: seam and station where windows have them, else number, as they were placed."""
     seam = math.inf if row.seam_id is None else row.seam_id
     return seam, row.station or 0.0, row.window_id
 
 
 def worst_first(row: WindowRecord) -> tuple[int, float] | None:
-    """By the verdict, then by how much detail is missing."""
+    """Sort key: the verdict, then how much detail is missing."""
     return None if row.verdict not in _WORST else (_WORST.index(row.verdict), -(row.loss or 0.0))
 
 
 def least_sure_first(row: WindowRecord, min_kept: float) -> float | None:
-    """By how many half widths of its 95 % interval what is kept along the seam lies from the limit."""
+    """Sort key: how many half widths of its 95 % interval what is kept along the seam lies from the limit."""
     if row.verdict not in CLAIMS or row.kept_1 is None or row.kept_low is None or row.kept_high is None:
         return None
     return abs(row.kept_1 - min_kept) / max((row.kept_high - row.kept_low) / 2, _LEAST_HALF_WIDTH)
@@ -186,7 +186,7 @@ class KindBox(_Box):
         self.show_kind(kind)
 
     def _is_said(self, word: str, row: WindowRecord) -> bool:
-        """By whose verdicts are asked for."""
+        """Whether a word was said of a window by the one whose verdicts are asked for."""
         return bool(getattr(row, self.operator.observer) == word)
 
 
@@ -202,7 +202,7 @@ class OrderBox(_Box):
         self._fit()
 
     def show_order(self, order: WindowOrder) -> None:
-        """As one that was chosen."""
+        """Show an order as one that was chosen."""
         self.setCurrentIndex(self.findData(order.name))
 
     def set_blind(self, is_blind: bool) -> None:

@@ -31,7 +31,7 @@ class UndoActions(QObject):
         self.undo.triggered.connect(self._undo)
         self.redo.triggered.connect(self._redo)
         self.actions = {"undo": self.undo, "redo": self.redo}
-        """By the names of their keys."""
+        """Actions by the names of their keys."""
         self._of_qgis = {name: window.findChild(QAction, f"mAction{name.title()}") for name in self.actions}
         session.windowsChanged.connect(self.refresh)
         session.inputsChanged.connect(self.refresh)

@@ -110,7 +110,7 @@ class TableColumn(NamedTuple):
     alignment: int = ALIGNED_LEFT
     short_heading: str = ""
     level: int = 0
-    """Of a ratio: 1..R."""
+    """Level of a ratio: 1..R."""
 
     @property
     def field(self) -> str:

@@ -27,7 +27,7 @@ _WRITE_MS = 1000  # results of a long run are written together: all that show wi
 
 
 class WindowResults(QObject):
-    """By window number, since feature ids change when the layer is saved."""
+    """Results by window number, since feature ids change when the layer is saved."""
 
     arrived = pyqtSignal(int)
     """Feature id of a window that has its result now."""
@@ -76,7 +76,7 @@ class WindowResults(QObject):
         return kept
 
     def source_uses(self) -> list[SourceUse]:
-        """Of all windows whose results came or were asked for."""
+        """Uses of sources in all windows whose results came or were asked for."""
         return list(self._uses.values())
 
     def clips(self, window_id: int) -> WindowCurves | None:
@@ -166,7 +166,7 @@ class WindowResults(QObject):
             self.arrived.emit(row.fid)
 
     def _hold(self, number: int, result: WindowResult) -> None:
-        """As the last that was asked for; the first ones go, unless they would be lost."""
+        """Hold a result as the last that was asked for; the first ones go, unless they would be lost."""
         self._results.pop(number, None)
         self._results[number], self._uses[number] = result, source_use(result)
         if (file := self._keeping.results) is None:

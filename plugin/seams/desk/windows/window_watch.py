@@ -28,7 +28,7 @@ _STALE = "seam_inspector/stale"  # custom property of the layer: numbers of the 
 
 
 class Version(NamedTuple):
-    """Of what a window's values are."""
+    """What a window's values are of."""
 
     extent: Extent | None
     """Where it lay."""
@@ -53,7 +53,7 @@ class WindowWatch(QObject):
         self._told: set[int] | None = set()  # the selection
         self._is_unmoved = False
         self._left: dict[str, tuple[dict[int, set[tuple[object, Version]]], int | None, int | None]] = {}
-        """By id what is known of layers that were followed before, their first state and the last one."""
+        """What is known, by id, of layers that were followed before, their first state and the last one."""
         self._forget()
 
     def _forget(self) -> None:
@@ -167,7 +167,7 @@ class WindowWatch(QObject):
         return [row for row in back if not row.verdict]
 
     def _by_fid(self) -> dict[int, WindowRecord]:
-        """As they are now."""
+        """Rows by feature id, as they are now."""
         if self._layer is not None and (self._unread is None or self._unread):
             self._read(self._layer)
         return self._rows

@@ -151,7 +151,7 @@ def _is_text(name: str) -> bool:
 
 
 def _is_share(name: str) -> bool:
-    """Of a field, by level or not."""
+    """Whether a field is a share, by level or not."""
     found = _FIELDS.get(name) or _FIELDS.get(name.rpartition("_")[0])
     return found is not None and found.is_share
 

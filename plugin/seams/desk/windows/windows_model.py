@@ -60,7 +60,7 @@ class WindowsModel(QAbstractTableModel):
         return self._rows
 
     def fids(self) -> list[int]:
-        """Of the windows shown, from top to bottom; not to be changed, and the same list while they are the same."""
+        """Feature ids of the shown windows, from top to bottom; not to be changed, one list while they are the same."""
         return self._fids
 
     def row_of(self, fid: int) -> int:
@@ -74,12 +74,12 @@ class WindowsModel(QAbstractTableModel):
 
     @property
     def count(self) -> int:
-        """Of all windows, those included that are left out."""
+        """Number of all windows, those included that are left out."""
         return len(self._taken)
 
     @property
     def levels(self) -> int:
-        """Of the ratios that there are columns for."""
+        """Levels of the ratios that there are columns for."""
         return self._levels
 
     @property
@@ -114,7 +114,7 @@ class WindowsModel(QAbstractTableModel):
         self._show(self._in_order(row for row in self._taken if self._passes(row)))
 
     def sort(self, column: int, order: Qt.SortOrder = _ASCENDING) -> None:
-        """By numbers and ranks; windows with nothing in the column come last in either order."""
+        """Sort by numbers and ranks; windows with nothing in the column come last in either order."""
         self.sort_order = order
         if 0 <= column < len(self.columns):
             self.sorted_by = self.columns[column]
@@ -231,7 +231,7 @@ class WindowsModel(QAbstractTableModel):
         self._tell_changes(place for place, row in enumerate(rows) if before.get(row.fid, row) != row)
 
     def _rearrange(self, rows: list[WindowRecord]) -> None:
-        """The same windows in another order."""
+        """Show the same windows in another order."""
         self.layoutAboutToBeChanged.emit([], QAbstractTableModel.LayoutChangeHint.VerticalSortHint)
         before = self.persistentIndexList()
         fids = [self._fids[index.row()] for index in before]

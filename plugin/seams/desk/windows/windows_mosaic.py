@@ -21,7 +21,7 @@ _KEY = "mosaic"  # in the file of results, where windows have their numbers for 
 
 
 class WindowsMosaic(QObject):
-    """Of every layer that is followed: kept with what was measured in its windows, so that it goes where they go."""
+    """Mosaic of every layer followed: kept with what was measured in its windows, so that it goes where they go."""
 
     doubted = pyqtSignal(object)
     """The Message why nothing goes on with these windows and this mosaic; once for each two of them."""

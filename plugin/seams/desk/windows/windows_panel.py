@@ -109,7 +109,7 @@ class WindowsPanel(QWidget):
         self._take_windows()
 
     def sort_by_number(self) -> None:
-        """As it was before the operator sorted otherwise."""
+        """Sort by number, as it was before the operator sorted otherwise."""
         self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
 
     def show_order(self, order: WindowOrder) -> None:
@@ -364,7 +364,7 @@ class WindowsPanel(QWidget):
 
 
 def copied_rows(columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) -> str:
-    """As they are read in the table, tab separated, headings first."""
+    """Rows as they are read in the table, tab separated, headings first."""
     lines = [[column.title() for column in columns], *([column.text(row) for column in columns] for row in rows)]
     return "\n".join("\t".join(cell_text(" ".join(cell.split())) for cell in line) for line in lines)
 

@@ -67,7 +67,7 @@ def _sampled_factor(raster: Raster, changed: float) -> float:
 
 
 def factor_of(values: np.ndarray) -> float:
-    """The same for some of the values themselves, in any shape."""
+    """Factor as ``grey_factor`` has it, of some of the values themselves, in any shape."""
     if values.dtype.kind != "f" or not values.size:
         return 1.0
     low, high = np.percentile(values, (1, 99))

@@ -180,7 +180,7 @@ class _Turn(NamedTuple):
     first: int
     beaten: frozenset[int]
     share: float
-    """Of what the mosaic prefers the first by to the best of the beaten, how much a raster does: 1 for a copy."""
+    """Preference of a raster for the first to the best of the beaten, as a share of the mosaic's: 1 for a copy."""
 
 
 class _LikeMosaic(NamedTuple):

@@ -27,7 +27,7 @@ class _ComparedPatch(NamedTuple):
     """A small patch in which rasters were compared with each other."""
 
     numbers: tuple[int, ...]
-    """Of the mosaic and the sources that have pixels there."""
+    """Numbers of the mosaic and the sources that have pixels there."""
     lacking: np.ndarray
     """Share of the detail of each that each other one does not show, square; nan where they share too few pixels."""
 

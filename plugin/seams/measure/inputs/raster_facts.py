@@ -170,12 +170,12 @@ class SourceUse:
     resampled: tuple[str, ...]
     """The others."""
     shares: tuple[float, ...] | None
-    """Of the window's pixels that follow ``own``, or ``resampled`` where there are no others; None where that can't be
-    told."""
+    """Shares of the window's pixels that follow ``own``, or ``resampled`` where there are no others; None where that
+    can't be told."""
 
 
 def source_use(result: WindowResult) -> SourceUse:
-    """Of an inspected window; what is kept of thousands, whose results are not."""
+    """What an inspected window says of its sources; it is kept of thousands, whose results are not."""
     pairs = {pair.source: pair.resampled for pair in result.pairs if pair.source != COMPOSITE}
     found = result.explanation
     return SourceUse(

@@ -49,7 +49,7 @@ class CellGrid:
 
     @staticmethod
     def of(grid: Grid) -> CellGrid:
-        """As fine as memory allows."""
+        """Cells as fine as memory allows."""
         step = FEWEST_PX
         while max(grid.columns, grid.rows) > MOST_CELLS * step:
             step *= 2

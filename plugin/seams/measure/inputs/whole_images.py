@@ -23,7 +23,7 @@ from . import messages
 from .mosaic_copies import likeness_of, scattered
 
 _SIDE_PX = 64
-"""Of what is compared at one place."""
+"""Side of what is compared at one place."""
 _PLACES = 5
 """Along each side of what two rasters share."""
 _ENOUGH = 5
@@ -61,7 +61,7 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
 
 
 def whole_images_of_clips(sources: Sequence[Source], clips: Sequence[Clip | None]) -> list[Source]:
-    """The same by what was read of them in one window; None where that can't be compared."""
+    """Sources, parts of one image as one, by what was read of them in a window; None where that can't be compared."""
     known = {number: clip for number, clip in enumerate(clips) if clip is not None and not clip.resampled}
     boxes = {number: _box(clip) for number, clip in known.items()}
     pairs = (
@@ -126,7 +126,7 @@ def _are_alike(first: Raster, second: Raster) -> bool:
 
 
 def _show_same(first: OpenRaster, second: OpenRaster) -> bool | None:
-    """By some places. Raises RasterError where one can't be read."""
+    """Whether both show the same, by some places; None where none tells. Raises RasterError where one can't be read."""
     same = 0
     for own, others in _shared(first.raster, second.raster):
         one, other = first.read(own), second.read(others)

@@ -13,7 +13,7 @@ from ..following.levelling import SQUARE_PX, gain_field, square_means, to_pixels
 from ..following.source_filters import UNTOUCHED, filtered
 
 FEWEST_SQUARES = 48
-"""Of 8 px, on which a source is alone: with less nobody can tell its tones."""
+"""Fewest squares of 8 px on which a source is alone: with less nobody can tell its tones."""
 EASED_PX = 96
 """From a cut, over which tones are eased."""
 
@@ -113,7 +113,7 @@ def eased(
 
 
 def _carried_on(biases: np.ndarray, known: np.ndarray) -> np.ndarray:
-    """Of all bands, smoothed where they are known, and carried on from there."""
+    """Biases of all bands, smoothed where they are known, and carried on from there."""
     found = np.broadcast_to(biases[:, known].mean(axis=1)[:, np.newaxis, np.newaxis], biases.shape)
     for reach in _REACHES:
         near = _smoothed(np.where(known, biases, np.float32(0)), reach)
@@ -122,7 +122,7 @@ def _carried_on(biases: np.ndarray, known: np.ndarray) -> np.ndarray:
 
 
 def _smoothed(values: np.ndarray, reach: float) -> np.ndarray:
-    """By a Gaussian along the last two axes, the edges repeated: filters much wider than an image cost as little."""
+    """Gaussian filter along the last two axes, the edges repeated: filters much wider than an image cost as little."""
     down, across = (_gaussian(length, reach) for length in values.shape[-2:])
     return np.asarray(down @ values @ across.T)
 

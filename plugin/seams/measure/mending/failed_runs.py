@@ -19,9 +19,9 @@ from ..verdicts import Verdict
 from . import messages
 
 LONGEST_PX = 1024.0
-"""Of a run, so that memory does not grow with the seams; a single piece may be longer."""
+"""Longest run, so that memory does not grow with the seams; a single piece may be longer."""
 FIELDS = ("seam_id", "station", "left_source", "right_source", "length", "kept_1", "state", "verdict")
-"""Of the layer that a scan writes."""
+"""Fields of the layer that a scan writes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,13 +35,13 @@ class SeamRun:
     is_wanted: bool
     """Whether it is to be cut anew."""
     width_m: float
-    """Of the widest of its bands and feathers, as far as that is known."""
+    """Width of the widest of its bands and feathers, as far as that is known."""
     numbers: tuple[int, ...] = ()
-    """Of its pieces, among all."""
+    """Numbers of its pieces, among all."""
     sides: tuple[int, int] = (0, 0)
     """Numbers of the sources on the left and on the right hand."""
     span: tuple[float, float] = (-math.inf, math.inf)
-    """Of a part of its pieces, metres along the seam."""
+    """Stations of a part of its pieces, metres along the seam."""
 
     def window(self, grid: Grid) -> PixelWindow:
         """The pixels around it."""
@@ -94,7 +94,7 @@ def _number(value: object) -> float | None:
 
 
 def _opened(one: SeamRun) -> list[SeamRun]:
-    """The same, a ring, which begins where it ends, in two halves."""
+    """The run itself; a ring, which begins where it ends, in two halves."""
     vertices, length = one.piece.vertices, one.piece.length_m
     if (vertices[0] != vertices[-1]).any() or len(vertices) < 4:
         return [one]

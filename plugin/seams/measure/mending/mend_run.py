@@ -51,7 +51,7 @@ _STRAIGHTENED_PX = 3.0
 _BESIDE_MISFIT_CELLS, _SHORTEST_PART_CELLS = 8, 32  # of a run that is cut in parts
 _SMOOTH_CELLS = 0.8  # of the cut's steps from cell to cell
 _SIDES = 0, 1
-"""Of the sources of a request: those on the left and on the right hand of the run."""
+"""Places of the sources of a request: of those on the left and on the right hand of the run."""
 
 
 @dataclass(frozen=True)
@@ -79,9 +79,9 @@ class RunRequest:
     index: PieceIndex
     """All pieces of seam near by."""
     reach_px: float
-    """As far as the cut may move."""
+    """How far the cut may move."""
     blend_px: int
-    """As the settings have it."""
+    """Width of the blend as the settings have it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,19 +89,19 @@ class MendedRun:
     """What became of it."""
 
     key: tuple[int, int]
-    """Of the request."""
+    """Key of the request."""
     reason: Message | None = None
     """Why it stays as it is."""
     vertices: np.ndarray | None = None
     """(n, 2) float64 map units: the new cut."""
     window: PixelWindow | None = None
-    """Of its patch, on the mosaic's grid."""
+    """Window of its patch, on the mosaic's grid."""
     patch: np.ndarray | None = None
     """(n,) uint8: its file, as ``patch_file`` makes it."""
     steps: tuple[float | None, float | None] = (None, None)
-    """Of tone, across the old seam and across the new cut, DN."""
+    """Steps of tone, across the old seam and across the new cut, DN."""
     misfit: float | None = None
-    """Of the images along the new cut, px; None where nothing in common shows it."""
+    """Misfit of the images along the new cut, px; None where nothing in common shows it."""
     fitting: tuple[tuple[float, float], ...] = ()
     """Parts of one that stays, m from its start, that may be cut by themselves: beyond them the images misfit."""
     notices: tuple[Message, ...] = ()
@@ -276,7 +276,7 @@ def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray)
 
 
 def _stored(made: np.ndarray, mosaic: Raster, dtype: np.dtype) -> np.ndarray:
-    """As the mosaic holds its pixels; none of them is what stands there for no data."""
+    """Pixels as the mosaic holds its own; none of them is what stands there for no data."""
     found, nodata = as_type(made, dtype), open_raster(mosaic.ref).nodata
     if mosaic.bits and dtype.kind != "f":
         np.minimum(found, 2**mosaic.bits - 1, out=found)
@@ -322,7 +322,7 @@ class _Part:
     """bool: what is on the left hand of the new cut."""
 
     def weight(self, blend_px: int) -> np.ndarray:
-        """Of the left image, by pixels, (rows, columns) float32, 0 to 1."""
+        """Weight of the left image, by pixels, (rows, columns) float32, 0 to 1."""
         sides = np.where(self.on_left, np.float32(1), np.float32(-1))
         left = (_by_pixel(ndimage.gaussian_filter(sides, _SMOOTH_CELLS, mode="nearest")) > 0).astype(np.float32)
         return np.clip(ndimage.uniform_filter(left, blend_px, mode="nearest"), 0, 1) if blend_px > 1 else left
@@ -334,7 +334,7 @@ class _Part:
         return self.territory & near
 
     def fade(self, inside: np.ndarray) -> np.ndarray:
-        """By pixels, (rows, columns) float32: from 0 at the rim of a patch to 1."""
+        """Weight of a patch by pixels, (rows, columns) float32: from 0 at its rim to 1."""
         return _by_pixel(np.clip(ndimage.distance_transform_edt(inside) / _RIM_CELLS, 0, 1).astype(np.float32))
 
 

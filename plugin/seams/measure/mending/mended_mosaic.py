@@ -29,7 +29,7 @@ class PlacedPatch:
 
     path: str
     window: PixelWindow
-    """Of the mosaic's pixels."""
+    """Its place in the mosaic's pixels."""
 
 
 def patch_file(mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: np.ndarray) -> np.ndarray:
@@ -83,8 +83,8 @@ def _created(driver: str, mosaic: Raster, window: PixelWindow) -> gdal.Dataset:
 
 
 def _write(path: str, dataset: gdal.Dataset) -> None:
-    """As a cloud-optimised GeoTIFF; GDAL takes alpha for a mask in grey and coloured images of 8 and 16 bits, without
-    sign, only: others get one."""
+    """Write a cloud-optimised GeoTIFF; GDAL takes alpha for a mask in grey and coloured images of 8 and 16 bits,
+    without sign, only: others get one."""
     count, kind = dataset.RasterCount, dataset.GetRasterBand(1).DataType
     mask = "auto" if count in (2, 4) and kind in (gdal.GDT_Byte, gdal.GDT_UInt16) else count
     with whole_raster(path) as unfinished, gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=path)):

@@ -48,7 +48,7 @@ MENDED, IMPROVED, LEFT = "mended", "improved", "left"
 """What became of a run: it keeps that much; it keeps more than before; it stays as it was."""
 JOURNAL_ENDING = ".mend"
 PATCHED = 0.6
-"""Of the time; the rest is to measure what was made."""
+"""Share of the time that the patches take; the rest is to measure what was made."""
 _WIDEST_PX = 800.0  # of a corridor on either side, so that memory does not grow with it
 _CORRIDOR_PX = 64.0
 _ONE_PIECE_M = 1e9
@@ -67,12 +67,12 @@ class MendRequest:
 
     @cached_property
     def scan(self) -> ScanRequest:
-        """Of the mosaic, for what the names of sources mean."""
+        """Scan of the mosaic, for what the names of sources mean."""
         return ScanRequest(self.mosaic, self.sources, ScanSettings())
 
     @cached_property
     def numbers(self) -> dict[str, int]:
-        """Of the sources by what the pieces call them."""
+        """Numbers of the sources by what the pieces call them."""
         names = {str(side) for one in self.pieces for side in (one.piece.left, one.piece.right)}
         return self.scan.numbers_named(names)[0]
 

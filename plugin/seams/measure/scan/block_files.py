@@ -25,7 +25,7 @@ class BlockFiles:
 
     @property
     def names(self) -> set[str]:
-        """Of all that is there: nothing where the folder is not, as its disk may be gone. Whoever saves is told."""
+        """Names of all there is: nothing where the folder is not, as its disk may be gone. Whoever saves is told."""
         files = set[str]()
         with suppress(OSError), os.scandir(self.folder) as found:
             files = {one.name for one in found if one.is_file(follow_symlinks=False)}

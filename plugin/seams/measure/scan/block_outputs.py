@@ -33,9 +33,9 @@ class OutputsRequest:
     tile: LabelTile
     """Its samples of the labels."""
     numbers: Mapping[str, int]
-    """Of the sources of it and its neighbours, by their paths."""
+    """Numbers of the sources of it and its neighbours, by their paths."""
     cell_px: int
-    """Of the picture; 0: none is wanted."""
+    """Side of the picture's cells; 0: none is wanted."""
     traces: bool
     """Whether borders are wanted."""
 
@@ -61,8 +61,8 @@ class BlockOutputs:
 
 @measuring()
 def block_outputs(request: OutputsRequest) -> BlockOutputs:
-    """Of one block; what its ground makes one expect is kept beside it. Raises SettingsError where what was measured
-    can't be read any more, or nothing can be kept."""
+    """Outputs of one block; what its ground makes one expect is kept beside it. Raises SettingsError where what was
+    measured can't be read any more, or nothing can be kept."""
     files, key = request.files, request.key
     scan = whole_block(files, key)
     numbers = None if scan is None else global_numbers(scan.sources, request.numbers)
@@ -98,7 +98,7 @@ def held_ground(files: BlockFiles, key: BlockKey) -> list[LevelGround | None]:
 
 
 def _labels_around(request: OutputsRequest, own: np.ndarray | None) -> np.ndarray:
-    """Of the block, ``own``, and as much of its neighbours as cleaning has to know."""
+    """Labels of the block, ``own``, and of as much of its neighbours as cleaning has to know."""
     place = request.tile.around(MARGIN)
     found = np.full([one.stop - one.start for one in place], NOTHING, np.int32)
     first, last = ([edge // LABELS for edge in edges] for edges in zip(*((one.start, one.stop - 1) for one in place)))
@@ -119,7 +119,7 @@ def _labels_around(request: OutputsRequest, own: np.ndarray | None) -> np.ndarra
 
 
 def _cells_around(files: BlockFiles, key: BlockKey) -> list[CellTable]:
-    """Of the neighbours that were measured."""
+    """Cells of the neighbours that were measured."""
     row, column = key
     near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
     scans = [whole_block(files, one) for one in near]

@@ -61,7 +61,7 @@ class BlockLook:
     """One kind of measurement of blocks."""
 
     name: str
-    """Of its files."""
+    """Name of its files."""
     measure: Callable[[Request], Scan]
     nothing: Callable[[Request, tuple[Message, ...]], Scan]
     """The result where nothing could be measured, and why."""
@@ -97,7 +97,7 @@ class ScanStep:
     """One block more is done."""
 
     share: float
-    """Of all blocks, 0 to 1."""
+    """Share of all blocks that is done, 0 to 1."""
     seconds_left: float | None
     """At the pace so far; None before that is known."""
     key: BlockKey
@@ -218,7 +218,7 @@ def held(look: BlockLook, files: BlockFiles, key: BlockKey) -> Scan | None:
 
 
 def held_record(look: BlockLook, files: BlockFiles, key: BlockKey) -> bytes | None:
-    """The same as it was kept."""
+    """Record of one block as it was kept. Raises SettingsError as ``held`` does."""
     try:
         record = files.load(_name(look, key))
         return files.load(f"{INCOMPLETE} {_name(look, key)}") if record is None else record
@@ -304,7 +304,7 @@ def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
 
 
 NOTHING = -1
-"""Of a source's number in the whole scan: none is followed."""
+"""Number in place of a source's in the whole scan: none is followed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -313,9 +313,9 @@ class BlockBrief:
 
     sources: tuple[str, ...]
     squares: np.ndarray
-    """As ``BlockScan`` has them."""
+    """Sources that squares follow, as ``BlockScan`` has them."""
     dense: bytes
-    """The same, eight units a byte."""
+    """Units that were measured pixel by pixel, as ``BlockScan`` has them, eight a byte."""
 
     @classmethod
     def of(cls, scan: BlockScan) -> BlockBrief:

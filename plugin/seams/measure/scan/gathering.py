@@ -124,14 +124,14 @@ class Gathering:
         return ScanResult(judged, known or tuple(polygons.result()), tuple(worst), (), notices, told)
 
     def _name(self, side: Side) -> str | None:
-        """Of a source as its file has it, else as the seams do."""
+        """Name of a source as its file has it, else as the seams do."""
         if isinstance(side, str):
             number = self._request.named[0].get(side)
             return side if number is None else self._request.source_names[number]
         return None if side is None else self._request.source_names[side]
 
     def _borders(self, picture: _LossPicture | None, crew: _Crew, traces: bool) -> list[SourceBorder]:
-        """Of what is followed, none unless they are traced; the picture of losses on the way."""
+        """Borders of what is followed, none unless they are traced; the picture of losses on the way."""
         mosaic = self._request.mosaic
         half = LABEL_PX // 2
         chains: list[Chain] = []
@@ -157,7 +157,7 @@ class Gathering:
         )
 
     def _numbers(self, window: PixelWindow) -> dict[str, int]:
-        """Of the sources that meet a window, by their paths."""
+        """Numbers of the sources that meet a window, by their paths."""
         meeting = self._request.footprints.meeting(self._request.mosaic.grid.window_extent(window))
         return {self._request.sources[number].ref.path: number for number in meeting}
 
@@ -234,7 +234,7 @@ def _notices(ground: FollowedGround) -> Iterator[Message]:
 
 
 NOTHING = StripProfile(None, 0.0, 0.0, 0.0)
-"""Of a piece that no cell is near to."""
+"""Profile of a piece that no cell is near to."""
 
 
 class _Crew:

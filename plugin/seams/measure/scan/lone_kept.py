@@ -32,9 +32,9 @@ COLOURLESS = 0.17
 """Where there is one band only, so much is added to the upper end of log kept: brightness alone can't tell meadow from
 bitumen, and seams are led along the smoother one."""
 LEAST_ERROR = 0.03
-"""Of the logarithm of kept, however long the seam."""
+"""Least error of the logarithm of kept, however long the seam."""
 MOST_TOO_HIGH = 0.12
-"""Of kept: sources that are cut hard make edges of their own, which the ground beside them has not."""
+"""Share by which kept may be too high: sources cut hard make edges of their own, which the ground beside has not."""
 
 _CONFIDENCE = 0.95  # of all intervals, as of those with orthoimages
 _RUN = 8  # stretches whose scatter is taken together
@@ -54,7 +54,7 @@ class LoneKept:
     band_width_px: float
     """Full width of the band in which less than 0.9 is kept; 0 where none shows for sure."""
     length_px: float
-    """Of the seam that was measured."""
+    """Length of the seam that was measured."""
 
     @property
     def tells_loss(self) -> bool:
@@ -78,21 +78,21 @@ class LoneSeams:
         self._seam = np.asarray(seam_ids, dtype=np.intp)[self._stretches.piece]
         self._run = _runs(self._seam)
         self.range = 0
-        """Of ``RANGES_PX``: what the strips are compared with."""
+        """Place in ``RANGES_PX`` of what the strips are compared with."""
         self._prepare()
         if self._reaches_beyond():
             self.range = 1
             self._prepare()
 
     def kept(self, pieces: Sequence[int] | None = None) -> LoneKept | None:
-        """Of some pieces together, or of all; None where too little of them or of the ground can be measured."""
+        """What some pieces kept together, or all; None where too little of them or of the ground can be measured."""
         if pieces is None:
             return self._kept(np.flatnonzero(self._usable))
         spans = [self._span(number) for number in sorted(set(pieces))]
         return self._kept(np.concatenate([np.zeros(0, np.intp), *spans]))
 
     def by_piece(self, count: int) -> list[LoneKept | None]:
-        """Of every piece for itself."""
+        """What every piece kept for itself."""
         return [self._kept(self._span(number)) for number in range(count)]
 
     def _span(self, piece: int) -> np.ndarray:
@@ -113,7 +113,7 @@ class LoneSeams:
 
     @property
     def _raised(self) -> float:
-        """By how much the upper end of log kept is raised for seams that are led through smooth ground."""
+        """How much the upper end of log kept is raised for seams that are led through smooth ground."""
         return max(-self._selection, 0.0) + (0.0 if self._stretches.has_colour.all() else COLOURLESS)
 
     def _prepare(self) -> None:
@@ -140,7 +140,7 @@ class LoneSeams:
             self._variance = ((sums + self._scatter * _BORROWED) / (counts + _BORROWED))[self._run]
 
     def _kept(self, own: np.ndarray) -> LoneKept | None:
-        """Of some stretches."""
+        """What some stretches kept."""
         if not len(own) or self._scatter is None:
             return None
         log_kept, influence = self._compared(own)
@@ -204,7 +204,7 @@ class LoneSeams:
         return bool(log_kept + _quantile(_BORROWED) * error + SELECTION * max(log_kept - plain, 0.0) < 0)
 
     def _width_px(self, own: np.ndarray) -> float:
-        """Of the band along some stretches."""
+        """Width of the band along some stretches."""
         s = self._stretches
         areas = s.ground_area[self.range][:, own]
         level = (areas * s.ground_matched[self.range][:, own]).sum(axis=1) / areas.sum(axis=1)

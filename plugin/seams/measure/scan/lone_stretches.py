@@ -24,7 +24,7 @@ STRIP_PX = 8
 RANGES_PX = ((16, 64), (64, 128))
 """Ground that the strip is compared with; the second where feathers reach beyond the first."""
 FEWEST_CELLS = 250
-"""Of ground; with fewer in a tile and beside it, what is expected is found from all cells of the table."""
+"""Fewest cells of ground; with fewer in a tile and beside it, what is expected is found from all cells of the table."""
 
 _TILE_CELLS = 64  # what is expected is found anew in each tile of so many cells a side
 _BESIDE_CELLS = 32  # and from cells up to so far beside it
@@ -75,7 +75,7 @@ class LoneStretches:
 
     @classmethod
     def joined(cls, parts: Sequence[LoneStretches]) -> LoneStretches:
-        """Of several blocks; at least one."""
+        """Stretches of several blocks; at least one."""
         return cls(*(np.concatenate([getattr(one, f.name) for one in parts], axis=-1) for f in fields(cls)))
 
     def chosen(self, where: np.ndarray) -> LoneStretches:
@@ -131,7 +131,7 @@ def lone_stretches(
 
 @dataclass(frozen=True, eq=False)
 class _NearestStretch:
-    """Of each cell of a table, (cells,)."""
+    """Nearest stretch of each cell of a table, (cells,)."""
 
     belongs: np.ndarray
     """bool: whether its piece is one of those asked for."""
@@ -159,7 +159,7 @@ def _nearest(
 
 
 def _groups(table: LoneTable, left: np.ndarray) -> np.ndarray:
-    """Of each part: the strip, or the range and side of the ground, or neither."""
+    """Group of each part: the strip, or the range and side of the ground, or neither."""
     group = np.full(len(table.zone), _UNUSED)
     group[table.zone < ZONES_PX.index(STRIP_PX)] = _STRIP
     side = np.where(left, 0, 1)[table.cell]

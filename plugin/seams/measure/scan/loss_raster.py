@@ -112,7 +112,7 @@ class LossRaster:
 
 @dataclass
 class _Sums:
-    """Of the values of a band."""
+    """Sums of the values of a band."""
 
     count: int = 0
     total: float = 0.0
@@ -205,7 +205,7 @@ def write_overviews(dataset: gdal.Dataset, tiles: Iterable[tuple[int, int]], of_
 
 
 def means(pixels: np.ndarray, nodata: float) -> np.ndarray:
-    """Of two by two, without those that are not known."""
+    """Means of two by two pixels, without those that are not known."""
     four = _four(pixels, nodata)
     known = four != nodata
     count = known.sum(axis=0)
@@ -214,7 +214,7 @@ def means(pixels: np.ndarray, nodata: float) -> np.ndarray:
 
 
 def most_named(pixels: np.ndarray, nodata: float) -> np.ndarray:
-    """Of two by two the number that stands there most often; of several the first."""
+    """The number that stands most often in two by two pixels; of several the first."""
     four = _four(pixels, nodata)
     votes = np.where(four != nodata, (four[:, np.newaxis] == four).sum(axis=1), 0)
     return np.take_along_axis(four, votes.argmax(axis=0)[np.newaxis], axis=0)[0]

@@ -68,7 +68,7 @@ class MosaicReading:
 
     @property
     def notices(self) -> tuple[Message, ...]:
-        """The same in words."""
+        """What could not be read, in words."""
         if not self._unread:
             return ()
         x, y = self._place

@@ -108,8 +108,8 @@ def without_even(found: Sequence[StripProfile], grain: np.ndarray, grey: np.ndar
 def visibilities(
     found: Sequence[StripProfile], grey: np.ndarray, white: float
 ) -> list[float | None]:
-    """Of pieces, in just noticeable differences at 2x. ``grey``: as ``MeasuredPieces`` has it; ``white``: what is
-    white on a screen."""
+    """Visibility of the losses of pieces, in just noticeable differences at 2x. ``grey``: as ``MeasuredPieces`` has it;
+    ``white``: what is white on a screen."""
     return [
         visibility(one.profile.kept, one.profile.energy, mean, white) if one.profile else None
         for one, mean in zip(found, grey.tolist())
@@ -142,7 +142,7 @@ def _blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
 
 
 def _labels_at(request: PiecesRequest, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """As ``LabelsAt``."""
+    """Labels at places, as ``LabelsAt`` gives them."""
     found = np.full(columns.shape, NONE, np.int32)
     blocks = request.blocks
     inside = (columns >= 0) & (rows >= 0) & (columns < blocks.columns * LABELS) & (rows < blocks.rows * LABELS)
@@ -194,7 +194,7 @@ class PieceSums:
         self._sums.add(table, mixture, whole, ground, piece_of)
 
     def profiles(self) -> list[StripProfile]:
-        """Of every piece, in their order."""
+        """Profiles of every piece, in their order."""
         return self._sums.profiles(levels=1)
 
     @property

@@ -32,7 +32,7 @@ MOST_ASKED = 20  # remote sources whose server is asked for size and date; more 
 _PLACES = (".wld", ".prj", ".tab")
 """Endings, in the place of the raster's own, of files that say where it lies; others are made of its own."""
 _SAID = ".aux.xml"
-"""Of the file that may say more of them, its nodata for instance."""
+"""Ending of the file that may say more of them, its nodata for instance."""
 _MOST_SAID = 10_000_000  # bytes that are read
 _PARTS = {
     "version": messages.SCAN_OF_ANOTHER_VERSION,
@@ -47,7 +47,7 @@ _PARTS = {
 def fingerprint_of(
     mosaic: RasterRef, sources: Sequence[Source], settings: Any, seams: Iterable[object] = (), place: object = None
 ) -> str:
-    """The same as long as the result of a scan would be: a digest of each of its inputs.
+    """Fingerprint that is the same as long as the result of a scan would be: a digest of each of its inputs.
 
     Local files by path, size, time of change and bytes, those that a VRT or an archive is made of too; no remote source
     is opened. The remote mosaic, and up to ``MOST_ASKED`` remote sources, by what their server says of them;
@@ -87,7 +87,7 @@ def what_changed(older: str, newer: str) -> Message:
 
 
 def _digest(items: Iterable[object]) -> str:
-    """Of arrays, and of values whose text does not depend on the process."""
+    """Digest of arrays, and of values whose text does not depend on the process."""
     digest = blake2b(digest_size=12)
     for item in items:
         parts = [repr(item).encode()]
@@ -233,7 +233,7 @@ class ScanJournal:
 
     @property
     def path(self) -> Path:
-        """Of its file."""
+        """Path of its file."""
         return self._store.path
 
     def save(self, name: str, payload: bytes) -> None:

@@ -31,9 +31,9 @@ from .scan_settings import ScanSettings
 LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)
 """With a strip that is just large enough to be measured."""
 SHORTEST_PIECE_PX = 1.25 * LEAST_SEAM_PX
-"""As pieces may be shorter than asked for."""
+"""Shortest piece that can be asked for, as pieces may be shorter than that."""
 LEAST_BETWEEN = 0.5
-"""Of the given seams that lie on two sources or more; with less the mosaic is scanned as one without orthoimages."""
+"""Least share of the given seams on two sources or more; with less the mosaic is scanned as one without orthoimages."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,7 @@ class ScanRequest:
 
     @cached_property
     def pieces(self) -> list[SeamPiece]:
-        """Of the seams that are given."""
+        """Pieces of the seams that are given."""
         return cut_in_pieces(self.seams, self.settings.piece_m, self.mosaic.grid)
 
     @cached_property
@@ -99,12 +99,12 @@ class ScanRequest:
 
     @cached_property
     def footprints(self) -> Footprints:
-        """Of the sources."""
+        """Footprints of the sources."""
         return Footprints(self.sources)
 
     @cached_property
     def numbers(self) -> dict[str, int]:
-        """Of the sources by their paths."""
+        """Numbers of the sources by their paths."""
         return {one.ref.path: number for number, one in enumerate(self.sources)}
 
     @cached_property
@@ -116,7 +116,7 @@ class ScanRequest:
         return SeamSquares(self.seams, self.blocks, corridor_px)
 
     def keys(self) -> list[BlockKey]:
-        """Of the blocks that are read."""
+        """Keys of the blocks that are read."""
         squares = self.seam_squares
         return [key for key in self.blocks if squares is None or squares.is_read(key)]
 
@@ -153,7 +153,7 @@ class ScanRequest:
         return replace(request, along_seams=squares.dense_in(key), sides=self._sides(window, sources))
 
     def _sides(self, window: PixelWindow, sources: Sequence[Source]) -> SeamSides:
-        """Of the given seams near a window, by the numbers that the sources of its block have."""
+        """Sides of the given seams near a window, by the numbers that the sources of its block have."""
         near, named = self._index.near(window, REACH_PX), self.named[0]
         number_of = {one.ref.path: number for number, one in enumerate(sources)}
 
@@ -171,7 +171,7 @@ class ScanRequest:
 
 
 def largest(sources: tuple[Source, ...], mosaic: Raster, window: PixelWindow) -> tuple[Source, ...]:
-    """Of the sources that meet a window as many as can be told apart, those that cover most of it, in their order."""
+    """Sources that meet a window, as many as can be told apart: those that cover most of it, in their order."""
     if len(sources) <= UNKNOWN:
         return sources
     left, bottom, right, top = mosaic.grid.window_extent(window)

@@ -55,7 +55,7 @@ class JudgedPiece:
     band_width_m: float | None
     """Full width of the band in which less than 0.9 is kept."""
     verdict: Verdict
-    """By what it kept beside the seam."""
+    """Verdict by what it kept beside the seam."""
     reason: Message | None = None
     """Why there is no verdict."""
     visibility: float | None = None
@@ -65,7 +65,7 @@ class JudgedPiece:
     left_date: str | None = None
     """When the source on the left hand was taken, where the seams say so."""
     right_date: str | None = None
-    """The same of the one on the right hand."""
+    """When the source on the right hand was taken, likewise."""
     state: PieceState = PieceState.NOT_MEASURED
     """What it counts as, where ``STANDARD_LEAST_KEPT`` has to be kept."""
     is_stretch: bool = False
@@ -248,7 +248,7 @@ class ScanResult:
 
     @property
     def features(self) -> tuple[JudgedPiece, ...]:
-        """Of the layer SEAMS: all pieces, then the stretches."""
+        """Features of the layer SEAMS: all pieces, then the stretches."""
         return self.pieces + self.stretches
 
     @property

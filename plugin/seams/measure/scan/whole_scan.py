@@ -33,10 +33,10 @@ from .scan_result import ScanResult, dated
 from .scan_settings import ScanSettings
 
 JOURNAL_ENDING = ".scan"
-"""Of the file beside the first output that holds what is measured until the scan is complete."""
+"""Ending of the file beside the first output that holds what is measured until the scan is complete."""
 
 MEASURED = 0.9
-"""Of the time of a scan: the rest is to put the blocks together."""
+"""Share of the time of a scan in which blocks are measured: the rest is to put them together."""
 
 GoesOn = Callable[[float], bool]
 """Takes the share that is done, and says whether more is wanted."""
@@ -124,7 +124,7 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
 
 
 def _paths(request: ScanRequest | Block) -> tuple[list[str], list[str]]:
-    """Of the mosaic and of the sources."""
+    """Paths of the mosaic and of the sources."""
     return [*request.mosaic.ref.paths], [path for source in request.sources for path in source.ref.paths]
 
 

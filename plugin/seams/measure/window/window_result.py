@@ -27,9 +27,9 @@ class ClipResult:
     role: str
     """``mosaic``, ``source`` or ``composite``."""
     curves: dict[str, Curve]
-    """By band name, ``luminance`` first where there is one."""
+    """Curves by band name, ``luminance`` first where there is one."""
     directions: dict[str, Directions] = field(default_factory=dict)
-    """The same by direction; empty where that was not asked for."""
+    """Relative variances by band name and direction; empty where that was not asked for."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class PairResult:
     offset_x: float
     """Sub-pixel offset of the source's pixel grid to the right, px."""
     offset_y: float
-    """The same downwards."""
+    """Sub-pixel offset downwards, px."""
     resampled: bool
     """Whether the source was warped to the mosaic's grid."""
     change: Change | None = None
@@ -64,7 +64,7 @@ class WindowClips:
     clips: tuple[ClipResult, ...]
     """The mosaic first, then the sources that take part with the whole window."""
     paper: Judgement
-    """By the paper's rule."""
+    """Judgement by the paper's rule."""
     is_compared: bool
     """Whether there is a source to compare with, wholly or in part."""
 
@@ -85,7 +85,7 @@ class WindowResult:
     judgement: Judgement
     """The verdict that counts, and the ratios of the paper."""
     paper_verdict: Verdict
-    """By the paper's rule, whatever the verdict was taken by."""
+    """Verdict by the paper's rule, whatever the verdict was taken by."""
     clips: tuple[ClipResult, ...] = ()
     """The mosaic first, then the sources that took part."""
     pairs: tuple[PairResult, ...] = ()
@@ -135,7 +135,7 @@ class WindowResult:
 
     @property
     def _lost_share(self) -> float:
-        """Of the window's finest detail energy: along its seam, or in all of it where that is more."""
+        """Lost share of the window's finest detail energy: along its seam, or in all of it where that is more."""
         found = self.explanation
         if self.reference != SEAM or found is None:
             ratios = self.judgement.ratios

@@ -25,7 +25,7 @@ from ..tone import Tone
 from .window_result import ClipResult, PairResult, WindowResult
 
 MOST_RATIO = 1 / MIN_SHARE
-"""Of detail in the mosaic to that in a source: with less in the source there is no ratio."""
+"""Greatest ratio of detail in the mosaic to that in a source: with less in the source there is no ratio."""
 MOST_VISIBLE = 1e4
 """Just noticeable differences: from black to white there are some hundred."""
 
@@ -112,11 +112,11 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
 
     value: Callable[[WindowResult], Any] = lambda result: None
     attribute: str = ""
-    """Of a WindowRecord; empty: the name, where the record has one, else it is among its ``others``."""
+    """Attribute of a WindowRecord; empty: the name, where the record has one, else it is among its ``others``."""
     title: str = ""
     """What layers call it, with ``{level}`` where it has one; empty where all our layers call it so."""
     heading: str = ""
-    """Of its column in the desk; empty where that is written otherwise, or there is none."""
+    """Heading of its column in the desk; empty where that is written otherwise, or there is none."""
     help: str = ""
     shown: str = "number"
     """How its column shows it: ``number``, ``tenths``, ``percent`` (of a share), ``of 100``, ``metres``, ``px``,

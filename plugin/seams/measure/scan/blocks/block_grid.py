@@ -35,12 +35,12 @@ class BlockGrid:
 
     @property
     def rows(self) -> int:
-        """Of blocks."""
+        """Number of rows of blocks."""
         return -(-self.grid.rows // BLOCK_PX)
 
     @property
     def columns(self) -> int:
-        """Of blocks."""
+        """Number of columns of blocks."""
         return -(-self.grid.columns // BLOCK_PX)
 
     def __iter__(self) -> Iterator[BlockKey]:
@@ -55,7 +55,7 @@ class BlockGrid:
 
 
 def place_of(key: BlockKey, side: int) -> tuple[slice, slice]:
-    """Of a block in an array of the whole mosaic that has ``side`` samples along a block's."""
+    """Place of a block in an array of the whole mosaic that has ``side`` samples along a block's."""
     row, column = key
     return slice(row * side, (row + 1) * side), slice(column * side, (column + 1) * side)
 
@@ -82,7 +82,7 @@ _Part = tuple[int, int, int, int]  # first and last row, first and last column
 
 
 def _divided(wanted: np.ndarray, top: int, left: int) -> list[_Part]:
-    """Of a part whose first unit is at ``top``, ``left``."""
+    """Rectangles of a part whose first unit is at ``top``, ``left``."""
     rows, columns = (np.flatnonzero(wanted.any(axis=axis)) for axis in (1, 0))
     if not len(rows):
         return []
@@ -101,7 +101,7 @@ def _divided(wanted: np.ndarray, top: int, left: int) -> list[_Part]:
 
 
 def _costs_of_cuts(wanted: np.ndarray) -> np.ndarray:
-    """Of the rectangles around what is above and below each cut between two rows, (rows - 1,)."""
+    """Costs of the rectangles around what is above and below each cut between two rows, (rows - 1,)."""
     return _above(wanted)[:-1] + _above(wanted[::-1])[:-1][::-1]
 
 

@@ -154,7 +154,7 @@ def _follow_filtered(image: ComparedImage, images: Sequence[ComparedImage], filt
 
 
 def _of_planes(filters: Filters, numbers: Sequence[int]) -> Filters:
-    """By the number of a plane instead of its source's."""
+    """Filters by the number of a plane instead of its source's."""
     places = {number: k for k, number in enumerate(numbers)}
     taps = {places[i]: one for i, one in filters.taps.items() if i in places}
     return replace(filters, taps=taps)

@@ -19,7 +19,7 @@ from ...inputs.grey_values import factor_of
 from .. import messages
 
 _Pick = Callable[[np.ndarray], np.ndarray]
-"""Of pixels (..., rows, columns) those that are wanted, as an image of their own."""
+"""Picks of pixels (..., rows, columns) those that are wanted, as an image of their own."""
 
 JUDGED = ("judged",)
 """The band of such an image."""
@@ -96,7 +96,7 @@ class BlockPixels:
 
     @property
     def numbers(self) -> tuple[int, ...]:
-        """Of the sources that may have pixels here."""
+        """Numbers of the sources that may have pixels here."""
         return tuple(i for i in range(len(self._refs)) if i not in self._absent)
 
     @property

@@ -227,8 +227,8 @@ def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarr
 def _followed(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, shape: tuple[int, int]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """By patch: the source of highest correlation, whether it is that for sure, whether a dense look is called for,
-    the mosaic's energy, 0 without texture, and what sources leave over of it."""
+    """What each patch follows: the source of highest correlation, whether it is that for sure, whether a dense look is
+    called for, the mosaic's energy, 0 without texture, and what sources leave over of it."""
     numbers = np.array(list(fines), np.uint8)
     least = LEAST_ENERGY * (CELL_PX**2)
     own = _quadrants(fine, fine, shape) + least

@@ -34,8 +34,8 @@ LACKING, NOT_LOOKED, EMPTY, PLAIN = -1, -2, -3, -4
 """Units that no source explains, that nobody looked at, in which the mosaic has no pixels, and without texture to
 tell a source by where none is near."""
 MOST_LACKING = 3 / 8
-"""Of a unit: with as much it is lacking, or empty. A strip of 24 px, wider than those that labels are closed across,
-takes so much of one unit wherever it lies."""
+"""Share of a unit without a source, or without pixels: with as much it is lacking, or empty. A strip of 24 px, wider
+than those that labels are closed across, takes so much of one unit wherever it lies."""
 CELLS = BLOCK_PX // CELL_PX
 """Cells along a side of a block."""
 
@@ -131,7 +131,7 @@ def _along_seams(request: BlockRequest, nothing: BlockScan) -> BlockScan:
 
 
 def _scanned(request: BlockRequest) -> BlockScan:
-    """The same, raising."""
+    """Scan of a block; raises NotCoveredError or RasterError where it can't be read."""
     wanted = request.wanted
     is_full = request.settings.density == FULL and wanted is None
     whole = wanted is None or wanted.mean() >= WHOLE_SHARE
@@ -337,7 +337,7 @@ class _Block:
         self._labels[~self._valid] = UNKNOWN
 
     def _ground(self) -> np.ndarray:
-        """As ``BlockScan`` has it."""
+        """Ground of the units as ``BlockScan`` has it."""
         side, window = LABELS // UNITS, self._request.window
         labels, valid = (in_squares(one, side) for one in (self._labels, self._valid))
         rows, columns = (

@@ -20,9 +20,9 @@ from ..scan_request import LEAST_SEAM_PX, SHORTEST_PIECE_PX
 from .seam_pieces import SeamPiece
 
 LEAST_UNEXPLAINED = 0.03
-"""Of the ground, to be told."""
+"""Least share of the ground that no source explains, to be told."""
 LEAST_PART = 0.01
-"""Of the ground that follow no source together: an orthoimage that lacks leaves whole parts, chance leaves scatter."""
+"""Least share of the ground in a part without a source: a missing orthoimage leaves whole parts, chance scatter."""
 WIDEST_GAP_PX = 256
 """A strip without pixels that is wider parts two areas; a narrower one may hide a seam, and is no outline."""
 _AT_SEAM_PX, _ON_SEAM_PX = 32, 8  # borders that lie so near a seam are its own; what a seam crosses
@@ -36,16 +36,16 @@ class GroundPlace:
     """A part of the ground."""
 
     x: float
-    """Of its middle, map units."""
+    """Its middle, ``x`` and ``y``, map units."""
     y: float
     width_m: float
     """From west to east."""
     height_m: float
     metres: float = 0.0
-    """Of border between two sources in it."""
+    """Length of border between two sources in it."""
 
     def __str__(self) -> str:
-        """As layers have it."""
+        """Text of the place as layers have it."""
         return f"{self.x:.10g} {self.y:.10g} {self.width_m:.0f} {self.height_m:.0f}"
 
 

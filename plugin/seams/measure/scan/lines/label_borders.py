@@ -114,7 +114,7 @@ def _majority(labels: np.ndarray) -> np.ndarray:
 
 @cache
 def _weights(length: int) -> np.ndarray:
-    """Of the votes of samples along an axis, (length, length): a Gaussian, nothing beyond its ends."""
+    """Weights of the votes of samples along an axis, (length, length): a Gaussian, nothing beyond its ends."""
     return np.asarray(ndimage.gaussian_filter1d(np.eye(length), _SIGMA, mode="constant", truncate=3.0))
 
 
@@ -168,7 +168,7 @@ class LabelTile:
     height: int
     width: int
     rows: int
-    """Of the whole mosaic, as the next."""
+    """Number of rows of the whole mosaic, as the next of its columns."""
     columns: int
 
     def around(self, margin: int) -> tuple[slice, slice]:

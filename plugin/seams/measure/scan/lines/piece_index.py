@@ -100,7 +100,7 @@ class PieceIndex:
         return found.number, found.distance_px
 
     def beside(self, columns: np.ndarray, rows: np.ndarray, reach_px: float) -> NearestPieces:
-        """The same with the side of the piece that each place is on, and where along the seam."""
+        """Nearest pieces as of ``nearest``, the side of the piece that each place is on, and where along the seam."""
         columns, rows = np.broadcast_arrays(np.asarray(columns, dtype=float), np.asarray(rows, dtype=float))
         places = columns.ravel() + 1j * rows.ravel()
         number, distance = np.full(len(places), -1), np.full(len(places), np.inf)
@@ -125,7 +125,7 @@ class PieceIndex:
         )
 
     def _nearest_of(self, places: np.ndarray, reach_px: float) -> tuple[np.ndarray, np.ndarray]:
-        """Of places that lie together: which ones have a stretch about in reach, and those stretches."""
+        """Which of some places that lie together have a stretch about in reach, and those stretches."""
         column, row = int(np.floor(places.real.min())), int(np.floor(places.imag.min()))
         width, height = int(np.ceil(places.real.max())) - column, int(np.ceil(places.imag.max())) - row
         stretches = self.near(PixelWindow(column, row, width, height), reach_px)._stretches

@@ -15,7 +15,8 @@ SOURCE_FIELDS = tuple(
     "img_name exposure exposure_id ortho orthoimage ortho_name orthophoto file_name file location raster raster_name "
     "bild bildnummer bildname bild_nr zdjecie nr_zdjecia nazwa_pliku ortoobraz local_id raster_id name".split()
 )
-"""Of polygons, first the ones to be preferred; capitals, blanks and underlines make no difference."""
+"""Fields of polygons that name their orthoimage, first the ones to be preferred; capitals, blanks and underlines make
+no difference."""
 _SIDES = "left right", "l r", "gauche droite", "links rechts", "lewy prawy"
 _OF_SIDE = (
     "{}_source {}_src {}_image {}_img {}_photo {}_ortho {}_name {}_file {}_id {}_cliche source_{} src_{} image_{} "
@@ -24,17 +25,17 @@ _OF_SIDE = (
 SIDE_FIELDS = tuple(
     (pattern.format(left), pattern.format(right)) for left, right in map(str.split, _SIDES) for pattern in _OF_SIDE
 )
-"""Of lines, in pairs."""
+"""Fields of lines that name the orthoimages on both sides, in pairs."""
 DATE_FIELDS = tuple(
     "phenomenon_time begin_position acquisition_date acq_date image_date img_date idate sdate srcdate source_date "
     "shot_date photo_date flight_date flown_date capture_date date_vol data_nalotu bildflug date".split()
 )
-"""Of polygons, when they were taken. Where they name no orthoimage parts of another day are of another one."""
+"""Fields of polygons, when they were taken. Where they name no orthoimage parts of another day are of another one."""
 DATE_SIDE_FIELDS = tuple(
     (pattern.format(left), pattern.format(right)) for left, right in map(str.split, _SIDES)
     for pattern in ("{}_date", "date_{}", "{}_acq_date", "{}_data", "data_{}", "{}_datum")
 )
-"""Of lines, in pairs."""
+"""Fields of lines that say when both sides were taken, in pairs."""
 
 Attributes = Mapping[str, object]
 
@@ -44,17 +45,17 @@ class SeamFields:
     """Which fields of a layer say what lies where; empty where none does."""
 
     source: str = ""
-    """Of a polygon: what its part of the mosaic was made from."""
+    """Field of a polygon: what its part of the mosaic was made from."""
     left: str = ""
-    """Of a line: what lies on its left hand."""
+    """Field of a line: what lies on its left hand."""
     right: str = ""
-    """Of a line: what lies on its right hand."""
+    """Field of a line: what lies on its right hand."""
     date: str = ""
-    """Of a polygon: when its part was taken."""
+    """Field of a polygon: when its part was taken."""
     left_date: str = ""
-    """Of a line: when what lies on its left hand was taken."""
+    """Field of a line: when what lies on its left hand was taken."""
     right_date: str = ""
-    """Of a line: the same on its right hand."""
+    """Field of a line: when what lies on its right hand was taken."""
 
     @property
     def names_by_date(self) -> bool:

@@ -31,7 +31,7 @@ class SidedSeam:
     """On the left hand of who walks along the vertices: the source's number; or what a producer says that the mosaic
     was made from, an orthoimage's name, else a date."""
     right: Side
-    """The same on the right hand. Producers' left and right are often exchanged; ``sided`` sets them right."""
+    """What lies on the right hand. Producers' left and right are often exchanged; ``sided`` sets them right."""
 
     @property
     def length(self) -> float:

@@ -154,7 +154,7 @@ def _valid_parts(polygon: ogr.Geometry) -> list[ogr.Geometry]:
 
 
 def _polygon(rings: Sequence[np.ndarray]) -> ogr.Geometry:
-    """Of an outline and its holes."""
+    """Polygon of an outline and its holes."""
     held = [struct.pack("<I", len(ring)) + ring.astype("<f8").tobytes() for ring in rings]
     return ogr.CreateGeometryFromWkb(struct.pack("<BII", 1, ogr.wkbPolygon, len(rings)) + b"".join(held))
 
