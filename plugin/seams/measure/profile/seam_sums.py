@@ -14,7 +14,7 @@ import numpy as np
 from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells
 from .energy_sums import EnergySums
 from .ground import LevelGround
-from .intervals import MOST_KEPT, Kept, together, weighted
+from .intervals import MIN_CARRIED, MOST_KEPT, MOST_UNEXPLAINED, Kept, together, weighted
 from .mixture import MOST_EVERYWHERE, MixedStrips, MixtureSums
 from .seam_profile import (
     BAND_KEPT,
@@ -67,6 +67,7 @@ class SeamSums:
         left_over = in_strip(mixed.left)
         more_left = np.maximum(left_over - energy.left_by_ground, 0)
         own = in_strip(energy.own)  # with all that was added
+        energy.unexplained = np.clip(left_over[0] / np.maximum(own[0], 1e-12), 0, 1) * mixed.is_soft
         energy.take_out(mixed.edge + mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
         # Of the sources before anything came over the mosaic, which may have left what they agree in.
@@ -76,7 +77,10 @@ class SeamSums:
         is_mixed = (mixed.shares()[-1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
         by_energy = by_energy.times(np.where(is_mixed, np.nan, 1.0))
         left = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
-        judged, share = together(by_energy, mixed.kept, left)
+        is_replaced = more_left[0] > MOST_UNEXPLAINED * in_strip(energy.expected)[0]
+        is_replaced &= (mixed.carried < MIN_CARRIED) & (in_strip(energy.expected)[0] > 0)
+        is_told = np.where(is_replaced, np.nan, 1.0)
+        judged, share = together(by_energy.times(is_told), mixed.kept.times(is_told), left)
         kept = np.where(share > 0, energy_levels, mixed.levels)
         kept[0] = judged.value
         area, plain, shared = map(in_strip, (energy.area, energy.plain, energy.shared))
