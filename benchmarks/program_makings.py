@@ -88,7 +88,7 @@ class TruthBy(Enum):
     MASK = "mask"
     """Its own mask: the program cuts hard along a seam that follows from the images."""
     MOSAIC = "mosaic"
-    """The mosaic before compression against its images: a weight of each level or of each pixel is no single one."""
+    """The mosaic before compression against its images: it has a weight for each level, or by content."""
 
 
 @dataclass(frozen=True)
@@ -242,8 +242,7 @@ MODES: tuple[Mode, ...] = (
            ("large, coarse distances", otb("-comp.feather large"))),
     *modes("SAGA", "saga_cmd",
            ("last", saga("-OVERLAP 1 -RESAMPLING 0")), ("mean", saga("-OVERLAP 4 -RESAMPLING 0 -TYPE 7")),
-           ("feathering 10", saga("-OVERLAP 6 -RESAMPLING 0 -TYPE 7 -BLEND_DIST 10")),
-           ("feathering 33", saga("-OVERLAP 6 -RESAMPLING 0 -TYPE 7 -BLEND_DIST 33"))),
+           ("feathering", saga("-OVERLAP 6 -RESAMPLING 0 -TYPE 7 -BLEND_DIST 33"))),
     *modes("GRASS", "grass",
            ("r.patch", grass("r.patch --quiet input=b.$k,a.$k output=c.$k")),
            ("r.series average", grass("r.series --quiet input=a.$k,b.$k output=c.$k method=average"))),

@@ -23,7 +23,7 @@ from seam_inspector.plugin.seams.measure.window.window_request import Inspection
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
 from .compressed import LOSSLESS, Codec
-from .detail import luminance_of
+from .detail import details, luminance_of
 from .detection import grounds
 from .figures import figure, median
 from .known_windows import KnownWindow, WindowFacts
@@ -35,6 +35,8 @@ from .timing import print_table, say
 from .true_profile import BIN_PX, truth_of
 
 OVERLAP_PX = 64
+ZONES_PX = (-64, -32, -16, *range(-BIN_PX, BIN_PX + 1), 16, 32, 64)
+"""Distances from a seam between which one weight is fitted; the second image's side is positive."""
 GREYS = (50, 250)
 """Of the two images that a program's weights are read from."""
 SNAP = 0.01
@@ -55,9 +57,10 @@ HEAD = ("program, mode", "truth", "delivered", "kept_1", "interval", "right", "f
 MARKS = {"weights": "", "mask": " *", "mosaic": " **"}
 NOTE = (
     "Medians of {windows} windows of {side} px, overlap {overlap} px. truth: by the program's own weights; * by its\n"
-    "  own seam mask; ** of the mosaic before compression, against the ground, for a blend by levels or by content.\n"
-    "  delivered: of the stored mosaic, its compression included, against the ground. right: windows in whose\n"
-    "  interval the truth lies, of those with both. off weights: root mean square of mosaic less weighted images.")
+    "  own seam mask; ** by weights fitted to the mosaic before compression, for a blend by levels or by content.\n"
+    "  delivered: all detail of the stored mosaic against the ground, edges of the cut and traces of compression\n"
+    "  included. right: windows in whose interval the truth lies, of those with both. off weights: root mean square\n"
+    "  of the mosaic less the weighted images.")
 FAR_HEAD = ("program, mode", "codec", "window", "truth", "delivered", "kept_1", "low", "high", "energy", "mixture",
             "verdict", "causes")
 
@@ -68,25 +71,15 @@ class Mixture:
 
     labels: np.ndarray
     """Number of the image that each pixel follows, (rows, columns) uint8."""
-    weight: np.ndarray | None
-    """Of the second image, (rows, columns) float32; None where it is no single one."""
-
-    def mixed(self, images: Sequence[np.ndarray], product: Product) -> Mixed:
-        """The parts of a mosaic of these images."""
-        if self.weight is not None:
-            return mixed(images, (1 - self.weight, self.weight), self.labels)
-        planes = tuple(luminance_of(image) for image in images)
-        whole = Part(luminance_of(product.bands), np.ones(self.labels.shape, np.float32))
-        return Mixed(product.bands, planes, (whole,), self.labels, (0, 1))
+    weights: tuple[np.ndarray, np.ndarray]
+    """Of the two images, (rows, columns) float32."""
 
     @property
     def feather_px(self) -> float:
         """Full width of a linear feather that mixes as many pixels from 10 to 90 %, a pixel of seam."""
-        if self.weight is None:
-            return np.nan
         length = (seam_distance(self.labels) <= BIN_PX).sum() / (2 * BIN_PX)
-        is_mixed = np.minimum(self.weight, 1 - self.weight) >= UNMIXED
-        return float(is_mixed.sum() / length / (1 - 2 * UNMIXED))
+        second = self.weights[1] / np.maximum(sum(self.weights), TIE)
+        return float((np.minimum(second, 1 - second) >= UNMIXED).sum() / length / (1 - 2 * UNMIXED))
 
 
 @dataclass(frozen=True)
@@ -156,13 +149,26 @@ def probed(mode: Mode, overlap: Overlap) -> Mixture:
     weight = (product.bands[0].astype(np.float32) - GREYS[0]) / (GREYS[1] - GREYS[0])
     weight = np.where(np.abs(weight - np.rint(weight)) <= SNAP, np.rint(weight), weight)
     is_second = np.where(np.abs(weight - 0.5) <= TIE, overlap.is_second, weight > 0.5)
-    return Mixture(is_second.astype(np.uint8), weight)
+    return Mixture(is_second.astype(np.uint8), (1 - weight, weight))
 
 
-def mixture_of(mode: Mode, overlap: Overlap, product: Product) -> Mixture:
-    """The mixture by the program's own mask, or by the line where it has none."""
+def masked(overlap: Overlap, product: Product) -> Mixture:
+    """The mixture of a cut along the program's own mask, or along the line where it has none."""
     labels = (overlap.is_second if product.mask is None else product.mask).astype(np.uint8)
-    return Mixture(labels, labels.astype(np.float32) if mode.truth_by is TruthBy.MASK else None)
+    return Mixture(labels, (np.float32(1) - labels, labels.astype(np.float32)))
+
+
+def fitted(overlap: Overlap, product: Product) -> Mixture:
+    """The mixture by least squares: how much of each image's finest detail is there, by distance from the seam."""
+    labels = masked(overlap, product).labels
+    zones = np.digitize(np.where(labels == 1, 1, -1) * seam_distance(labels), ZONES_PX)
+    mosaic, first, second = (details(luminance_of(one), 1, "coif3") for one in (product.bands, *overlap.images))
+    weights = np.zeros((2, *labels.shape), np.float32)
+    for zone in np.unique(zones):
+        inside = zones == zone
+        images = np.stack([first[:, inside].ravel(), second[:, inside].ravel()], axis=1)
+        weights[:, inside] = np.linalg.lstsq(images, mosaic[:, inside].ravel(), rcond=None)[0][:, np.newaxis]
+    return Mixture(labels, (weights[0], weights[1]))
 
 
 def rows_of(mode: Mode, window: KnownWindow) -> Iterator[Row]:
@@ -172,35 +178,33 @@ def rows_of(mode: Mode, window: KnownWindow) -> Iterator[Row]:
     for before, since in CODECS:
         overlap = replace(plain, images=tuple(before.stored(image) for image in plain.images))
         product, seconds = made_by(mode, overlap)
-        mixture = probe or mixture_of(mode, overlap, product)
-        parts = mixture.mixed(overlap.images, product)
+        mixture = probe or (masked if mode.truth_by is TruthBy.MASK else fitted)(overlap, product)
+        parts = mixed(overlap.images, mixture.weights, mixture.labels)
         stored = since.stored(product.bands)
+        whole = replace(parts, parts=(Part(luminance_of(stored), np.ones(stored.shape[1:], np.float32)),))
+        truth, delivered = (against_ground(one, window) for one in (parts, whole))
         holes = float((product.bands == NODATA).all(axis=0).mean())
-        truth, delivered = (
-            truth_kept(one, window)
-            for one in (parts, Mixture(mixture.labels, None).mixed(overlap.images, Product(stored)))
-        )
         result = inspected(made_of(overlap, stored, parts), replace(window, labels=mixture.labels),
                            InspectionSettings())
         reading, profile = reading_of(result), result.profile
+        width, energy, by_mixture = (
+            (profile.feather_width_px, profile.by_energy, profile.by_mixture) if profile else (None,) * 3)
         off = luminance_of(product.bands) - luminance_of(parts.bands)
         yield Row(
             mode.name, before.name, window.imagery, window.number, mode.truth_by.value,
             truth if holes <= MOST_HOLES else np.nan, delivered, reading.kept, reading.low, reading.high,
-            reading.verdict, reading.causes, mixture.feather_px, number(profile.feather_width_px if profile else None),
-            gain_of(result), np.nan if mode.truth_by is TruthBy.MOSAIC else float(np.sqrt(np.square(off).mean())),
-            number(profile.by_energy if profile else None), number(profile.by_mixture if profile else None),
-            holes, seconds,
+            reading.verdict, reading.causes, mixture.feather_px, number(width), gain_of(result),
+            np.nan if mode.truth_by is TruthBy.MOSAIC else float(np.sqrt(np.square(off).mean())),
+            number(energy), number(by_mixture), holes, seconds,
         )
 
 
-def truth_kept(parts: Mixed, window: KnownWindow) -> float:
-    """What is kept beside the seam; against the ground where the mosaic itself tells, as it may be changed all over."""
+def against_ground(parts: Mixed, window: KnownWindow) -> float:
+    """What is kept beside the seam, relative to what is kept farther off than the overlap."""
     distance = seam_distance(parts.labels)
-    near = truth_of(parts, distance, window.middle).near
-    if len(parts.parts) > 1:
-        return near
-    return near / truth_of(parts, np.where(distance >= OVERLAP_PX, 0, np.inf), window.middle).near
+    near, far = distance, np.where(distance >= OVERLAP_PX, 0, np.inf)
+    kept = [truth_of(parts, pixels, window.middle).near for pixels in (near, far)]
+    return kept[0] / kept[1]
 
 
 def made_of(overlap: Overlap, stored: np.ndarray, parts: Mixed) -> Made:
@@ -260,7 +264,7 @@ def report(rows: Sequence[Row], note: str) -> None:
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.programs", description=__doc__.split("\n")[0])
     parser.add_argument("--side", type=int, default=512, help="of the windows, px")
-    parser.add_argument("--windows", type=int, default=4, help="of the main ground; half as many of each other")
+    parser.add_argument("--windows", type=int, default=2, help="of the main ground; half as many of each other")
     parser.add_argument("--imagery", default="", help="only grounds whose name holds this")
     parser.add_argument("--half", choices=("used", "held back"), default="held back", help="of the ground")
     parser.add_argument("--only", default="", help="only programs and modes that hold this")
