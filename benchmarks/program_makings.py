@@ -23,6 +23,8 @@ from .seam_makings import whole_values
 NODATA = 0
 FAR_PX = 0.01
 """By which a program's grid may lie beside the orthoimages': what rounding of coordinates leaves."""
+BEYOND_PX = 128
+"""Wider than any blend."""
 TIMEOUT_S = 300
 PYRAMID = 5
 """Levels of OpenCV's, its default."""
@@ -56,13 +58,14 @@ class Overlap:
         self._write_line(folder)
 
     def _write_line(self, folder: Path) -> None:
-        """The second image's side as a polygon."""
-        raster = gdal.Open(str(folder / "a.tif"))
-        side = gdal.GetDriverByName("MEM").Create("", raster.RasterXSize, raster.RasterYSize, 1, gdal.GDT_Byte)
-        side.SetGeoTransform(raster.GetGeoTransform())
-        side.WriteArray(self.is_second.astype(np.uint8))
+        """The second image's side as a polygon, beyond the images as well: GDAL blends along all of its border."""
+        is_second = np.pad(self.is_second, BEYOND_PX, mode="edge").astype(np.uint8)
+        side = gdal.GetDriverByName("MEM").Create("", *is_second.shape[::-1], 1, gdal.GDT_Byte)
+        beyond = BEYOND_PX * self.pixel_m
+        side.SetGeoTransform((LEFT - beyond, self.pixel_m, 0, TOP + beyond, 0, -self.pixel_m))
+        side.WriteArray(is_second)
         package = ogr.GetDriverByName("GPKG").CreateDataSource(str(folder / "second.gpkg"))
-        layer = package.CreateLayer("second", raster.GetSpatialRef())
+        layer = package.CreateLayer("second", gdal.Open(str(folder / "a.tif")).GetSpatialRef())
         gdal.Polygonize(side.GetRasterBand(1), side.GetRasterBand(1), layer, -1)
 
 
