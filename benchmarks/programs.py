@@ -25,7 +25,7 @@ from seam_inspector.plugin.seams.measure.window.window_result import WindowResul
 from .compressed import LOSSLESS, Codec
 from .detail import details, luminance_of
 from .detection import grounds
-from .figures import figure, median
+from .figures import figure, median, percent
 from .known_windows import KnownWindow, WindowFacts
 from .production import Made
 from .program_makings import MODES, NODATA, Mode, Overlap, Product, TruthBy, missing_programs
@@ -47,6 +47,7 @@ UNMIXED = 0.1
 """Of the other image: where a feather ends, as the plugin has it."""
 FAR = 0.05
 """From the truth: a disagreement, even inside the interval."""
+FEATHER_PX = 10
 MOST_HOLES = 0.001
 """Share of the pixels without a value in a mosaic of which it can't be told what was kept."""
 CODECS = tuple((codec, replace(codec, shift_px=0)) for codec in (
@@ -61,6 +62,7 @@ NOTE = (
     "  delivered: all detail of the stored mosaic against the ground, edges of the cut and traces of compression\n"
     "  included. right: windows in whose interval the truth lies, of those with both. off weights: root mean square\n"
     "  of the mosaic less the weighted images.")
+SUMMARY_HEAD = ("orthoimages and mosaic", "figures", "median error", "right %", "feathers: kept_1 - truth", "right %")
 FAR_HEAD = ("program, mode", "codec", "window", "truth", "delivered", "kept_1", "low", "high", "energy", "mixture",
             "verdict", "causes")
 
@@ -241,6 +243,15 @@ def cells(rows: Sequence[Row]) -> list[str]:
             of("true_feather_px", ".0f"), of("feather_px", ".0f"), of("gain"), of("off_dn"), of("seconds", ".1f")]
 
 
+def summary(codec: Codec, rows: Sequence[Row]) -> list[str]:
+    """The line of one codec: all modes, then feathers alone."""
+    compared = [row for row in rows if row.codec == codec.name and row.is_compared]
+    feathers = [row for row in compared if row.true_feather_px >= FEATHER_PX]
+    return [codec.name, str(len(compared)), figure(median(abs(row.kept - row.truth) for row in compared)),
+            percent(row.is_right for row in compared), f"{median(row.kept - row.truth for row in feathers):+.3f}",
+            percent(row.is_right for row in feathers)]
+
+
 def report(rows: Sequence[Row], note: str) -> None:
     """Print a table for each codec, what keeps most first, and the disagreements."""
     kept = {mode: median(row.truth for row in rows if (row.mode, row.codec) == (mode, LOSSLESS.name))
@@ -249,6 +260,8 @@ def report(rows: Sequence[Row], note: str) -> None:
     for codec, _ in CODECS:
         groups = ([row for row in rows if (row.mode, row.codec) == (mode, codec.name)] for mode in order)
         print_table(f"Orthoimages and mosaic {codec.name}", HEAD, [cells(group) for group in groups], note)
+    print_table("All modes; feathers are those of 10 px and more", SUMMARY_HEAD,
+                [summary(codec, rows) for codec, _ in CODECS])
     holes = {mode: max(row.holes for row in rows if row.mode == mode) for mode in order}
     print("  Pixels without a value inside the mosaic:", "; ".join(
         f"{mode}, up to {share:.1%}" for mode, share in holes.items() if share > MOST_HOLES) or "none")
