@@ -134,7 +134,7 @@ benchmark-compressed: link ## Measure how truly compressed deliveries are judged
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.compressed $(if $(HALF),--half "$(HALF)") \
 		$(if $(SHARE),--share $(SHARE))
 
-benchmark-programs: link ## Measure what OTB, SAGA, GDAL, GRASS, enblend, rasterio and OpenCV keep along seams, after installing them: WINDOWS=1 IMAGERY=brighton SIDE=256 ONLY=gdalwarp for a try; real data by SEAM_INSPECTOR_DATA
+benchmark-programs: link ## Measure what OTB, SAGA, GDAL, GRASS, enblend, rasterio and OpenCV keep along seams, after installing them: WINDOWS=1 IMAGERY=brighton SIDE=256 ONLY=OTB for a try; real data by SEAM_INSPECTOR_DATA
 	@tools/install_programs.sh
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.programs $(if $(WINDOWS),--windows $(WINDOWS)) \
 		$(if $(SIDE),--side $(SIDE)) $(if $(IMAGERY),--imagery "$(IMAGERY)") $(if $(ONLY),--only "$(ONLY)")

@@ -111,7 +111,8 @@ class Mode:
 
     @property
     def is_installed(self) -> bool:
-        return shutil.which(self.needs) is not None or find_spec(self.needs) is not None
+        is_module = self.needs.isidentifier() and find_spec(self.needs) is not None
+        return is_module or shutil.which(self.needs) is not None
 
 
 def run(line: str, folder: Path) -> None:
