@@ -82,15 +82,15 @@ def reading_of(result: WindowResult) -> Reading:
     return Reading(
         verdict=result.judgement.verdict.value,
         causes=tuple(cause.value for cause in causes),
-        kept=_number(profile.kept[0]) if profile else np.nan,
-        low=_number(profile.low) if profile else np.nan,
-        high=_number(profile.high) if profile else np.nan,
+        kept=number(profile.kept[0]) if profile else np.nan,
+        low=number(profile.low) if profile else np.nan,
+        high=number(profile.high) if profile else np.nan,
         band_width=profile.band_width_px * result.ground_sample_distance if profile else np.nan,
-        misfit=_number(getattr(found, "misfit", None)),
-        explained=_number(result.explained),
-        contrast=_number(change.contrast[0]) if change else np.nan,
-        composite_ratio=_number(found.ratios[LUMINANCE].detail[0]) if found else np.nan,
-        ratio=_number(result.judgement.ratios.detail[0]),
+        misfit=number(getattr(found, "misfit", None)),
+        explained=number(result.explained),
+        contrast=number(change.contrast[0]) if change else np.nan,
+        composite_ratio=number(found.ratios[LUMINANCE].detail[0]) if found else np.nan,
+        ratio=number(result.judgement.ratios.detail[0]),
         source_count=result.source_count,
         tones={
             int(pair.source.partition(".")[0].rpartition("_")[2]): pair.change
@@ -112,9 +112,9 @@ def inspected(made: Made, window: KnownWindow, settings: InspectionSettings) -> 
 def _files(made: Made, pixel_m: float) -> Iterator[tuple[str, list[str]]]:
     folder = f"/vsimem/{uuid4().hex}"
     mosaic, sources = f"{folder}/mosaic.tif", [f"{folder}/source_{number}.tif" for number in range(len(made.sources))]
-    _write(mosaic, made.bands, None, pixel_m)
+    write_frame(mosaic, made.bands, None, pixel_m)
     for path, bands, mask, offset in zip(sources, made.sources, made.valid, made.offsets):
-        _write(path, bands, None if mask.all() else mask, pixel_m, offset)
+        write_frame(path, bands, None if mask.all() else mask, pixel_m, offset)
     try:
         yield mosaic, sources
     finally:
@@ -122,9 +122,10 @@ def _files(made: Made, pixel_m: float) -> Iterator[tuple[str, list[str]]]:
             gdal.Unlink(path)
 
 
-def _write(
+def write_frame(
     path: str, bands: np.ndarray, valid: np.ndarray | None, pixel_m: float, offset: tuple[float, float] = (0.0, 0.0)
 ) -> None:
+    """A GeoTIFF at the place of all frames; 0 is its nodata where not all pixels are valid."""
     kind = gdal.GDT_Byte if bands.dtype == np.uint8 else gdal.GDT_UInt16
     raster = gdal.GetDriverByName("GTiff").Create(path, bands.shape[2], bands.shape[1], len(bands), kind,
                                                   ["PHOTOMETRIC=RGB"])
@@ -149,5 +150,6 @@ def peers(made: Made, window: KnownWindow) -> tuple[float, float, float]:
     return float(ndimage.laplace(grey).var()), -float(blur_effect(grey / 255)), float(similarity)
 
 
-def _number(value: float | None) -> float:
+def number(value: float | None) -> float:
+    """The value; nan for None."""
     return np.nan if value is None else float(value)
