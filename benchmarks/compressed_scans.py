@@ -203,16 +203,17 @@ class ScanOutcome:
         textured = self.length_m * self.is_textured
         is_near = self.piece >= 0
         is_measured = is_near & (state != PieceState.NOT_MEASURED) & (state != PieceState.NO_DETAIL)
-        judged = [(one, truth) for one, truth in zip(self.pieces, self.piece_truth)
-                  if one.kept and np.isfinite(truth)]
-        lengths = np.array([one.piece.length_m for one, _ in judged])
-        errors = np.array([one.kept[0] - truth for one, truth in judged])
-        right = np.array([one.low <= truth <= one.high for one, truth in judged], bool)
-        sound = np.array([truth >= SOUND for _, truth in judged], bool)
-        below = np.array([one.high < 1 for one, _ in judged], bool)
-        failed = np.array([one.state is PieceState.FAILED for one, _ in judged], bool)
+        judged = [place for place, one in enumerate(self.pieces)
+                  if one.kept and np.isfinite(self.piece_truth[place])]
+        lengths = np.array([self.pieces[place].piece.length_m for place in judged])
+        kept, low, high = np.array([
+            (self.pieces[place].least_kept, self.pieces[place].low, self.pieces[place].high) for place in judged
+        ], float).reshape(-1, 3).T
+        failed = np.array([self.pieces[place].state is PieceState.FAILED for place in judged], bool)
+        truth = self.piece_truth[judged]
+        errors, right, sound, below = kept - truth, (low <= truth) & (truth <= high), truth >= SOUND, high < 1
         planted_m = float((textured * (self.truth < FAILED)).sum())
-        false_m = float(lengths[failed & np.array([truth >= FAILED for _, truth in judged], bool)].sum())
+        false_m = float(lengths[failed & (truth >= FAILED)].sum())
 
         def share(part: float, whole: float) -> str:
             return f"{100 * part / whole:.0f}" if whole else "-"

@@ -80,7 +80,15 @@ class Texture:
     noise_rise: float
     """How much larger it is in strong detail."""
     quantised: float
-    """By which share more of the coefficients of blocks of 8 px vanish on one grid of blocks than on others."""
+    """By which share more of the coefficients of blocks of 8 px vanish on one grid of blocks than on others; beyond
+    what does in the sources."""
+    source_traces: float = 0.0
+    """The same share of the sources, whose noise is then among what is not from them."""
+    least_held: float = 1.0
+    """Amplitude of the mosaic's detail over that of the source of which it holds least, by the mosaic's detail: what a
+    source lost since the mosaic was made does not lower it."""
+    most_held: float = 1.0
+    """Amplitude over that of the source of which it holds most."""
 
 
 @dataclass(frozen=True)
@@ -122,6 +130,8 @@ class CauseEvidence:
     """None where too little is unmixed."""
     lossy_file: bool
     """Whether the mosaic's file says that it is compressed with loss."""
+    lossy_sources: bool
+    """Whether the file of a source that is followed does."""
     filter_power: float | None = None
     """The power of what the filter that came over the sources leaves of waves of 2.5 px, that it leaves of those of
     5 px, the least of any source; None where no filter explains more than a lower contrast."""
@@ -136,6 +146,19 @@ class CauseEvidence:
         if found is None or found.noise_dn < MIN_COMPRESSED_DN * self.unit_dn:
             return False
         return found.quantised >= (MIN_LOSSY_QUANTISED if self.lossy_file else MIN_QUANTISED)
+
+    @property
+    def has_compressed_sources(self) -> bool:
+        """Whether noise of a codec in the sources is among what is not from them, by its traces or by their files."""
+        found = self.texture
+        if found is None or found.noise_dn < MIN_COMPRESSED_DN * self.unit_dn:
+            return False
+        return self.lossy_sources or found.source_traces >= MIN_QUANTISED
+
+    @property
+    def has_codec_noise(self) -> bool:
+        """Whether a codec left noise in the mosaic or in its sources, so that no other noise can be told."""
+        return self.is_compressed or self.has_compressed_sources
 
     @property
     def feather_width_px(self) -> float:
@@ -190,13 +213,13 @@ class CauseEvidence:
         found = self.profile
         if found is None or self.feather_width_px < NARROW_PX:
             return False
-        is_clean = self.texture is not None and not self.is_compressed and not self.is_noisy
+        is_clean = self.texture is not None and not self.has_codec_noise and not self.is_noisy
         return is_clean and found.left_by_mixture > MOST_LEFT
 
     @property
     def is_noisy(self) -> bool:
         found = self.texture
-        if found is None or self.is_compressed:
+        if found is None or self.has_codec_noise:
             return False
         least = MIN_NOISE_DN * self.unit_dn * max(found.transfer, 1)
         return found.noise_dn >= least and found.noise_rise <= MAX_NOISE_RISE
@@ -208,9 +231,11 @@ class CauseEvidence:
 
     @property
     def least_transfer(self) -> float:
-        """Of fine detail, by the source of which least comes over; by the whole window where none is unmixed."""
-        if self.texture is not None and not self.is_mostly_mixed:
-            return self.texture.least_transfer
+        """Share of fine detail that comes over of the source of which least does; by the whole window where none is
+        unmixed. A codec's noise is taken to be on the side that shows its traces."""
+        found = self.texture
+        if found is not None and not self.is_mostly_mixed:
+            return found.least_held if self.has_compressed_sources else found.least_transfer
         return 1.0 if self.sharpness is None or self.is_mixed_all_over else self.sharpness
 
     @property
@@ -232,12 +257,15 @@ class CauseEvidence:
         """Whether contrast was taken of fine and less fine detail alike and from all sources, as by a dodger that
         evens out a coarse overview. Blur and resampling take far more of what is finest."""
         found = self.texture
-        if found is None or self.is_mostly_mixed or found.most_transfer > MAX_BLURRED_TRANSFER * self.bends[0]:
+        if found is None or self.is_mostly_mixed:
+            return False
+        most = found.most_held if self.has_compressed_sources else found.most_transfer
+        if most > MAX_BLURRED_TRANSFER * self.bends[0]:
             return False
         if self.has_seam_loss and self.off_seam_lost <= self.lost:
             return False
         if self.filter_power is None:
-            return self.fit >= MIN_EVENED_FIT and not self.is_compressed
+            return self.fit >= MIN_EVENED_FIT and not self.has_codec_noise
         return self.filter_power >= MIN_EVENED_POWER
 
     @property
