@@ -32,7 +32,7 @@ _WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which a stranger i
 _LARGE, _HALF = 27, 13  # the same: 216 px, in which chance alone is asked, and half of that
 _FALSE_ALARM = 0.01  # of a window, that chance finds a foreign part in it
 _STRANGER = 0.8  # share that another image of the same ground leaves over, 1 - rho^2
-_MIN_TRUE = 0.35  # share explained of strong detail: a source of which less is explained is a substitute everywhere
+_MIN_TRUE = 0.55  # share explained of strong detail, of which JPEG at quality 60 leaves 0.6: with less a substitute
 _OF_BEST = 0.6  # of the z of the best source: with less one is a substitute, unless compression took what it lacks
 _MIXED_OF_BEST = 0.75  # the same of ground where two are mixed
 _MIXED, _MIXED_TOTAL = 0.2, 0.75  # the lesser of two weights, of their sum; and that sum, of ground that is mixed
@@ -342,11 +342,13 @@ def _share_left(energy: np.ndarray, left_over: np.ndarray) -> Callable[[np.ndarr
 def _true_sources(fits: Mapping[int, _Fit], is_compressed: IsCompressed) -> list[int]:
     """Those that are no substitutes for another image wherever they are followed."""
     most = max((fit.strong for fit in fits.values()), default=0.0)
-    return [
+    true = [
         number for number, fit in fits.items()
         if np.tanh(fit.strong) ** 2 >= _MIN_TRUE
         and (fit.strong >= (_MIXED_OF_BEST if number == _OF_MIXED else _OF_BEST) * most or is_compressed(number))
     ]
+    # What is mixed with a substitute is one.
+    return true if fits.keys() <= {*true, _OF_MIXED} else [number for number in true if number != _OF_MIXED]
 
 
 def _assigned(labels: np.ndarray, fits: Mapping[int, _Fit], true: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
