@@ -29,6 +29,7 @@ IsCompressed = Callable[["int | None"], bool]
 """Whether the mosaic or a source shows traces of a codec; of None whether any of them does."""
 
 _WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which a stranger is told
+_BORDER, _TOLD_LEAST = (3, 7, 13, 27), 0.1  # the same: borders are told by, if all but a tenth of a part is told
 _LARGE, _HALF = 27, 13  # the same: 216 px, in which chance alone is asked, and half of that
 _FALSE_ALARM = 0.01  # of a window, that chance finds a foreign part in it
 _STRANGER = 0.8  # share that another image of the same ground leaves over, 1 - rho^2
@@ -161,10 +162,16 @@ class _NoiseCells:
         return cls(energy, np.minimum(_means(np.maximum(rest, 0)), cut), labels, border, seen, sources)
 
     def foreign(self, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
-        """What squares of any size find, (rows, columns) bool."""
+        """What squares of any size find, (rows, columns) bool; parts of the largest of which smaller ones found the
+        most end as those have it."""
         sides = [side for side in (*_WIDE, _LARGE) if min(self.energy.shape) >= side]
-        found = [_Squares.of(self, side).foreign(is_compressed, is_window) for side in sides]
-        return np.logical_or.reduce([np.zeros_like(self.border), *found])
+        each = {side: _Squares.of(self, side).foreign(is_compressed, is_window) for side in sides}
+        parts, _ = ndimage.label(each.pop(_LARGE, np.zeros_like(self.border)))
+        found = np.logical_or.reduce([np.zeros_like(self.border), *each.values()])
+        sizes, known = (np.bincount(of.ravel(), minlength=int(parts.max()) + 1) for of in (parts, parts[found]))
+        is_new = 2 * known < sizes
+        is_new[0] = False
+        return np.asarray(found | is_new[parts])
 
 
 @dataclass(frozen=True, eq=False)
@@ -255,17 +262,21 @@ class _Squares:
         return _Fit(expected + middle, float(scatter), float(np.quantile(expected[followed], 0.8)))
 
     def _to_borders(self, found: np.ndarray, expected: np.ndarray) -> np.ndarray:
-        """Parts that wide squares found up to where half of a square of 24 px is within them, by correlation."""
+        """Parts that wide squares found up to where half of a smaller square is within them, by correlation; that is as
+        small as tells most of what was found from what is explained."""
         if not found.any():
             return found
-        cells, fine = self.cells, self.side if self.side == _LARGE else 3
-        energy, left_over = _box_means((cells.energy, cells.left_over), fine)
-        least = 1 - np.tanh(expected) ** 2
-        part = (left_over / np.maximum(energy, 1e-3) - least) / np.maximum(1 - least, 0.05)
-        inside = float(np.clip(np.median(part[found]), 0, 1))
-        near = widened(found, self.side) & self.textured & (part > 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2)
+        cells, least = self.cells, 1 - np.tanh(expected) ** 2
+        for side in (one for one in _BORDER if one <= self.side):
+            energy, left_over = _box_means((cells.energy, cells.left_over), side)
+            part = (left_over / np.maximum(energy, 1e-3) - least) / np.maximum(1 - least, 0.05)
+            low, inside = np.clip(np.quantile(part[found], (_TOLD_LEAST, 0.5)), 0, 1).tolist()
+            half = 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2
+            if low > half:
+                break
+        near = widened(found, self.side) & self.textured & (part > half)
         near = narrowed(widened(near, 1), 1) & self.textured
-        found = opened(ndimage.binary_propagation(found & near, mask=near), min(fine, _HALF))
+        found = opened(ndimage.binary_propagation(found & near, mask=near), min(side, _HALF))
         parts, _ = ndimage.label(found)
         sizes = np.bincount(parts.ravel())
         sizes[0] = 0
