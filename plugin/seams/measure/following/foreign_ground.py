@@ -5,8 +5,9 @@
 n is what compression, on either side, noise, resampling and rounding leave over. Its share of a source's detail is
 learned source by source as a function of how strong the detail is, from the better explained part of its ground. The
 correlation of what is explained has a scatter that is nearly even on Fisher's scale, z = artanh(rho) (Fisher 1921), so
-ground is foreign where squares of 56 or 104 px are explained less than chance allows in a window, and nearer to what
-another image of the same ground explains than to what is expected.
+ground is foreign where squares are explained less than chance allows in a window: in squares of 216 px by chance alone,
+which tells images that resemble each other as well; in those of 56 and 104 px, where something may have moved, nearer
+to what another image of the same ground explains than to what is expected besides.
 """
 from __future__ import annotations
 
@@ -18,7 +19,7 @@ from statistics import NormalDist
 import numpy as np
 from scipy import ndimage
 
-from ..seam_cells import is_one_of, present
+from ..seam_cells import present
 from .best_ground import MIN_ALIKE_STRANGE
 from .boxes import box_means, narrowed, near_border, opened, widened
 from .followed_source import CELL_PX, LEAST_ENERGY, WIDE_CELLS
@@ -29,8 +30,8 @@ IsCompressed = Callable[["int | None"], bool]
 """Whether the mosaic or a source shows traces of a codec; of None whether any of them does."""
 
 _WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which a stranger is told
-_BORDER, _TOLD_LEAST = (3, 7, 13, 27), 0.1  # the same: borders are told by, if all but a tenth of a part is told
 _LARGE, _HALF = 27, 13  # the same: 216 px, in which chance alone is asked, and half of that
+_BORDERS, _UNTOLD = (3, 7, 13, 27), 0.1  # the same, by which borders are told; of a part, that need not be told by them
 _FALSE_ALARM = 0.01  # of a window, that chance finds a foreign part in it
 _STRANGER = 0.8  # share that another image of the same ground leaves over, 1 - rho^2
 _MIN_TRUE = 0.55  # share explained of strong detail, of which JPEG at quality 60 leaves 0.6: with less a substitute
@@ -262,15 +263,15 @@ class _Squares:
         return _Fit(expected + middle, float(scatter), float(np.quantile(expected[followed], 0.8)))
 
     def _to_borders(self, found: np.ndarray, expected: np.ndarray) -> np.ndarray:
-        """Parts that wide squares found up to where half of a smaller square is within them, by correlation; that is as
-        small as tells most of what was found from what is explained."""
+        """Parts that squares found up to where half of a smaller one is within them, by correlation: the smallest that
+        tells nearly all of what was found from what is explained."""
         if not found.any():
             return found
         cells, least = self.cells, 1 - np.tanh(expected) ** 2
-        for side in (one for one in _BORDER if one <= self.side):
+        for side in (one for one in _BORDERS if one <= self.side):
             energy, left_over = _box_means((cells.energy, cells.left_over), side)
             part = (left_over / np.maximum(energy, 1e-3) - least) / np.maximum(1 - least, 0.05)
-            low, inside = np.clip(np.quantile(part[found], (_TOLD_LEAST, 0.5)), 0, 1).tolist()
+            low, inside = np.clip(np.quantile(part[found], (_UNTOLD, 0.5)), 0, 1).tolist()
             half = 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2
             if low > half:
                 break
