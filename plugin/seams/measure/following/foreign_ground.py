@@ -35,6 +35,7 @@ _BORDERS, _UNTOLD = (3, 7, 13, 27), 0.1  # the same, by which borders are told; 
 _FALSE_ALARM = 0.01  # of a window, that chance finds a foreign part in it
 _STRANGER = 0.8  # share that another image of the same ground leaves over, 1 - rho^2
 _MIN_TRUE = 0.55  # share explained of strong detail, of which JPEG at quality 60 leaves 0.6: with less a substitute
+_MIN_TRUE_MIXED = 0.35  # the same of ground where two are mixed, each of which brings its noise
 _OF_BEST = 0.6  # of the z of the best source: with less one is a substitute, unless compression took what it lacks
 _MIXED_OF_BEST = 0.75  # the same of ground where two are mixed
 _MIXED, _MIXED_TOTAL = 0.2, 0.75  # the lesser of two weights, of their sum; and that sum, of ground that is mixed
@@ -356,7 +357,7 @@ def _true_sources(fits: Mapping[int, _Fit], is_compressed: IsCompressed) -> list
     most = max((fit.strong for fit in fits.values()), default=0.0)
     true = [
         number for number, fit in fits.items()
-        if np.tanh(fit.strong) ** 2 >= _MIN_TRUE
+        if np.tanh(fit.strong) ** 2 >= (_MIN_TRUE_MIXED if number == _OF_MIXED else _MIN_TRUE)
         and (fit.strong >= (_MIXED_OF_BEST if number == _OF_MIXED else _OF_BEST) * most or is_compressed(number))
     ]
     # What is mixed with a substitute is one.
