@@ -16,7 +16,6 @@ from .profile.mixture import NARROW_PX
 from .profile.seam_profile import Measure, SeamProfile
 
 MIN_MISSING_SHARE = 0.03  # of the pixels, lying together, that no given source explains; noise alone has made 0.02
-MIN_SURE_FIT, MIN_UNSURE_MISSING_SHARE = 0.9, 0.08  # where compression or filters left less of the sources' detail
 MIN_CLIPPED_SHARE = 0.005  # of the pixels: the share that JRC's specification allows in one tail of the histogram
 MIN_COLOUR_SHIFT = 1.05  # gains of the colours 5 % apart
 MIN_GAMMA_CHANGE = 1.1  # as a factor, either way
@@ -317,9 +316,7 @@ part."""
 
 
 def _missing(found: CauseEvidence) -> float | None:
-    # What is missing is explained by nothing, and must not make the rest unsure.
-    least = MIN_MISSING_SHARE if found.fit + found.missing >= MIN_SURE_FIT else MIN_UNSURE_MISSING_SHARE
-    return found.missing if found.missing >= least else None
+    return found.missing if found.missing >= MIN_MISSING_SHARE else None
 
 
 def _misregistration(found: CauseEvidence) -> float | None:

@@ -455,7 +455,7 @@ def percent(share: float) -> str:
 
 
 IN_GUIDE = {
-    Cause.MISSING_SOURCE: (percent(rules.MIN_MISSING_SHARE), percent(rules.MIN_UNSURE_MISSING_SHARE)),
+    Cause.MISSING_SOURCE: (percent(rules.MIN_MISSING_SHARE),),
     Cause.FEATHERING: (f"at most {rules.MAX_FEATHERED_KEPT} of", percent(rules.MIN_MIXED)),
     Cause.OTHER_MIXTURE: (percent(MOST_LEFT),),
     Cause.BLUR: (
