@@ -11,7 +11,7 @@ import os
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -45,11 +45,15 @@ EPSG = 2180
 LEFT, TOP = 566200.0, 244700.0
 PLANTS = {"sound": (0.0,), "13, 33": (0.0, 13.0, 0.0, 33.0), "66": (0.0, 0.0, 66.0)}
 """Widths, px, of the mixtures in turn."""
+JPEG_75, JPEG_90, JPEG_85 = (Codec("JPEG", quality) for quality in (75, 90, 85))
 CODECS = {
-    "used": [(LOSSLESS, LOSSLESS), *((Codec("JPEG", quality),) * 2 for quality in (75, 90))],
-    "held back": [(Codec("JPEG", 85),) * 2, (Codec("JPEG", 60), Codec("JPEG", 95)), (Codec("WEBP", 85),) * 2],
+    "used": [(LOSSLESS, LOSSLESS), (JPEG_75, JPEG_75), (JPEG_75, replace(JPEG_75, shift_px=3)),
+             (JPEG_90, replace(JPEG_90, shift_px=3))],
+    "held back": [(JPEG_85, JPEG_85), (JPEG_85, replace(JPEG_85, shift_px=5)),
+                  (Codec("JPEG", 60), Codec("JPEG", 95, shift_px=2)),
+                  (Codec("WEBP", 85), Codec("WEBP", 85, shift_px=3))],
 }
-"""Of the mosaic and of the orthoimages before."""
+"""Codec of the mosaic, and of the orthoimages before it was made."""
 
 
 @dataclass(frozen=True, eq=False)
