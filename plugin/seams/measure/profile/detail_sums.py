@@ -47,7 +47,7 @@ def numbers_of(expected: ExpectedMosaic) -> tuple[int, ...]:
 
 
 def energy_of_rounding(plane: np.ndarray) -> float:
-    """At most, a pixel, DN squared, in details of planes as bright as this one, (rows, columns)."""
+    """Most energy of rounding, a pixel, DN squared, in details of planes as bright as this one, (rows, columns)."""
     return float((ROUNDING * np.abs(plane).mean()) ** 2)
 
 
@@ -197,7 +197,7 @@ def explained_samples(labels: np.ndarray) -> np.ndarray:
 
 
 def _seam_samples(coarse: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The same, and the other source that each of them meets, uint8."""
+    """Samples beside which another source is followed, bool, and the source that each of them meets, uint8."""
     known = coarse != UNKNOWN
     seam, beyond = np.zeros(coarse.shape, bool), np.full(coarse.shape, UNKNOWN, np.uint8)
     for here, there in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
@@ -242,8 +242,8 @@ def _followed(details: np.ndarray, numbers: Sequence[int], labels: np.ndarray) -
 
 
 def _among_others(shares: Mapping[int, np.ndarray], numbers: Sequence[int], labels: np.ndarray) -> np.ndarray:
-    """Of each source among those that are not followed, (sources, rows, columns) on the grid of the labels; 0 where
-    there is one at most. Without sources where none are mixed."""
+    """Share of each source among those that are not followed, (sources, rows, columns) on the grid of the labels; 0
+    where there is one at most. Without sources where none are mixed."""
     if not shares:
         return np.zeros((0, *labels.shape))
     squares = (enlarged(shares[number], SHARES_PX // _GRID_PX, labels.shape) for number in numbers)

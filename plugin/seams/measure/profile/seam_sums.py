@@ -35,7 +35,7 @@ class StripProfile:
     profile: SeamProfile | None
     """None where there is too little to be measured."""
     area_px: float
-    """Of its strip, level 1."""
+    """Area of the strip, level 1, px."""
     fit: float
     """Share of the mosaic's finest detail in the strip that its sources explain."""
     texture: float
@@ -61,7 +61,7 @@ class SeamSums:
         self._mixture.add(mixture, whole, piece_of)
 
     def profiles(self, levels: int | None = None) -> list[StripProfile]:
-        """Of every piece, in their order; with the bins of so many ``levels``, one at least, all where None."""
+        """Profiles of all pieces, in their order; with the bins of so many ``levels``, one at least, all where None."""
         energy, mixed = self._energy, self._mixture.result()
         # Beyond what the ground leaves over as well. A soft feather's ramp makes that of what the sources differ by.
         left_over = in_strip(mixed.left)
@@ -113,7 +113,7 @@ class SeamSums:
     def _bins(
         self, mixed: MixedStrips, share: np.ndarray, judged: Kept, by_bins: Sequence[Kept]
     ) -> list[list[ProfileBin | None]]:
-        """By level and distance those of every piece, None where there is nothing."""
+        """Bins of every piece, by level and distance, None where there is nothing."""
         energy, ends = self._energy, [*zip(EDGES_PX, (*EDGES_PX[1:], np.inf))]
         shares = np.full((len(EDGES_PX), self._count), np.nan)
         shares[:MIXED_BINS] = mixed.shares()

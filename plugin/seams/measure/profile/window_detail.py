@@ -30,7 +30,7 @@ from .seam_sums import SeamSums
 
 @dataclass(frozen=True, eq=False)
 class WindowDetail:
-    """Of a window and the ground that was read around it."""
+    """Detail of a window and of the ground that was read around it."""
 
     finest: np.ndarray
     """(3, planes, rows / 2, columns / 2): of the mosaic, of its hard cut, and of that unfiltered."""
@@ -39,7 +39,7 @@ class WindowDetail:
     inside: tuple[slice, slice]
     """Rows and columns of the cells that are judged; those around are ground alone."""
     of_rounding: float
-    """As ``energy_of_rounding`` has it."""
+    """Most energy of detail that rounding leaves, a pixel, DN squared (``energy_of_rounding``)."""
 
     @cached_property
     def whole(self) -> WholeCells:
@@ -48,7 +48,7 @@ class WindowDetail:
 
     @cached_property
     def ground(self) -> list[LevelGround | None]:
-        """By level."""
+        """Ground far from any seam, by level; None where there is too little."""
         return grounds(self.cells, self.whole)
 
     @property
@@ -91,7 +91,7 @@ def window_detail(
     mosaic: np.ndarray, expected: ExpectedMosaic, valid: Mapping[int, np.ndarray], wavelet: str, levels: int,
     inside: tuple[slice, slice] | None = None,
 ) -> WindowDetail:
-    """Of planes (rows, columns) float32, both multiples of 2^R.
+    """Detail of a window, from planes (rows, columns) float32, both multiples of 2^R.
 
     ``valid``: (rows, columns) bool, pixels that a source has, of those that don't have all. ``inside``: rows and
     columns of the pixels that are judged; all where None.
@@ -140,7 +140,7 @@ class LossPicture:
 def loss_picture(
     detail: WindowDetail, labels: np.ndarray, inside: tuple[slice, slice] | None = None
 ) -> LossPicture | None:
-    """Of a window; None where there is too little ground to compare with.
+    """Picture of a window's losses; None where there is too little ground to compare with.
 
     ``labels``, (rows, columns) uint8: the source of every pixel of the window and what was read around it, ``UNKNOWN``
     where none explains it. ``inside``: rows and columns of the window in that; all where None.
