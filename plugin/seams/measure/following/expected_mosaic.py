@@ -53,16 +53,16 @@ class ExpectedMosaic:
     plane: np.ndarray
     """(rows, columns) float32; the mosaic itself where no source explains it."""
     unfiltered: np.ndarray
-    """The same before anything came over the whole mosaic: in its tones, as sharp as its sources."""
+    """The cut before anything came over the whole mosaic: in its tones, as sharp as its sources."""
     labels: np.ndarray
     """(rows, columns) uint8: the source of every pixel, ``UNKNOWN`` where none explains it."""
     shown: Mapping[int, np.ndarray]
     """(rows, columns) float32: each source that is followed, everywhere as this mosaic would show it."""
     toned: Mapping[int, np.ndarray]
-    """The same before anything came over the whole mosaic; the very same where nothing did."""
+    """(rows, columns) float32: each source before anything came over the whole mosaic; ``shown`` where nothing did."""
     shares: Mapping[int, np.ndarray] | None = None
-    """Of each source in squares of 8 px, (rows / 8, columns / 8) float32, where more than two are mixed; 0 elsewhere.
-    None where that is nowhere."""
+    """Share of each source in squares of 8 px, (rows / 8, columns / 8) float32, where more than two are mixed; 0
+    elsewhere. None where that is nowhere."""
     filters: Filters = field(default_factory=lambda: Filters({}, False))
     """What makes ``shown`` of ``toned``; the numbers are those of planes, of which several may be of one source."""
 
@@ -72,7 +72,7 @@ class ExpectedMosaic:
         return any(self.toned[i] is not plane for i, plane in self.shown.items())
 
     def of_sources(self, source_of: Sequence[int]) -> ExpectedMosaic:
-        """With the numbers of sources for those of planes, several of which may be of one source."""
+        """The cut with the numbers of sources for those of planes, several of which may be of one source."""
         numbers = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
         numbers[: len(source_of)] = source_of
         most_first = sorted(self.shown, key=lambda plane: -np.count_nonzero(self.labels == plane))
@@ -163,7 +163,7 @@ class _Window:
     interpolated: Collection[int]
 
     def likely(self, filters: Filters | None, left_out: Collection[int] = ()) -> LikelySource:
-        """Of the sources that are followed at first."""
+        """The most likely source of every pixel, of those that are followed at first."""
         sources = {i: self.fine[1 + i] for i in sorted(self.following.followed) if i not in left_out}
         return _likely(self.fine[0], sources, self.following, self.valid, filters, self.sampling,
                        self.is_compressed, self.interpolated)
@@ -216,8 +216,8 @@ class _Window:
         self, alone: LikelySource, labels: np.ndarray, found: Filters, pair: Sequence[int], few: Sequence[int],
         ground: MixedGround, gains: Mapping[int, np.ndarray],
     ) -> tuple[Filters, np.ndarray, dict[int, Levelled]] | None:
-        """The same where two sources are mixed nearly everywhere; None where one by one, ``alone``, they explain far
-        more than with what the mixture says came over them."""
+        """What ``learned`` tells where two sources are mixed nearly everywhere; None where one by one, ``alone``, they
+        explain far more than with what the mixture says came over them."""
         found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
         # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
         made = ground.mosaic[SAMPLE]
@@ -235,8 +235,8 @@ class _Window:
         return found, labels, {**self.in_tone(labels), **again}
 
     def _mixable(self, made: np.ndarray, labels: np.ndarray) -> tuple[list[int], list[int]]:
-        """Of the sources that leave something over where they are followed the two that most pixels follow, or did at
-        first, and those that few do."""
+        """The two sources that most pixels follow, or did at first, and those that few do, all of those that leave
+        something over where they are followed."""
         most_first = sorted(present(labels), key=lambda i: -np.count_nonzero(labels == i))
         alone = {i for i in most_first if share_left(self.fine[0], made, labels, [i]) < MIN_LEFT_UNMIXED}
         followed = [*most_first, *(i for i in self.following.followed if i not in most_first)]
@@ -335,8 +335,8 @@ def mosaic_of(
     within: np.ndarray,
     patch_px: int,
 ) -> tuple[np.ndarray, Filters]:
-    """The same where labels are known for sure and no seam is near, ``UNKNOWN`` elsewhere: (rows, columns) float32;
-    and what came over the mosaic.
+    """The expected mosaic where labels are known for sure and no seam is near, ``UNKNOWN`` elsewhere: (rows, columns)
+    float32; and what came over the mosaic.
 
     ``own``, ``fine``: the fine detail of the mosaic and of the sources. ``within``: pixels a filter may be taken from.
     ``patch_px``: side of the patches that all of them consist of.

@@ -29,7 +29,7 @@ LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values l
 
 
 def local_correlation(own: np.ndarray, energy: np.ndarray, shared: np.ndarray) -> np.ndarray:
-    """Of the mosaic with a source; energies above zero."""
+    """Correlation of the mosaic with a source; energies above zero."""
     return np.asarray(shared / np.sqrt(own * energy))
 
 
@@ -125,8 +125,8 @@ class FollowedSource:
         return tuple(int(i) for i in order if self.shares[i] >= MIN_FOLLOWED_SHARE)
 
     def with_known(self, known: np.ndarray) -> FollowedSource:
-        """The same where labels are known, (rows, columns) uint8, else ``UNKNOWN``: they decide what is followed, and
-        that sources are mixed along the borders between them alone."""
+        """Followed sources where labels are known, (rows, columns) uint8, else ``UNKNOWN``: they decide what is
+        followed, and that sources are mixed along the borders between them alone."""
         is_known = known != UNKNOWN
         parts, _ = ndimage.label(self.mixed[::CELL_PX, ::CELL_PX])
         meeting = np.unique(parts[near_border(known, CELL_PX)[::CELL_PX, ::CELL_PX]])
@@ -185,13 +185,13 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
 
 
 def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
-    """The same of planes that are held, the mosaic's first."""
+    """Which source the mosaic follows, of planes that are held, the mosaic's first."""
     rows, columns = fine[0].shape
     return follow(lambda start, stop: [plane[start:stop] for plane in fine], (rows, columns), len(fine) - 1)
 
 
 def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
-    """By cells: winner, whether it is clear, mixture, fit, energy of the mosaic and of the winner."""
+    """Winner by cells, whether it is clear, mixture, fit, energy of the mosaic and of the winner."""
     own = square_sums(mosaic, mosaic, CELL_PX)
     energies = [square_sums(source, source, CELL_PX) for source in sources]
     shared = [square_sums(mosaic, source, CELL_PX) for source in sources]

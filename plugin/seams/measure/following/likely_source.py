@@ -60,14 +60,14 @@ class Sampling:
     near: int
     """Squares a side that are looked at together, odd."""
     wide: int
-    """The same where those don't decide, odd."""
+    """Squares a side that decide where those don't, odd."""
 
     def sums(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-        """Of the products over the squares, (rows, columns)."""
+        """Sums of the products over the squares, (rows, columns)."""
         return square_sums(a, b, self.grid_px)
 
     def squares(self, pixels: int) -> int:
-        """So many pixels."""
+        """How many squares so many pixels make."""
         return pixels // self.grid_px**2
 
 
@@ -99,7 +99,8 @@ def likely_source(
     is_compressed: IsCompressed = lambda number: False,
     interpolated: Collection[int] = (),
 ) -> LikelySource:
-    """Of ``sources``, high-passed planes as ``mosaic``, (rows, columns), those that it follows by a first estimate.
+    """The most likely source of every pixel, of ``sources`` that ``mosaic`` follows by a first estimate; all are
+    high-passed planes, (rows, columns).
 
     ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure. ``valid``: pixels that a source has, of
     those that don't have all. ``interpolated``: those that lie between the mosaic's pixels, which leave more over than
@@ -257,8 +258,8 @@ class _Cells:
         return found
 
     def _strange_parts(self, of: np.ndarray, stand_ins: np.ndarray) -> np.ndarray:
-        """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool,
-        and evenly. Images that resemble the true one are told as well, ``stand_ins`` are such."""
+        """Parts of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns)
+        bool, and evenly. Images that resemble the true one are told as well, ``stand_ins`` are such."""
         textured, wide, left = self.textured & of, self.wide, self.left
         seen = textured & self.even
         certain = seen & stand_ins

@@ -80,8 +80,8 @@ def _around(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def _weights(normal: np.ndarray, right: np.ndarray, near: np.ndarray) -> np.ndarray:
-    """None below 0, (n, sources), by their products (n, sources, sources) and those with the mosaic (n, sources);
-    ``near``, (n, sources) bool: the others weigh nothing."""
+    """Weights of the sources, none below 0, (n, sources), by their products (n, sources, sources) and those with the
+    mosaic (n, sources); ``near``, (n, sources) bool: the others weigh nothing."""
     one = np.eye(right.shape[1])
     ridge = _LEAST_ENERGY + _RIDGE * np.einsum("nii->n", normal)
     normal = normal + ridge[:, np.newaxis, np.newaxis] * one

@@ -38,7 +38,7 @@ class PlacedSources:
     source_of: tuple[int, ...]
     """Number of the source that each plane is of."""
     moves: Mapping[int, Shift] = field(default_factory=dict)
-    """By how much those planes were moved that were."""
+    """Shifts of those planes that were moved."""
 
 
 def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> PlacedSources:
@@ -83,7 +83,7 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
 def _clearer(
     plain: FollowedSource, fine: Sequence[np.ndarray], images: Sequence[ComparedImage], shape: tuple[int, int]
 ) -> FollowedSource:
-    """The same, or what is followed through filters if that is clearer: images of one scene that lie on other pixels
+    """``plain``, or what is followed through filters if that is clearer: images of one scene that lie on other pixels
     than the mosaic are more like each other than like it. A filter is learned of the whole window, of which a part
     follows its source."""
     if plain.unclear_share < MIN_UNCLEAR_SHARE or len(images) < 2:
@@ -97,7 +97,7 @@ def _clearer(
 
 
 def clearer_by_parts(found: PlacedSources, parts: np.ndarray) -> PlacedSources:
-    """The same, or what is followed through filters if that is clearer, where seams are known: ``parts``, (rows,
+    """``found``, or with what is followed through filters if that is clearer, where seams are known: ``parts``, (rows,
     columns) int, each of one source, whichever explains most of it, -1 elsewhere. A filter is learned where its source
     is followed."""
     own, *fine = found.fine
@@ -127,7 +127,7 @@ def _is_of_all(shifts: Sequence[Shift | None]) -> bool:
 
 
 def _without_idle_planes(both: PlacedSources, shape: tuple[int, int]) -> PlacedSources:
-    """Without the planes that hardly won: an image mixed with itself a bit farther on is no mixture of two images."""
+    """Sources without the planes that hardly won: an image mixed with itself a bit farther on is no mixture of two."""
     shares = both.following.shares
     of_source = {i: max(shares[k] for k, of in enumerate(both.source_of) if of == i) for i in both.source_of}
     kept = [k for k, of in enumerate(both.source_of) if shares[k] == of_source[of] or shares[k] >= MIN_BOTH_SHARE]
@@ -141,5 +141,5 @@ def _without_idle_planes(both: PlacedSources, shape: tuple[int, int]) -> PlacedS
 
 
 def _shift_where(image: Spectra, reference: Spectra, where: np.ndarray) -> Shift | None:
-    """In the part where it matters; in the whole window where that part is too small or shows nothing."""
+    """Shift in the part where it matters; in the whole window where that part is too small or shows nothing."""
     return (find_shift(image, reference, where) if where.any() else None) or find_shift(image, reference)

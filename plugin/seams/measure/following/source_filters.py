@@ -23,7 +23,7 @@ REACH_PX = 2
 UNTOUCHED = np.pad(np.ones((1, 1), np.float32), REACH_PX)
 """The filter that leaves an image as it is."""
 FEWEST_PIXELS = 2000
-"""That a filter is learned from."""
+"""Fewest pixels that a filter is learned from."""
 
 _SIDE = 2 * REACH_PX + 1
 _MOST_PIXELS = 12000
@@ -47,7 +47,7 @@ def fit_filter(
 def fit_filters(
     image: np.ndarray, references: Sequence[np.ndarray], where: np.ndarray, gain: float | None = None
 ) -> np.ndarray | None:
-    """The same of several images that are added up, (references, 5, 5); ``gain`` of each."""
+    """Taps (references, 5, 5) as ``fit_filter`` has them, of several images that are added up; ``gain`` of each."""
     inside = np.flatnonzero(where[_MARGIN_PX:-_MARGIN_PX, _MARGIN_PX:-_MARGIN_PX])
     if len(inside) < FEWEST_PIXELS:
         return None
@@ -89,7 +89,7 @@ _EVERY = 4  # rows and columns apart are looked at to see whether a filter expla
 _ROUNDS = 3
 _SQUARE_PX = 32  # of which whole ones are of one image or another
 SAMPLE = np.s_[::_EVERY, ::_EVERY]
-"""Of the rows and columns of a plane."""
+"""Index of the sampled rows and columns of a plane, every fourth."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,18 +97,18 @@ class Filters:
     """What makes of the sources what the mosaic shows of them."""
 
     taps: Mapping[int, np.ndarray]
-    """Of each source that is followed, (5, 5); empty where nothing was done to them."""
+    """Taps (5, 5) of each source that is followed; empty where nothing was done to them."""
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
 
     def with_own(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
-        """With those of some sources, each its own; ``present``: all that are followed."""
+        """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
         own = {i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}
         return replace(self, taps=own, came_over_cuts=False)
 
     def placed(self, source: int, plane: np.ndarray) -> np.ndarray:
-        """The same as sharp as it was, only moved: what came over a whole mosaic can't be told from what came over its
-        sources, but where they lie in it is what they were mixed by."""
+        """A source's plane as sharp as it was, only moved: what came over a whole mosaic can't be told from what came
+        over its sources, but where they lie in it is what they were mixed by."""
         if not self.taps or self.came_over_cuts:
             return plane
         taps = self.taps[source]
