@@ -63,8 +63,8 @@ class BestGround:
 
 
 def learn_best_ground(own: np.ndarray, left: np.ndarray) -> BestGround | None:
-    """From places (n,): the mosaic's energy and what its sources leave over of it. None where there are too few, or
-    values so large that energies are none."""
+    """Best ground of places (n,), from the mosaic's energy and what its sources leave over of it. None where there are
+    too few, or values so large that energies are none."""
     if len(own) < _FEWEST:
         return None
     own, left = sampled(own), sampled(left)

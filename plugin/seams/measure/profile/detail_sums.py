@@ -186,13 +186,13 @@ def seam_geometry(labels: np.ndarray) -> SeamGeometry:
 
 
 def seam_samples(labels: np.ndarray) -> np.ndarray:
-    """On the grid of the finest coefficients those beside which another source is followed, (rows / 2, columns / 2)
+    """Samples on the grid of the finest coefficients beside which another source is followed, (rows / 2, columns / 2)
     bool."""
     return _seam_samples(np.ascontiguousarray(labels[::_GRID_PX, ::_GRID_PX]))[0]
 
 
 def explained_samples(labels: np.ndarray) -> np.ndarray:
-    """On the grid of the finest coefficients those that take part, (rows / 2, columns / 2) bool."""
+    """Samples on the grid of the finest coefficients that take part, (rows / 2, columns / 2) bool."""
     return narrowed(labels[::_GRID_PX, ::_GRID_PX] != UNKNOWN, _UNKNOWN_MARGIN_PX // _GRID_PX)
 
 

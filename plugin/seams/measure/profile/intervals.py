@@ -45,7 +45,7 @@ class Kept:
         return cls(value, value / factor, value * factor)
 
     def times(self, factor: np.ndarray) -> Kept:
-        """So many times as much."""
+        """kept so many times as much, with its interval."""
         return Kept(self.value * factor, self.low * factor, self.high * factor)
 
     @property

@@ -71,7 +71,7 @@ class SeamProfile:
     """What a window, or a piece of seam, kept along its seams."""
 
     kept: tuple[float | None, ...]
-    """In the strip beside the seam, levels 1..R; None where there is too little to be measured."""
+    """Shares kept in the strip beside the seam, levels 1..R; None where there is too little to be measured."""
     low: float
     """Lower end of the 95 % interval of kept_1."""
     high: float
