@@ -79,9 +79,9 @@ class ExpectedMosaic:
         shown: dict[int, np.ndarray] = {}
         toned: dict[int, np.ndarray] = {}
         for plane in most_first:
-            for pixels, found in ((self.shown[plane], shown), (self.toned[plane], toned)):
-                before = found.get(source_of[plane])
-                found[source_of[plane]] = pixels if before is None else np.where(self.labels == plane, pixels, before)
+            for pixels, held in ((self.shown[plane], shown), (self.toned[plane], toned)):
+                before = held.get(source_of[plane])
+                held[source_of[plane]] = pixels if before is None else np.where(self.labels == plane, pixels, before)
         shares: dict[int, np.ndarray] = {}
         for plane, share in (self.shares or {}).items():
             shares[source_of[plane]] = shares.get(source_of[plane], 0) + share
@@ -116,12 +116,12 @@ def expected_mosaic(
     """
     window = _Window(mosaic, planes, fine, following, valid, known, sampling, patch_px, has_warped, interpolated)
     if filters is None:
-        found, labels, in_tone = window.learned()
+        learned, labels, in_tone = window.learned()
     else:
-        found, labels = filters, window.labels(window.likely(filters))
+        learned, labels = filters, window.labels(window.likely(filters))
         in_tone = window.in_tone(labels)
     toned = {i: one.plane for i, one in in_tone.items()}
-    shown = {i: found.applied(i, plane) for i, plane in toned.items()}
+    shown = {i: learned.applied(i, plane) for i, plane in toned.items()}
     is_found = known is None and len(toned) > 1
     if is_found:
         labels = to_the_pixel(mosaic, shown, labels, valid)
@@ -138,13 +138,13 @@ def expected_mosaic(
     if given is not None:  # to be moved by parts of a pixel costs detail as well
         unmoved = {i: one.plane + one.gain * (given[i] - planes[i]) for i, one in in_tone.items()}
         unfiltered = cut_of(mosaic, unmoved, labels)
-    if not found.taps:
-        return ExpectedMosaic(cut, unfiltered, labels, shown, shown, shares, found)
-    if not found.came_over_cuts:
-        placed = {i: found.placed(i, plane) for i, plane in toned.items()}
-        return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed, shares, found)
-    plane = filtered(cut, next(iter(found.taps.values())))
-    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned, shares, found)
+    if not learned.taps:
+        return ExpectedMosaic(cut, unfiltered, labels, shown, shown, shares, learned)
+    if not learned.came_over_cuts:
+        placed = {i: learned.placed(i, plane) for i, plane in toned.items()}
+        return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed, shares, learned)
+    plane = filtered(cut, next(iter(learned.taps.values())))
+    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned, shares, learned)
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,8 +183,8 @@ class _Window:
     def labels(self, likely: LikelySource, strange: np.ndarray | bool = True) -> np.ndarray:
         """(rows, columns) uint8; ``strange``: where no source may explain the mosaic."""
         unexplained = np.logical_and(likely.unexplained, strange & (not self.has_warped))
-        found = likely.labels | (unexplained * np.uint8(UNKNOWN))
-        return found if self.known is None else np.where(self.known == UNKNOWN, found, self.known)
+        followed = likely.labels | (unexplained * np.uint8(UNKNOWN))
+        return followed if self.known is None else np.where(self.known == UNKNOWN, followed, self.known)
 
     def in_tone(self, labels: np.ndarray) -> dict[int, Levelled]:
         """The sources that any pixel follows, in the mosaic's grey values."""
@@ -198,19 +198,19 @@ class _Window:
         labels = self.labels(likely)
         in_tone, unmixed = self.in_tone(labels), _sure_unmixed(labels, self.following)
         anywhere = _sure(labels, unmixed)
-        own, fine = self.fine[0], dict(enumerate(self.fine[1:]))
-        found = find_filters(own, fine, in_tone, labels, anywhere)
-        made = self._made(in_tone, found, labels)
+        mosaic_fine, fine = self.fine[0], dict(enumerate(self.fine[1:]))
+        filters = find_filters(mosaic_fine, fine, in_tone, labels, anywhere)
+        made = self._made(in_tone, filters, labels)
         pair, few = self._mixable(made, labels)
-        ground = self._ground(in_tone, found, made, labels, pair, few) if len(pair) == 2 else None
-        mixed = None if ground is None else self._mixed(likely, labels, found, pair, few, *ground)
+        ground = self._ground(in_tone, filters, made, labels, pair, few) if len(pair) == 2 else None
+        mixed = None if ground is None else self._mixed(likely, labels, filters, pair, few, *ground)
         if mixed is not None:
             return mixed
         # A filter that was learned of a mixture takes what that took.
         is_doubtful = np.count_nonzero(anywhere) > np.count_nonzero(unmixed)
-        if is_doubtful and share_left(own, made, labels, present(labels)) > MOST_LEFT_MIXED:
-            found = find_filters(own, fine, in_tone, labels, unmixed)
-        return found, labels, in_tone
+        if is_doubtful and share_left(mosaic_fine, made, labels, present(labels)) > MOST_LEFT_MIXED:
+            filters = find_filters(mosaic_fine, fine, in_tone, labels, unmixed)
+        return filters, labels, in_tone
 
     def _mixed(
         self, alone: LikelySource, labels: np.ndarray, found: Filters, pair: Sequence[int], few: Sequence[int],
@@ -256,8 +256,8 @@ class _Window:
         for i in pair:
             where &= self.valid.get(i, True)
         inside = np.where(where, labels, np.uint8(UNKNOWN))
-        left = share_left(self.fine[0], made, inside, pair)
-        if left < MIN_LEFT_UNMIXED:
+        left_alone = share_left(self.fine[0], made, inside, pair)
+        if left_alone < MIN_LEFT_UNMIXED:
             return None
         gains = [in_tone[i].gain if i in in_tone else np.float32(1) for i in pair]
         gains = evened_gains([self.planes[i] for i in pair], gains, where)
@@ -265,7 +265,7 @@ class _Window:
         shown = [found.placed(i, one) if i in found.taps else one for i, one in zip(pair, images)]
 
         def left_of_that(made: np.ndarray) -> float:
-            return share_left(self.fine[0], made[SAMPLE], inside, pair) / left
+            return share_left(self.fine[0], made[SAMPLE], inside, pair) / left_alone
 
         ground = mixed_ground(
             self.fine[0], images, shown, where, lambda made: left_of_that(made) > HOPELESS_LEFT_OF_THAT
@@ -343,8 +343,8 @@ def mosaic_of(
     """
     sure = labels != UNKNOWN
     in_tone = _in_tone(mosaic, planes, labels, sure, patch_px)
-    found = find_filters(own, fine, in_tone, labels, sure & within)
-    return cut_of(mosaic, {i: found.applied(i, one.plane) for i, one in in_tone.items()}, labels), found
+    filters = find_filters(own, fine, in_tone, labels, sure & within)
+    return cut_of(mosaic, {i: filters.applied(i, one.plane) for i, one in in_tone.items()}, labels), filters
 
 
 def _in_tone(
