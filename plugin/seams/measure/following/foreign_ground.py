@@ -169,11 +169,11 @@ class _NoiseCells:
         sides = [side for side in (*_WIDE, _LARGE) if min(self.energy.shape) >= side]
         each = {side: _Squares.of(self, side).foreign(is_compressed, is_window) for side in sides}
         parts, _ = ndimage.label(each.pop(_LARGE, np.zeros_like(self.border)))
-        found = np.logical_or.reduce([np.zeros_like(self.border), *each.values()])
-        sizes, known = (np.bincount(of.ravel(), minlength=int(parts.max()) + 1) for of in (parts, parts[found]))
+        foreign = np.logical_or.reduce([np.zeros_like(self.border), *each.values()])
+        sizes, known = (np.bincount(of.ravel(), minlength=int(parts.max()) + 1) for of in (parts, parts[foreign]))
         is_new = 2 * known < sizes
         is_new[0] = False
-        return np.asarray(found | is_new[parts])
+        return np.asarray(foreign | is_new[parts])
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,8 +217,8 @@ class _Squares:
         expected, scatter = _assigned(cells.labels, fits, true)
         alike = _fisher((1 - MIN_ALIKE_STRANGE) * np.tanh(expected) ** 2)
         limit = alike if is_large else (expected + stranger) / 2
-        found = opened(self.textured & (self.z < expected - chance * scatter) & (self.z < limit), opening)
-        return self._to_borders(found, expected)
+        parts = opened(self.textured & (self.z < expected - chance * scatter) & (self.z < limit), opening)
+        return self._to_borders(parts, expected)
 
     def _noise(self) -> dict[int, Callable[[np.ndarray], np.ndarray]]:
         """Share that each source leaves over in a cell by its energy there, of those with ground enough."""
