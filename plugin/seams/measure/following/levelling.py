@@ -84,14 +84,14 @@ def evened_gains(
 
     What a mosaic of their mean shows of either is less than it has, and nobody knows how much less.
     """
-    own = square_means(where) > _MIN_OWN
-    if np.count_nonzero(own) < _FEWEST_SQUARES:
+    squares = square_means(where) > _MIN_OWN
+    if np.count_nonzero(squares) < _FEWEST_SQUARES:
         return list(gains)
-    weight = _near_means(own.astype(np.float32), 0) + 1e-6
+    weight = _near_means(squares.astype(np.float32), 0) + 1e-6
     contrasts = []
     for plane, gain in zip(planes, gains):
         means = square_means(np.asarray(gain * plane, np.float32))
-        contrasts.append(float((means - _near_means(np.where(own, means, 0), 0) / weight)[own].std()))
+        contrasts.append(float((means - _near_means(np.where(squares, means, 0), 0) / weight)[squares].std()))
     if min(contrasts) <= 0:
         return list(gains)
     mean = float(np.exp(np.mean(np.log(contrasts))))
