@@ -48,10 +48,10 @@ def mixed_ground(
     makes of them, whether more are in vain. None where they are, or there is too little.
     """
     held = square_sums(where.astype(np.float32), where.astype(np.float32), BLOCK_PX) >= _MIN_BLOCK * BLOCK_PX**2
-    own = np.where(where, mosaic, np.float32(0))
+    masked = np.where(where, mosaic, np.float32(0))
     gain, weights, lesser, taps = 1.0, [], 0.0, None
     for number in range(_ROUNDS):
-        first = _first_weights(own, [np.where(where, one, np.float32(0)) for one in shown], held)
+        first = _first_weights(masked, [np.where(where, one, np.float32(0)) for one in shown], held)
         if first is None:
             return None
         before, lesser = lesser, float(np.minimum(first[held], 1 - first[held]).mean())
