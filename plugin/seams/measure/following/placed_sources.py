@@ -72,12 +72,12 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
         follow_planes((*fine, *fine_placed)), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved),
         moves=dict(enumerate(moved.values(), count)),
     )
-    found = _without_idle_planes(both, shape)
-    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.following.unexplained.mean() <= unexplained / 2
-    is_clearer = unclear >= MIN_UNCLEAR_SHARE and found.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
-    finds_idle = may_lie_elsewhere and 1 - found.following.fit <= MAX_IDLE_LEFT * (1 - plain.fit)
-    is_better = found.following.fit >= plain.fit + MIN_FIT_GAIN
-    return found if explains_part or is_clearer or finds_idle or is_better else first
+    with_moved = _without_idle_planes(both, shape)
+    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and with_moved.following.unexplained.mean() <= unexplained / 2
+    is_clearer = unclear >= MIN_UNCLEAR_SHARE and with_moved.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
+    finds_idle = may_lie_elsewhere and 1 - with_moved.following.fit <= MAX_IDLE_LEFT * (1 - plain.fit)
+    is_better = with_moved.following.fit >= plain.fit + MIN_FIT_GAIN
+    return with_moved if explains_part or is_clearer or finds_idle or is_better else first
 
 
 def _clearer(
@@ -90,10 +90,10 @@ def _clearer(
         return plain
     everywhere = np.ones(shape, bool)
     shown = [fine[0]]
-    for one, image in zip(fine[1:], images):
-        shown.append(_through_filter(fine[0], one, everywhere if image.valid is None else image.valid))
-    found = follow_planes(shown)
-    return found if found.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share else plain
+    for source, image in zip(fine[1:], images):
+        shown.append(_through_filter(fine[0], source, everywhere if image.valid is None else image.valid))
+    by_filters = follow_planes(shown)
+    return by_filters if by_filters.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share else plain
 
 
 def clearer_by_parts(found: PlacedSources, parts: np.ndarray) -> PlacedSources:
