@@ -58,16 +58,16 @@ class EnergySums:
     ) -> None:
         """Some cells, ``whole`` those of ``table``; ``piece_of`` (cells,): the piece that each belongs to, or -1."""
         piece = piece_of[whole.of_row]
-        found = np.flatnonzero(piece >= 0)
-        if not len(found):
+        in_pieces = np.flatnonzero(piece >= 0)
+        if not len(in_pieces):
             return
-        near, cells, piece = table.chosen(found), whole.of_row[found], piece[found]
+        near, cells, piece = table.chosen(in_pieces), whole.of_row[in_pieces], piece[in_pieces]
         place = near.bin.astype(np.intp) * self._count + piece
-        for level, one in enumerate(ground):
+        for level, level_ground in enumerate(ground):
             self._sum(self.area[level], place, near.area[level])
             self._sum(self.plain[level], place, near.cc[level])
-            if one is not None:
-                self._add_level(near, level, one, whole.energy(level)[cells], place, piece)
+            if level_ground is not None:
+                self._add_level(near, level, level_ground, whole.energy(level)[cells], place, piece)
 
     @property
     def expected(self) -> np.ndarray:
@@ -77,8 +77,8 @@ class EnergySums:
     def kept(self) -> tuple[Kept, np.ndarray]:
         """kept_1 of every piece, and kept_r (levels, count), NaN where nothing can be told."""
         expected = np.stack([in_strip(one) for one in self._by_kept])
-        own = in_strip(self.own)
-        return self._with_interval(own[0], in_strip(self.area)[0], expected[:, 0]), _kept(own, expected)
+        mm = in_strip(self.own)
+        return self._with_interval(mm[0], in_strip(self.area)[0], expected[:, 0]), _kept(mm, expected)
 
     def by_bins(self, level: int) -> Kept:
         """kept of one level, 0 the finest, at every distance, (bins, count)."""
@@ -128,17 +128,17 @@ class EnergySums:
         ):
             self._sum(total[level], place, values)
         strip = near.bin < strip_bins(level).stop
-        own, expected = piece[strip], expected[strip]
-        left = ss[strip] * np.maximum(amplitude[strip] - gain[strip] ** 2, 0)
-        self._left[level] += np.bincount(own, left, self._count)
+        strip_piece, expected = piece[strip], expected[strip]
+        left_over = ss[strip] * np.maximum(amplitude[strip] - gain[strip] ** 2, 0)
+        self._left[level] += np.bincount(strip_piece, left_over, self._count)
         if level:
             return
         side = BLOCK_CELLS
         rows, columns = (one[strip].astype(np.int64) // side for one in (near.row, near.column))
-        blocks = (own.astype(np.int64) << 40) + (rows << 20) + columns
+        blocks = (strip_piece.astype(np.int64) << 40) + (rows << 20) + columns
         keys, of_block = np.unique(blocks, return_inverse=True)
         self._squares += np.bincount(keys >> 40, np.bincount(of_block, expected) ** 2, self._count)
-        weight = np.bincount(own, expected, self._count)
+        weight = np.bincount(strip_piece, expected, self._count)
         self._noise += weight * np.array((ground.scatter**2, ground.blocks, ground.reach**2))[:, np.newaxis]
 
     def _sum(self, total: np.ndarray, place: np.ndarray, values: np.ndarray) -> None:
