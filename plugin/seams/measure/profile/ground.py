@@ -153,13 +153,13 @@ def grounds(
     """Ground of a window or a block, by level, from its own cells or where these are few from those ``around``, too,
     which are asked for then only; None where there is too little. ``whole``: ``whole_cells`` of the table, where those
     are known."""
-    own = whole_cells(table) if whole is None else whole
-    found = [_level_ground(table, own, level, ENOUGH_FAR_CELLS) for level in range(table.levels)]
-    if all(found):
-        return found
+    cells = whole_cells(table) if whole is None else whole
+    by_level = [_level_ground(table, cells, level, ENOUGH_FAR_CELLS) for level in range(table.levels)]
+    if all(by_level):
+        return by_level
     more = table if around is None else around()
-    everyone = own if around is None else whole_cells(more)
-    return [one or _level_ground(more, everyone, level, FEWEST_FAR_CELLS) for level, one in enumerate(found)]
+    everyone = cells if around is None else whole_cells(more)
+    return [one or _level_ground(more, everyone, level, FEWEST_FAR_CELLS) for level, one in enumerate(by_level)]
 
 
 def _level_ground(table: CellTable, cells: WholeCells, level: int, fewest: int) -> LevelGround | None:
