@@ -104,8 +104,8 @@ def _sharp_weights(products: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def mixed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
     """Energy of the detail of sources mixed so, DN squared; (..., SLOTS, PRODUCTS) and (..., SLOTS). ``before``:
     anything came over the whole mosaic."""
-    own, (ss, so, oo) = 1 - other, (products[..., of] for of in _ENERGIES[before])
-    return np.asarray(own**2 * ss + 2 * own * other * so + other**2 * oo)
+    followed, (ss, so, oo) = 1 - other, (products[..., of] for of in _ENERGIES[before])
+    return np.asarray(followed**2 * ss + 2 * followed * other * so + other**2 * oo)
 
 
 def followed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
@@ -204,14 +204,14 @@ class MixtureSums:
         places = [group.astype(np.intp) * SLOTS + slot, *[slot] * (self._levels - 1)]
         sizes = [GROUPS * SLOTS, *[SLOTS] * (self._levels - 1)]
         order = np.argsort(codes, kind="stable")
-        found, firsts = np.unique(codes[order], return_index=True)
-        for code, own in zip(found.tolist(), np.split(order, firsts[1:])):
+        seams, firsts = np.unique(codes[order], return_index=True)
+        for code, rows in zip(seams.tolist(), np.split(order, firsts[1:])):
             key = code >> 32, code >> 16 & 0xFFFF, code & 0xFFFF
             total = self._sums.setdefault(key, np.zeros((len(PRODUCTS), sum(sizes))))
-            for product, target in zip(table.products[..., own], total):
+            for product, target in zip(table.products[..., rows], total):
                 start = 0
                 for values, place, size in zip(product, places, sizes):
-                    target[start : start + size] += np.bincount(place[own], values, size)
+                    target[start : start + size] += np.bincount(place[rows], values, size)
                     start += size
 
     def result(self) -> MixedStrips:
@@ -236,13 +236,13 @@ class MixedStrips:
         spread = _spread(deviations)
         by_level = np.stack([spread * 2**level for level in range(whole.shape[1])], axis=1)
         fitted = fit_mixtures(whole.reshape(-1, *whole.shape[2:]), by_level.reshape(-1, SLOTS))
-        other, edge, left, soft, unsure, blended, carried = (
+        other, edge, left_over, soft, unsure, blended, carried = (
             one.reshape(*whole.shape[:2], *one.shape[1:]) for one in vars(fitted).values()
         )
         other = other[:, :1]  # all levels are mixed alike, and the finest tells it best
         self._other = other[:, 0]
         self._area = whole[:, 0, :, _AREA]
-        self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left, left * soft[:, :1]))
+        self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left_over, left_over * soft[:, :1]))
         """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
         the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
         mixed, plain = (self._both_sides(way(whole, other)) for way in (mixed_energy, followed_energy))
@@ -260,24 +260,24 @@ class MixedStrips:
         self.bins, self.before = _ratio(mixed, plain), _ratio(mixed * self.plain, plain * shown)
         """(levels, MIXED_BINS, count) each: kept, and that as a multiple of what is kept of the sources as the mosaic
         shows them; NaN where nothing is known."""
-        own, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
-        self.before_in_strip = _ratio(own * source, plain * shown)
+        mixture, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
+        self.before_in_strip = _ratio(mixture * source, plain * shown)
         """(levels, count): the same of the strip."""
         enough = self._both_sides(self._area)[strip_bins(0)].sum(axis=0) >= MIN_BESIDE_PX
-        self.levels = np.where(enough, _ratio(own, plain), np.nan)
+        self.levels = np.where(enough, _ratio(mixture, plain), np.nan)
         """kept_r (levels, count), NaN where nothing can be told."""
         self.kept = self._kept(left_out, self._other[:, np.newaxis] + blended[:, :1] * np.nan_to_num(deviations))
 
     @cached_property
     def feather_widths_px(self) -> np.ndarray:
         """(count,): of the seam between two sources that is longest in each piece; NaN where there is none."""
-        found = np.full(self._count, np.nan)
+        widths = np.full(self._count, np.nan)
         longest = np.zeros(self._count)
         for number, piece in enumerate(self._piece.tolist()):
             area = float(self._area[number].sum())
             if area > longest[piece]:
-                found[piece], longest[piece] = feather_width_px(self._other[number]), area
-        return found
+                widths[piece], longest[piece] = feather_width_px(self._other[number]), area
+        return widths
 
     def shares(self) -> np.ndarray:
         """Shares of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
@@ -287,11 +287,11 @@ class MixedStrips:
         """kept_1 from sums without each group in turn, (n, groups, SLOTS, products), and the shares of the other source
         in these (n, groups, SLOTS)."""
         other = np.clip(other, 0, 1)
-        own, plain = (
+        mixed, plain = (
             self._both_sides(way(left_out, other))[:, strip_bins(0)].sum(axis=1)
             for way in (mixed_energy, followed_energy)
         )
-        estimates = own / np.maximum(plain, 1e-12)
+        estimates = mixed / np.maximum(plain, 1e-12)
         deviations = estimates - estimates.mean(axis=0)
         variance = (GROUPS - 1) / GROUPS * (deviations**2).sum(axis=0)
         value = self.levels[0]
@@ -307,9 +307,9 @@ class MixedStrips:
     def _both_sides(self, values: np.ndarray) -> np.ndarray:
         """Sums over both sides and all seams of a piece, (..., MIXED_BINS, count), of values (n, ..., SLOTS)."""
         sides = values.reshape(*values.shape[:-1], 2, MIXED_BINS).sum(axis=-2)
-        found = np.zeros((self._count, *sides.shape[1:]))
-        np.add.at(found, self._piece, sides)
-        return np.moveaxis(found, 0, -1)
+        sums = np.zeros((self._count, *sides.shape[1:]))
+        np.add.at(sums, self._piece, sides)
+        return np.moveaxis(sums, 0, -1)
 
 
 def _spread(deviations: np.ndarray) -> np.ndarray:
