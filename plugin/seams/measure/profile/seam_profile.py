@@ -117,13 +117,13 @@ def in_strip(sums: np.ndarray) -> np.ndarray:
 def band_width_px(bins: Sequence[ProfileBin]) -> float:
     """Twice the distance at which BAND_KEPT is reached, linear between the middles of the bins, which have ends."""
     last: tuple[float, float] | None = None
-    for one in bins:
-        middle = one.middle_px
-        if one.kept >= BAND_KEPT and middle > STRIP_PX / 2:
+    for profile_bin in bins:
+        middle = profile_bin.middle_px
+        if profile_bin.kept >= BAND_KEPT and middle > STRIP_PX / 2:
             if last is None:
                 return 0.0
-            share = (BAND_KEPT - last[1]) / (one.kept - last[1])
+            share = (BAND_KEPT - last[1]) / (profile_bin.kept - last[1])
             return 2 * (last[0] + share * (middle - last[0]))
-        if one.kept < BAND_KEPT:
-            last = middle, one.kept
+        if profile_bin.kept < BAND_KEPT:
+            last = middle, profile_bin.kept
     return 0.0 if last is None else 2 * last[0]
