@@ -84,8 +84,8 @@ def measure_tones(
     sources: Sequence[tuple[Raster, float, float, Tone | None, float | None]],
     values: np.ndarray,
 ) -> tuple[SourceTone, ...]:
-    """Of the sources that are followed: raster, share of the pixels, mean grey value, tone of the judged band and
-    shift of the colours. ``values``: of the mosaic's judged band."""
+    """Tones of the sources that are followed, each given by its raster, share of the pixels, mean grey value, tone of
+    the judged band and shift of the colours. ``values``: grey values of the mosaic's judged band."""
     known = [one for one in sources if one[3] is not None]
     if not known:
         return ()

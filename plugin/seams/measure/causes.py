@@ -52,7 +52,7 @@ class SourceTone:
     """What became of one source's grey values, in the mosaic's range of values over the source's."""
 
     share: float
-    """Of the window's pixels."""
+    """Share of the window's pixels that follow it."""
     gain: float | None
     """None where the ranges can't be compared."""
     offset: float
@@ -67,22 +67,22 @@ class Texture:
     """What became of fine detail away from the seams, at level 1."""
 
     transfer: float
-    """Of the sources' detail that comes over at their tone: below 1 blurred, above 1 sharpened."""
+    """Amplitude of the sources' detail that comes over at their tone, a share: below 1 blurred, above 1 sharpened."""
     least_transfer: float
-    """The same of the source of which least comes over."""
+    """Transfer of the source of which least comes over."""
     most_transfer: float
-    """The same of the source of which most comes over."""
+    """Transfer of the source of which most comes over."""
     strong_transfer: float
-    """Of what has most detail, which quantisation spares and a blur does not."""
+    """Transfer of what has most detail, which quantisation spares and a blur does not."""
     noise_dn: float
     """Standard deviation of what is not from the sources, in weak detail."""
     noise_rise: float
     """How much larger it is in strong detail."""
     quantised: float
-    """By which share more of the coefficients of blocks of 8 px vanish on one grid of blocks than on others; beyond
-    what does in the sources."""
+    """Share of the coefficients of blocks of 8 px that vanish on one grid of blocks, less that on others; beyond what
+    does in the sources."""
     source_traces: float = 0.0
-    """The same share of the sources, whose noise is then among what is not from them."""
+    """Share that vanishes so in the sources, whose noise is then among what is not from them."""
     least_held: float = 1.0
     """Amplitude of the mosaic's detail over that of the source of which it holds least, by the mosaic's detail: what a
     source lost since the mosaic was made does not lower it."""
@@ -96,7 +96,7 @@ class Misfit:
 
     px: float
     share: float
-    """Of what the finest detail of the two differs by beside the seam: as much would go if they fitted."""
+    """Share of what the finest detail of the two differs by beside the seam that would go if they fitted."""
 
 
 @dataclass(frozen=True)
@@ -112,17 +112,17 @@ class CauseEvidence:
     mixed: float
     """Share of the pixels in which two sources together explain the mosaic and neither does alone."""
     sharpness: float | None
-    """Of the whole window."""
+    """Sharpness of the whole window, as an amplitude."""
     clipped: float
     """Share of pixels, in the band that has most."""
     clipped_lost: float
     """Share of the window's finest detail energy that is gone where it is clipped."""
     tones: tuple[SourceTone, ...]
-    """Of the sources that are followed."""
+    """Tones of the sources that are followed."""
     unevenness: float
     """Share of what the tones leave over that depends on the place: dodging."""
     misfit: Misfit | None
-    """Of the two images that the mosaic follows most; None where there are none, or it can't be told."""
+    """Misfit of the two images that the mosaic follows most; None where there are none, or it can't be told."""
     off_pixel: float
     """How far its pixels lie off those of a source that it follows, px, 0 to 0.71."""
     texture: Texture | None
@@ -161,7 +161,7 @@ class CauseEvidence:
 
     @property
     def feather_width_px(self) -> float:
-        """Of the seam's feather; 0 for a cut, and where none was looked for."""
+        """Full width of the seam's feather; 0 for a cut, and where none was looked for."""
         return (self.profile.feather_width_px if self.profile else None) or 0.0
 
     @property
@@ -194,7 +194,7 @@ class CauseEvidence:
 
     @property
     def mixed_loss(self) -> float:
-        """Of what a seam lost, the share that mixing its images took: all where nothing says otherwise, none where the
+        """Share of what a seam lost that mixing its images took: all where nothing says otherwise, none where the
         mixture explains little and is as narrow as a wrong border makes a cut."""
         found = self.profile
         kept = None if found is None else found.kept[0]
@@ -304,7 +304,7 @@ class CauseEvidence:
 
     @property
     def misfit_lost(self) -> float:
-        """Of what a feather took, the share that it would not have taken of images that fit."""
+        """Share of what a feather took that it would not have taken of images that fit."""
         if self.misfit is None or self.misfit.px < limits.MIN_MISREGISTRATION_PX:
             return 0.0
         return self.misfit.share if self.misfit.share >= MIN_MISFIT_SHARE else 0.0
@@ -448,5 +448,5 @@ def causes_taken(evidence: CauseEvidence) -> tuple[tuple[Cause, float], ...]:
 
 
 def find_causes(evidence: CauseEvidence) -> tuple[Cause, ...]:
-    """The same without figures; ``none`` alone where nothing did."""
+    """All causes that took part, that which took most first; ``none`` alone where nothing did."""
     return tuple(cause for cause, _ in causes_taken(evidence)) or (Cause.NONE,)

@@ -75,7 +75,7 @@ def seam_row(verdict: str = "significant", **values: Any) -> WindowRecord:
 def result(
     causes: str, evidence: CauseEvidence = EVIDENCE, profile: SeamProfile = PROFILE, **values: Any
 ) -> WindowResult:
-    """Of a window whose mosaic was compared with one source and the composite."""
+    """Result of a window whose mosaic was compared with one source and the composite."""
     ratios = Ratios(RATIOS, 1.2)
     change = Change(**{
         "tone": Tone(0.62, 12.0, 0.6), "contrast": (0.43, 0.5, 0.6), "clipped": 0.031, "colour_shift": 1.24,

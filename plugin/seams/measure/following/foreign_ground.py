@@ -58,11 +58,11 @@ class CellSums:
     """Sums of products of fine detail over cells of 4 px, (rows, columns) each."""
 
     mosaic: np.ndarray
-    """Of the mosaic with itself."""
+    """Products of the mosaic with itself."""
     energies: Mapping[int, np.ndarray]
-    """Of each source with itself."""
+    """Products of each source with itself."""
     shared: Mapping[int, np.ndarray]
-    """Of each source with the mosaic."""
+    """Products of each source with the mosaic."""
     cut: np.ndarray
     """What the sources leave over, pixel by pixel as they are followed."""
     labels: np.ndarray
@@ -70,7 +70,7 @@ class CellSums:
     valid: Mapping[int, np.ndarray]
     """bool: cells that a source has, of those that don't have all."""
     between: Callable[[int, int], np.ndarray]
-    """Of two sources with each other."""
+    """Products of two sources with each other."""
 
 
 def foreign_ground(sums: CellSums, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
@@ -116,10 +116,10 @@ class _Fit:
     """What a source explains where it is followed, on Fisher's scale."""
 
     expected: np.ndarray
-    """By the energy at every place."""
+    """What is explained by the energy at every place."""
     scatter: np.ndarray | float
     strong: float
-    """Of strong detail."""
+    """What is explained of strong detail."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +127,7 @@ class _NoiseCells:
     """Means over cells of 8 px, (rows, columns) each."""
 
     energy: np.ndarray
-    """Of the mosaic."""
+    """Energy of the mosaic, DN squared a pixel."""
     left_over: np.ndarray
     labels: np.ndarray
     """uint8: the source that is followed, or ``_OF_MIXED``."""
@@ -140,7 +140,7 @@ class _NoiseCells:
 
     @classmethod
     def of(cls, sums: CellSums, pairs: Mapping[tuple[int, int], np.ndarray]) -> _NoiseCells:
-        """By the weights of one source in every neighbourhood, or of two where that pays; ``pairs``: their sums."""
+        """Cells by weights of one source in every neighbourhood, or of two where that pays; ``pairs``: their sums."""
         weights = _weights(sums, pairs)
         rest = sums.mosaic.copy()
         used = {i: weight * sums.valid.get(i, np.True_) for i, weight in weights.items()}
@@ -169,11 +169,11 @@ class _NoiseCells:
         sides = [side for side in (*_WIDE, _LARGE) if min(self.energy.shape) >= side]
         each = {side: _Squares.of(self, side).foreign(is_compressed, is_window) for side in sides}
         parts, _ = ndimage.label(each.pop(_LARGE, np.zeros_like(self.border)))
-        found = np.logical_or.reduce([np.zeros_like(self.border), *each.values()])
-        sizes, known = (np.bincount(of.ravel(), minlength=int(parts.max()) + 1) for of in (parts, parts[found]))
+        foreign = np.logical_or.reduce([np.zeros_like(self.border), *each.values()])
+        sizes, known = (np.bincount(of.ravel(), minlength=int(parts.max()) + 1) for of in (parts, parts[foreign]))
         is_new = 2 * known < sizes
         is_new[0] = False
-        return np.asarray(found | is_new[parts])
+        return np.asarray(foreign | is_new[parts])
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,8 +217,8 @@ class _Squares:
         expected, scatter = _assigned(cells.labels, fits, true)
         alike = _fisher((1 - MIN_ALIKE_STRANGE) * np.tanh(expected) ** 2)
         limit = alike if is_large else (expected + stranger) / 2
-        found = opened(self.textured & (self.z < expected - chance * scatter) & (self.z < limit), opening)
-        return self._to_borders(found, expected)
+        parts = opened(self.textured & (self.z < expected - chance * scatter) & (self.z < limit), opening)
+        return self._to_borders(parts, expected)
 
     def _noise(self) -> dict[int, Callable[[np.ndarray], np.ndarray]]:
         """Share that each source leaves over in a cell by its energy there, of those with ground enough."""

@@ -103,7 +103,7 @@ def test_where_energy_says_much_less_than_the_mixture_it_was_softened(by_mixture
 
 
 def test_a_feather_is_blamed_where_it_takes_a_good_part_of_the_loss() -> None:
-    """Of a strip that lost 20 %, of which the mixture takes a third, or a tenth."""
+    """A strip lost 20 %, of which the mixture takes a third, or a tenth."""
     values = {"kept": 0.8, "by_energy": 0.8, "kept_high": 0.9, "measure": Measure.ENERGY, "lost": 0.1}
     part = rules.MIN_MIXED_LOSS * 0.2
     much = {**values, "by_mixture": 1 - part - LITTLE}

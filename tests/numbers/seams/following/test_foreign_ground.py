@@ -26,7 +26,7 @@ def stored(quality: int) -> Stored:
 
 
 def image(seed: int, common: float = 0.5) -> np.ndarray:
-    """Of one ground: a part of the finest detail is each image's own."""
+    """An image of one ground: a part of the finest detail is each image's own."""
     ground, own = texture(SHAPE, 1.2, 1), texture(SHAPE, 1.2, 10 + seed)
     return np.asarray(120 + 18 * (np.sqrt(common) * ground + np.sqrt(1 - common) * own), np.float32)
 
