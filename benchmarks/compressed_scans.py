@@ -11,7 +11,7 @@ import os
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -45,11 +45,15 @@ EPSG = 2180
 LEFT, TOP = 566200.0, 244700.0
 PLANTS = {"sound": (0.0,), "13, 33": (0.0, 13.0, 0.0, 33.0), "66": (0.0, 0.0, 66.0)}
 """Widths, px, of the mixtures in turn."""
+JPEG_75, JPEG_90, JPEG_85 = (Codec("JPEG", quality) for quality in (75, 90, 85))
 CODECS = {
-    "used": [(LOSSLESS, LOSSLESS), *((Codec("JPEG", quality),) * 2 for quality in (75, 90))],
-    "held back": [(Codec("JPEG", 85),) * 2, (Codec("JPEG", 60), Codec("JPEG", 95)), (Codec("WEBP", 85),) * 2],
+    "used": [(LOSSLESS, LOSSLESS), (JPEG_75, JPEG_75), (JPEG_75, replace(JPEG_75, shift_px=3)),
+             (JPEG_90, replace(JPEG_90, shift_px=3))],
+    "held back": [(JPEG_85, JPEG_85), (JPEG_85, replace(JPEG_85, shift_px=5)),
+                  (Codec("JPEG", 60), Codec("JPEG", 95, shift_px=2)),
+                  (Codec("WEBP", 85), Codec("WEBP", 85, shift_px=3))],
 }
-"""Of the mosaic and of the orthoimages before."""
+"""Codec of the mosaic, and of the orthoimages before it was made."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,16 +207,17 @@ class ScanOutcome:
         textured = self.length_m * self.is_textured
         is_near = self.piece >= 0
         is_measured = is_near & (state != PieceState.NOT_MEASURED) & (state != PieceState.NO_DETAIL)
-        judged = [(one, truth) for one, truth in zip(self.pieces, self.piece_truth)
-                  if one.kept and np.isfinite(truth)]
-        lengths = np.array([one.piece.length_m for one, _ in judged])
-        errors = np.array([one.kept[0] - truth for one, truth in judged])
-        right = np.array([one.low <= truth <= one.high for one, truth in judged], bool)
-        sound = np.array([truth >= SOUND for _, truth in judged], bool)
-        below = np.array([one.high < 1 for one, _ in judged], bool)
-        failed = np.array([one.state is PieceState.FAILED for one, _ in judged], bool)
+        judged = [place for place, one in enumerate(self.pieces)
+                  if one.kept and np.isfinite(self.piece_truth[place])]
+        lengths = np.array([self.pieces[place].piece.length_m for place in judged])
+        kept, low, high = np.array([
+            (self.pieces[place].least_kept, self.pieces[place].low, self.pieces[place].high) for place in judged
+        ], float).reshape(-1, 3).T
+        failed = np.array([self.pieces[place].state is PieceState.FAILED for place in judged], bool)
+        truth = self.piece_truth[judged]
+        errors, right, sound, below = kept - truth, (low <= truth) & (truth <= high), truth >= SOUND, high < 1
         planted_m = float((textured * (self.truth < FAILED)).sum())
-        false_m = float(lengths[failed & np.array([truth >= FAILED for _, truth in judged], bool)].sum())
+        false_m = float(lengths[failed & (truth >= FAILED)].sum())
 
         def share(part: float, whole: float) -> str:
             return f"{100 * part / whole:.0f}" if whole else "-"

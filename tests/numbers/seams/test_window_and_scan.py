@@ -28,7 +28,7 @@ from demo.block import make_block as make_demo_block
 from tests.numbers.seams.scan.blocks.scenes import beside, blended, images, scene
 
 SIDE_PX = 256
-"""Of the windows; less than any that has ground enough of its own."""
+"""Side of the windows; less than any that has ground enough of its own."""
 SEAM_PX = 400
 
 
@@ -154,12 +154,12 @@ def demo_block(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPath
 
 @pytest.fixture(scope="module")
 def given_pieces(demo_block: Delivery, tmp_path_factory: pytest.TempPathFactory) -> tuple[JudgedPiece, ...]:
-    """Of the block's own seamlines."""
+    """Pieces of the block's own seamlines."""
     return scanned_pieces(demo_block, tmp_path_factory.mktemp("scan"), True, 10.0)
 
 
 def is_hidden(piece: JudgedPiece) -> bool:
-    """By the feather that is wider than a window."""
+    """Whether the feather that is wider than a window hides a piece."""
     return {piece.left, piece.right} == {MIDDLE, GAP_FILLER}
 
 

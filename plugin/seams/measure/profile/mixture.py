@@ -36,17 +36,18 @@ _LEAST_EDGE = 1e-3  # of the energy: less is no edge, and says nothing of t
 _LEAST_WEIGHT = 0.1  # of both sources together: with less the mosaic has neither
 _EDGE_BINS = EDGES_PX.index(6)  # in which a cut's edge is
 _SOFT, _SHARP = 0.15, 0.5
-"""Of t / (w_s + w_o): with less a seam is so soft that k only takes from the mixture and is left out, with more it is
-needed. A cosine feather of 13 px has 0.45, one of 33 px 0.2."""
+"""Values of t / (w_s + w_o): with less a seam is so soft that k only takes from the mixture and is left out, with more
+it is needed. A cosine feather of 13 px has 0.45, one of 33 px 0.2."""
 _EITHER, _FOLLOWED = 0.4, 0.6
-"""Of a mixture: what has surely more of a source than halves follows that. Of halves nobody knows which is followed."""
+"""Shares of a source in a mixture: what has surely more than half of it follows it; of halves nobody knows which is
+followed."""
 MOST_EVERYWHERE = 0.25
-"""The same far off, of which a width is taken above that."""
+"""Share of the other source far off, from which on a mixture has no end; a width is taken above one that is less."""
 
 
 @dataclass(frozen=True, eq=False)
 class Mixtures:
-    """Of n seams, (n, SLOTS) each."""
+    """Mixtures of n seams, (n, SLOTS) each."""
 
     other: np.ndarray
     """Share of the other source, 0 to 1: alpha."""
@@ -76,7 +77,7 @@ def raw_shares(products: np.ndarray) -> np.ndarray:
 
 
 def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
-    """From ``PRODUCTS`` of one level, (n, SLOTS, PRODUCTS), and the standard deviation of every share (n, SLOTS)."""
+    """Mixtures by ``PRODUCTS`` of one level, (n, SLOTS, PRODUCTS), and the standard deviation of shares (n, SLOTS)."""
     weights, sharp = _sharp_weights(products)
     normal, right = products[..., _NORMAL], products[..., _RIGHT]
     of_edge = np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights, products[..., [_SK, _OK, _KK]])
@@ -101,16 +102,16 @@ def _sharp_weights(products: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def mixed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
-    """Of the detail of sources mixed so, DN squared; (..., SLOTS, PRODUCTS) and (..., SLOTS). ``before``: anything came
-    over the whole mosaic."""
-    own, (ss, so, oo) = 1 - other, (products[..., of] for of in _ENERGIES[before])
-    return np.asarray(own**2 * ss + 2 * own * other * so + other**2 * oo)
+    """Energy of the detail of sources mixed so, DN squared; (..., SLOTS, PRODUCTS) and (..., SLOTS). ``before``:
+    anything came over the whole mosaic."""
+    followed, (ss, so, oo) = 1 - other, (products[..., of] for of in _ENERGIES[before])
+    return np.asarray(followed**2 * ss + 2 * followed * other * so + other**2 * oo)
 
 
 def followed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
-    """Of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the wrong place
-    that is the other one, and of halves that do not end it is the mean of both: a border that is drawn through them
-    goes round whatever has more detail."""
+    """Energy of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the
+    wrong place that is the other one, and of halves that do not end it is the mean of both: a border that is drawn
+    through them goes round whatever has more detail."""
     ss, _, oo = (products[..., of] for of in _ENERGIES[before])
     of_other = np.where(other > _FOLLOWED, 1.0, 0.0)
     of_either = np.clip((other - _EITHER) / (_FOLLOWED - _EITHER), 0, 1)
@@ -167,16 +168,17 @@ def _weights(products: np.ndarray, with_edge: bool) -> np.ndarray:
 
 
 GROUPS = 8
-"""Of blocks of 32 px, each left out in turn: the jackknife (Tukey 1958)."""
+"""Groups of blocks of 32 px, each left out in turn: the jackknife (Tukey 1958)."""
 SHARE_ERROR, BORDER_ERROR = 0.003, 0.05
-"""Of a share, however much there is in its bin: what rounding leaves; and within 2 px of the border: one that is drawn
-with a standard deviation of a quarter of a pixel gives a twentieth of that bin to the wrong source."""
+"""Errors of a share, however much there is in its bin: what rounding leaves; and within 2 px of the border: one that
+is drawn with a standard deviation of a quarter of a pixel gives a twentieth of that bin to the wrong source."""
 LEAST_ERROR = 0.02
-"""Of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's noise."""
+"""Least relative error of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's
+noise."""
 WIDE_ERROR, WIDE_PX = 0.05, 200.0
-"""Of kept, of a feather so wide: there is less unmixed ground to learn tones and filters of."""
+"""Relative error of kept of a feather so wide: there is less unmixed ground to learn tones and filters of."""
 NARROW_ERROR, NARROW_PX = 0.03, 8.0
-"""Of kept, of a feather narrower than that: it may be a cut whose border was drawn in the wrong place."""
+"""Relative error of kept of a feather narrower than that: it may be a cut whose border was drawn in the wrong place."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
 
@@ -202,18 +204,18 @@ class MixtureSums:
         places = [group.astype(np.intp) * SLOTS + slot, *[slot] * (self._levels - 1)]
         sizes = [GROUPS * SLOTS, *[SLOTS] * (self._levels - 1)]
         order = np.argsort(codes, kind="stable")
-        found, firsts = np.unique(codes[order], return_index=True)
-        for code, own in zip(found.tolist(), np.split(order, firsts[1:])):
+        seams, firsts = np.unique(codes[order], return_index=True)
+        for code, rows in zip(seams.tolist(), np.split(order, firsts[1:])):
             key = code >> 32, code >> 16 & 0xFFFF, code & 0xFFFF
             total = self._sums.setdefault(key, np.zeros((len(PRODUCTS), sum(sizes))))
-            for product, target in zip(table.products[..., own], total):
+            for product, target in zip(table.products[..., rows], total):
                 start = 0
                 for values, place, size in zip(product, places, sizes):
-                    target[start : start + size] += np.bincount(place[own], values, size)
+                    target[start : start + size] += np.bincount(place[rows], values, size)
                     start += size
 
     def result(self) -> MixedStrips:
-        """Of all pieces."""
+        """Mixtures of all pieces."""
         keys = sorted(self._sums)
         shape = (len(keys), len(PRODUCTS), GROUPS + self._levels - 1, SLOTS)
         sums = np.stack([self._sums[key] for key in keys]).reshape(shape) if keys else np.zeros(shape)
@@ -234,13 +236,13 @@ class MixedStrips:
         spread = _spread(deviations)
         by_level = np.stack([spread * 2**level for level in range(whole.shape[1])], axis=1)
         fitted = fit_mixtures(whole.reshape(-1, *whole.shape[2:]), by_level.reshape(-1, SLOTS))
-        other, edge, left, soft, unsure, blended, carried = (
+        other, edge, left_over, soft, unsure, blended, carried = (
             one.reshape(*whole.shape[:2], *one.shape[1:]) for one in vars(fitted).values()
         )
         other = other[:, :1]  # all levels are mixed alike, and the finest tells it best
         self._other = other[:, 0]
         self._area = whole[:, 0, :, _AREA]
-        self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left, left * soft[:, :1]))
+        self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left_over, left_over * soft[:, :1]))
         """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
         the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
         mixed, plain = (self._both_sides(way(whole, other)) for way in (mixed_energy, followed_energy))
@@ -258,38 +260,38 @@ class MixedStrips:
         self.bins, self.before = _ratio(mixed, plain), _ratio(mixed * self.plain, plain * shown)
         """(levels, MIXED_BINS, count) each: kept, and that as a multiple of what is kept of the sources as the mosaic
         shows them; NaN where nothing is known."""
-        own, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
-        self.before_in_strip = _ratio(own * source, plain * shown)
+        mixture, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
+        self.before_in_strip = _ratio(mixture * source, plain * shown)
         """(levels, count): the same of the strip."""
         enough = self._both_sides(self._area)[strip_bins(0)].sum(axis=0) >= MIN_BESIDE_PX
-        self.levels = np.where(enough, _ratio(own, plain), np.nan)
+        self.levels = np.where(enough, _ratio(mixture, plain), np.nan)
         """kept_r (levels, count), NaN where nothing can be told."""
         self.kept = self._kept(left_out, self._other[:, np.newaxis] + blended[:, :1] * np.nan_to_num(deviations))
 
     @cached_property
     def feather_widths_px(self) -> np.ndarray:
         """(count,): of the seam between two sources that is longest in each piece; NaN where there is none."""
-        found = np.full(self._count, np.nan)
+        widths = np.full(self._count, np.nan)
         longest = np.zeros(self._count)
         for number, piece in enumerate(self._piece.tolist()):
             area = float(self._area[number].sum())
             if area > longest[piece]:
-                found[piece], longest[piece] = feather_width_px(self._other[number]), area
-        return found
+                widths[piece], longest[piece] = feather_width_px(self._other[number]), area
+        return widths
 
     def shares(self) -> np.ndarray:
-        """Of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
+        """Shares of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
         return _ratio(*map(self._both_sides, (self._other * self._area, self._area)))
 
     def _kept(self, left_out: np.ndarray, other: np.ndarray) -> Kept:
-        """From sums of level 1 without each group in turn, (n, groups, SLOTS, products), and the shares of the other
-        source in these (n, groups, SLOTS)."""
+        """kept_1 from sums without each group in turn, (n, groups, SLOTS, products), and the shares of the other source
+        in these (n, groups, SLOTS)."""
         other = np.clip(other, 0, 1)
-        own, plain = (
+        mixed, plain = (
             self._both_sides(way(left_out, other))[:, strip_bins(0)].sum(axis=1)
             for way in (mixed_energy, followed_energy)
         )
-        estimates = own / np.maximum(plain, 1e-12)
+        estimates = mixed / np.maximum(plain, 1e-12)
         deviations = estimates - estimates.mean(axis=0)
         variance = (GROUPS - 1) / GROUPS * (deviations**2).sum(axis=0)
         value = self.levels[0]
@@ -303,11 +305,11 @@ class MixedStrips:
         return Kept.of(value, total, freedom)
 
     def _both_sides(self, values: np.ndarray) -> np.ndarray:
-        """Of (n, ..., SLOTS) the sums of both sides and all seams of a piece, (..., MIXED_BINS, count)."""
+        """Sums over both sides and all seams of a piece, (..., MIXED_BINS, count), of values (n, ..., SLOTS)."""
         sides = values.reshape(*values.shape[:-1], 2, MIXED_BINS).sum(axis=-2)
-        found = np.zeros((self._count, *sides.shape[1:]))
-        np.add.at(found, self._piece, sides)
-        return np.moveaxis(found, 0, -1)
+        sums = np.zeros((self._count, *sides.shape[1:]))
+        np.add.at(sums, self._piece, sides)
+        return np.moveaxis(sums, 0, -1)
 
 
 def _spread(deviations: np.ndarray) -> np.ndarray:

@@ -22,7 +22,7 @@ WIDTHS_PX = (0, 7, 8.5, 10, 12, 15, 17.5, 20, 30, 40, 60, 80, 110, 150, 200, 260
 """Full widths, a factor of 1.2 apart as far as the bins of distance tell them and of 1.4 beyond; the last one is a
 mixture that is the same everywhere. Narrower than 7 px none can be told from a cut whose border is known to a pixel."""
 OFFSETS_PX = (-8, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 8)
-"""Of the border, which noise and compression draw so far off (squares of 8 px)."""
+"""Offsets from the border, which noise and compression draw so far off (squares of 8 px)."""
 MOST_FLOOR, FLOOR_SPREAD = 0.5, 0.15
 """Share of the other source that explains pure ground: of both sides together at most, since halves everywhere are a
 mixture; and the standard deviation of a side's. Beside a lossless orthoimage, on the side whose orthoimage alone was

@@ -89,7 +89,7 @@ def test_a_bin_without_pixels_follows_its_neighbours() -> None:
 
 @pytest.mark.parametrize("without", ["s", "o"])
 def test_a_source_without_any_detail_weighs_nothing(without: str) -> None:
-    """As the black border of an image that does not say that it is one."""
+    """The black border of an image that does not say that it is one."""
     products = products_of(np.zeros(SLOTS))
     for number, name in enumerate(PRODUCTS):
         if without in name:
@@ -203,7 +203,7 @@ def test_the_mean_of_two_images_keeps_what_they_have_in_common(in_common: float)
 
 @pytest.mark.parametrize("level", [2, 3])
 def test_coarser_levels_are_mixed_as_the_finest(level: int) -> None:
-    """By the finest level's shares, in strips twice and four times as wide."""
+    """The finest level's shares, in strips twice and four times as wide."""
     mean = blend(0, side=128).with_mosaic_of(np.full((128, 128), 0.5))
     found = mean.profile()
     assert found.by_energy is None
