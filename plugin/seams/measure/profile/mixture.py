@@ -21,7 +21,7 @@ import numpy as np
 from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS, MixtureTable, WholeCells
 from .energy_sums import BLOCK_CELLS
 from .intervals import Kept
-from .ramps import fit_ramps
+from .ramps import BEYOND, fit_ramps
 from .seam_profile import UNMIXED_SHARE, in_strip, strip_bins
 
 SLOTS = 2 * MIXED_BINS
@@ -85,9 +85,28 @@ def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
     fitted = np.einsum("nsi,nsij,nsj->ns", weights, normal, weights) - 2 * np.einsum("nsi,nsi->ns", weights, right)
     shares = raw_shares(products)
     known = ~np.isnan(shares)
-    other, unsure, blended = fit_ramps(np.where(known, shares, 0), np.where(known, spread, np.inf))
+    left = np.maximum(products[..., _MM] + fitted, 0)
+    other, unsure, blended = fit_ramps(
+        np.where(known, shares, 0), np.where(known, spread, np.inf), _most_floor(products, left)
+    )
     carried = np.clip(weights[..., :2].sum(axis=2), 0, 1)
-    return Mixtures(other, of_edge, np.maximum(products[..., _MM] + fitted, 0), 1 - sharp, unsure, blended, carried)
+    return Mixtures(other, of_edge, left, 1 - sharp, unsure, blended, carried)
+
+
+def _most_floor(products: np.ndarray, left: np.ndarray) -> np.ndarray:
+    """Share of the other source that noise of either side's own one can make of pure ground, (n, 2), by what is left
+    over beyond the strip, DN squared.
+
+    With rho the correlation of the sources, the other one explains at most rho^2 of what noise took of the followed
+    one, w_o^2 oo (1 - rho^2), and leaves over (1 - rho^2) / rho^2 times as much. A mixture leaves nothing over.
+    """
+    sides = (len(products), 2, MIXED_BINS)
+    ss, so, oo, rest = (
+        values.reshape(sides)[..., BEYOND:].sum(axis=2)
+        for values in (*(products[..., of] for of in (_SS, _SO, _OO)), left)
+    )
+    rho = np.clip(so / np.sqrt(np.maximum(ss * oo, 1e-12)), 0, 0.99)
+    return np.asarray(rho / (1 - rho**2) * np.sqrt(rest / np.maximum(oo, 1e-12)))
 
 
 def _sharp_weights(products: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

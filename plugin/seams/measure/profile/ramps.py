@@ -27,7 +27,8 @@ MOST_FLOOR, FLOOR_SPREAD = 0.5, 0.15
 """Share of the other source that explains pure ground: of both sides together at most, since halves everywhere are a
 mixture; and the standard deviation of a side's. Beside a lossless orthoimage, on the side whose orthoimage alone was
 compressed by JPEG 75 since, it was 0.35 to 0.5."""
-_BEYOND = EDGES_PX.index(STRIP_PX)
+BEYOND = EDGES_PX.index(STRIP_PX)
+"""First bin beyond the strip."""
 _SAMPLES = 16  # of a bin, over which a ramp is averaged
 _PRICE = 2.0  # of a parameter (Akaike 1974)
 _SURE = 3.0  # standard deviations
@@ -39,7 +40,9 @@ _RAMPS = [
 _IS_SOFT = np.array([width > 0 for width, *_ in _RAMPS])  # a cut that was drawn in the wrong place mixes nothing
 
 
-def fit_ramps(shares: np.ndarray, spread: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def fit_ramps(
+    shares: np.ndarray, spread: np.ndarray, most_floor: np.ndarray | float = MOST_FLOOR
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Fit n seams.
 
     Parameters
@@ -48,6 +51,8 @@ def fit_ramps(shares: np.ndarray, spread: np.ndarray) -> tuple[np.ndarray, np.nd
         Share of the other source by distance, first where the source of the lower number is followed.
     spread : (n, 2 MIXED_BINS)
         Standard deviation of each share; infinite where it is not known.
+    most_floor : (n, 2)
+        Highest floor of either side that its noise can make.
 
     Returns
     -------
@@ -59,7 +64,9 @@ def fit_ramps(shares: np.ndarray, spread: np.ndarray) -> tuple[np.ndarray, np.nd
     """
     models, prices = _models()
     weights = 1 / np.square(spread)
-    floors, scores = _fit_floors(shares, weights, _most_floor(shares, spread))
+    # What is there everywhere is there in every bin beyond the strip.
+    highest = (shares + _SURE * spread).reshape(len(shares), 2, MIXED_BINS)[..., BEYOND:].min(axis=2)
+    floors, scores = _fit_floors(shares, weights, np.minimum(highest, most_floor).clip(0, MOST_FLOOR))
     scores += prices
     likely = np.exp((scores.min(axis=1, keepdims=True) - scores) / 2)
     likely /= likely.sum(axis=1, keepdims=True)
@@ -77,12 +84,6 @@ def fit_ramps(shares: np.ndarray, spread: np.ndarray) -> tuple[np.ndarray, np.nd
     other += rest * variance * weights / (1 + variance * weights)
     other[total[:, 0] <= 0] = 0  # nothing is known of a mixture
     return np.clip(other, 0, 1), unsure, likely[:, _IS_SOFT].sum(axis=1, keepdims=True)
-
-
-def _most_floor(shares: np.ndarray, spread: np.ndarray) -> np.ndarray:
-    """The highest floor of either side, (n, 2): what is there everywhere is there in every bin beyond the strip."""
-    highest = (shares + _SURE * spread).reshape(len(shares), 2, MIXED_BINS)
-    return np.asarray(highest[..., _BEYOND:].min(axis=2).clip(0, MOST_FLOOR))
 
 
 def _fit_floors(shares: np.ndarray, weights: np.ndarray, most: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

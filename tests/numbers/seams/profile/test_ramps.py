@@ -69,6 +69,16 @@ def test_halves_everywhere_are_a_mixture() -> None:
     assert other.min() > 0.2
 
 
+def test_what_no_noise_makes_is_a_mixture() -> None:
+    """A third of the other source all over one side, and nothing left over: somebody mixed it in."""
+    given = shares_of(0, floors=(0.33, 0.0))
+    spread = np.full((1, SLOTS), 0.01)
+    assert abs(fit_ramps(given, spread)[0]).max() < 0.05
+    other, _, soft = fit_ramps(given, spread, np.array([[0.05, 0.05]]))
+    assert soft[0, 0] > 0.99
+    np.testing.assert_allclose(other[0, :MIXED_BINS], 0.33, atol=0.1)
+
+
 def test_what_is_not_known_says_nothing() -> None:
     given = shares_of(60)
     spoilt, spread = given.copy(), np.full((1, SLOTS), 0.01)
