@@ -13604,7 +13604,7 @@
     <message>
         <location filename="../plugin/seams/words.py" line="257"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
-        <translation>ortoobrazy skompresowano stratnie, a mozaika zachowała więcej niż one</translation>
+        <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
 </context>
 </TS>
