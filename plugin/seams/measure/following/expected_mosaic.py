@@ -11,15 +11,16 @@ from functools import cache, cached_property
 
 import numpy as np
 
-from ..seam_cells import UNKNOWN, present
+from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
 from .compression import was_compressed
 from .followed_source import FollowedSource, high_pass
 from .foreign_ground import IsCompressed
-from .levelling import SQUARE_PX, Levelled, levelled, square_means
+from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, square_means
 from .likely_source import FINE, LikelySource, Sampling, likely_source
 from .meeting import by_shares, mixed_shares, where_several_meet
+from .mixed_ground import MixedGround, mixed_ground
 from .source_filters import (
     FEWEST_PIXELS,
     SAMPLE,
@@ -32,7 +33,13 @@ from .source_filters import (
 )
 
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
+MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
+MOST_LEFT_OF_THAT = 0.5  # where both mixed explain it
+HOPELESS_LEFT_OF_THAT = 0.75  # after some rounds, of which true mixtures had up to 0.45 by then
+MOST_LEFT_BY_MIXED = 10.0  # times what they leave over one by one; true mixtures have up to 4
 MOST_LEFT_MIXED = 0.05  # of the fine detail, for a filter to be believed that was learned where sources may be mixed
+MIN_THIRD_SHARE = 0.25  # of the pixels, that a third image surely has where two are mixed everywhere
+MOST_LEFT_OF_THIRD = 0.05  # of what seemed to be a smaller part of a third: the two mixed explain it
 
 _ROUNDS = 3
 _SETTLED = 0.005  # of the pixels: what changes less is settled
@@ -155,9 +162,9 @@ class _Window:
     has_warped: bool
     interpolated: Collection[int]
 
-    def likely(self, filters: Filters | None) -> LikelySource:
+    def likely(self, filters: Filters | None, left_out: Collection[int] = ()) -> LikelySource:
         """The most likely source of every pixel, of those that are followed at first."""
-        sources = {i: self.fine[1 + i] for i in sorted(self.following.followed)}
+        sources = {i: self.fine[1 + i] for i in sorted(self.following.followed) if i not in left_out}
         return _likely(self.fine[0], sources, self.following, self.valid, filters, self.sampling,
                        self.is_compressed, self.interpolated)
 
@@ -173,9 +180,10 @@ class _Window:
 
         return is_compressed
 
-    def labels(self, likely: LikelySource) -> np.ndarray:
-        """The source of every pixel, (rows, columns) uint8; ``UNKNOWN`` where none explains the mosaic."""
-        followed = likely.labels | ((likely.unexplained & (not self.has_warped)) * np.uint8(UNKNOWN))
+    def labels(self, likely: LikelySource, strange: np.ndarray | bool = True) -> np.ndarray:
+        """(rows, columns) uint8; ``strange``: where no source may explain the mosaic."""
+        unexplained = np.logical_and(likely.unexplained, strange & (not self.has_warped))
+        followed = likely.labels | (unexplained * np.uint8(UNKNOWN))
         return followed if self.known is None else np.where(self.known == UNKNOWN, followed, self.known)
 
     def in_tone(self, labels: np.ndarray) -> dict[int, Levelled]:
@@ -186,17 +194,85 @@ class _Window:
 
     def learned(self) -> tuple[Filters, np.ndarray, dict[int, Levelled]]:
         """What came over the sources, their labels, and themselves in tone."""
-        labels = self.labels(self.likely(None))
+        likely = self.likely(None)
+        labels = self.labels(likely)
         in_tone, unmixed = self.in_tone(labels), _sure_unmixed(labels, self.following)
         anywhere = _sure(labels, unmixed)
         mosaic_fine, fine = self.fine[0], dict(enumerate(self.fine[1:]))
         filters = find_filters(mosaic_fine, fine, in_tone, labels, anywhere)
         made = self._made(in_tone, filters, labels)
+        pair, few = self._mixable(made, labels)
+        ground = self._ground(in_tone, filters, made, labels, pair, few) if len(pair) == 2 else None
+        mixed = None if ground is None else self._mixed(likely, labels, filters, pair, few, *ground)
+        if mixed is not None:
+            return mixed
         # A filter that was learned of a mixture takes what that took.
         is_doubtful = np.count_nonzero(anywhere) > np.count_nonzero(unmixed)
         if is_doubtful and share_left(mosaic_fine, made, labels, present(labels)) > MOST_LEFT_MIXED:
             filters = find_filters(mosaic_fine, fine, in_tone, labels, unmixed)
         return filters, labels, in_tone
+
+    def _mixed(
+        self, alone: LikelySource, labels: np.ndarray, found: Filters, pair: Sequence[int], few: Sequence[int],
+        ground: MixedGround, gains: Mapping[int, np.ndarray],
+    ) -> tuple[Filters, np.ndarray, dict[int, Levelled]] | None:
+        """What ``learned`` tells where two sources are mixed nearly everywhere; None where one by one, ``alone``, they
+        explain far more than with what the mixture says came over them."""
+        found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
+        # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
+        made = ground.mosaic[SAMPLE]
+        chance = {i for i in few if share_left(self.fine[0], made, labels, [i]) <= MOST_LEFT_OF_THIRD}
+        kept = {*pair, *present(labels)} - chance
+        likely = self.likely(found, [i for i in self.following.followed if i not in kept])
+        if likely.left > MOST_LEFT_BY_MIXED * alone.left:
+            return None
+        labels = self.labels(likely, labels == UNKNOWN)
+        means = square_means(self.mosaic)
+        again = {
+            i: levelled(means, self.planes[i], labels == i, labels == i, gain=gain)
+            for i, gain in gains.items() if (labels == i).any()
+        }
+        return found, labels, {**self.in_tone(labels), **again}
+
+    def _mixable(self, made: np.ndarray, labels: np.ndarray) -> tuple[list[int], list[int]]:
+        """The two sources that most pixels follow, or did at first, and those that few do, all of those that leave
+        something over where they are followed."""
+        most_first = sorted(present(labels), key=lambda i: -np.count_nonzero(labels == i))
+        alone = {i for i in most_first if share_left(self.fine[0], made, labels, [i]) < MIN_LEFT_UNMIXED}
+        followed = [*most_first, *(i for i in self.following.followed if i not in most_first)]
+        pair = [i for i in followed if i not in alone][:2]
+        few = [
+            i for i in most_first if i not in pair and i not in alone and (labels == i).mean() < MIN_THIRD_SHARE
+        ]
+        return pair, few
+
+    def _ground(
+        self, in_tone: Mapping[int, Levelled], found: Filters, made: np.ndarray, labels: np.ndarray,
+        pair: Sequence[int], few: Sequence[int],
+    ) -> tuple[MixedGround, dict[int, np.ndarray]] | None:
+        """Where two sources mixed nearly everywhere explain more than each on its own side, and their gains; None for
+        other windows."""
+        where = is_one_of(labels, (*pair, *few, UNKNOWN))
+        for i in pair:
+            where &= self.valid.get(i, True)
+        inside = np.where(where, labels, np.uint8(UNKNOWN))
+        left_alone = share_left(self.fine[0], made, inside, pair)
+        if left_alone < MIN_LEFT_UNMIXED:
+            return None
+        gains = [in_tone[i].gain if i in in_tone else np.float32(1) for i in pair]
+        gains = evened_gains([self.planes[i] for i in pair], gains, where)
+        images = [gain * self.fine[1 + i] for i, gain in zip(pair, gains)]
+        shown = [found.placed(i, one) if i in found.taps else one for i, one in zip(pair, images)]
+
+        def left_of_that(made: np.ndarray) -> float:
+            return share_left(self.fine[0], made[SAMPLE], inside, pair) / left_alone
+
+        ground = mixed_ground(
+            self.fine[0], images, shown, where, lambda made: left_of_that(made) > HOPELESS_LEFT_OF_THAT
+        )
+        if ground is None or left_of_that(ground.mosaic) > MOST_LEFT_OF_THAT:
+            return None
+        return ground, {i: ground.gain * gain for i, gain in zip(pair, gains) if i in in_tone}
 
     def _made(self, in_tone: Mapping[int, Levelled], found: Filters, labels: np.ndarray) -> np.ndarray:
         """What the sources make of the mosaic's fine detail, each on its own side, a ``SAMPLE``."""

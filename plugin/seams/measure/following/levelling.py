@@ -6,7 +6,7 @@ whose step of tone stays as it is.
 """
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -75,6 +75,27 @@ def square_means(plane: np.ndarray) -> np.ndarray:
     """Means of the squares of 8 px of a plane (rows, columns), whose edge continues where the last ones stick out."""
     beyond = [-length % 2**LEVELS for length in plane.shape]
     return coarse_means(np.pad(plane, [(0, by) for by in beyond], mode="edge") if any(beyond) else plane, LEVELS)
+
+
+def evened_gains(
+    planes: Sequence[np.ndarray], gains: Sequence[np.ndarray | np.float32], where: np.ndarray
+) -> list[np.ndarray | np.float32]:
+    """Gains with which images (rows, columns) of the same ground have the same contrast in squares of 8 px.
+
+    What a mosaic of their mean shows of either is less than it has, and nobody knows how much less.
+    """
+    squares = square_means(where) > _MIN_OWN
+    if np.count_nonzero(squares) < _FEWEST_SQUARES:
+        return list(gains)
+    weight = _near_means(squares.astype(np.float32), 0) + 1e-6
+    contrasts = []
+    for plane, gain in zip(planes, gains):
+        means = square_means(np.asarray(gain * plane, np.float32))
+        contrasts.append(float((means - _near_means(np.where(squares, means, 0), 0) / weight)[squares].std()))
+    if min(contrasts) <= 0:
+        return list(gains)
+    mean = float(np.exp(np.mean(np.log(contrasts))))
+    return [np.float32(mean / contrast) * gain for gain, contrast in zip(gains, contrasts)]
 
 
 def left_over(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> tuple[float, float]:

@@ -7,7 +7,7 @@ if nothing had happened at its seams.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -100,6 +100,11 @@ class Filters:
     """Taps (5, 5) of each source that is followed; empty where nothing was done to them."""
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
+
+    def with_own(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
+        """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
+        own = {i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}
+        return replace(self, taps=own, came_over_cuts=False)
 
     def placed(self, source: int, plane: np.ndarray) -> np.ndarray:
         """A source's plane as sharp as it was, only moved: what came over a whole mosaic can't be told from what came

@@ -1,0 +1,102 @@
+"""Two images mixed nearly everywhere: filters and weights of both, by images that are known."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.following.expected_mosaic import expected_mosaic
+from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.mixed_ground import mixed_ground
+from seam_inspector.plugin.seams.measure.profile.window_detail import window_detail
+
+from tests.numbers.synthetic import texture
+
+SIDE = 384
+OFF = ((0.4, -0.3), (-0.2, 0.45))
+"""px, that each image is moved by as it is mosaicked."""
+
+
+@pytest.fixture(scope="module")
+def images() -> list[np.ndarray]:
+    """Images of one ground, each with half of its texture to itself."""
+    ground = texture((SIDE, SIDE), 1.2, 1)
+    return [(120 + 12 * ground + 12 * texture((SIDE, SIDE), 1.2, 2 + i)).astype(np.float32) for i in range(2)]
+
+
+def moved(images: list[np.ndarray]) -> list[np.ndarray]:
+    return [ndimage.shift(one, by, order=3, mode="nearest").astype(np.float32) for one, by in zip(images, OFF)]
+
+
+def ramp(first: float, last: float) -> np.ndarray:
+    """The weight of the first image from left to right."""
+    return np.broadcast_to(np.linspace(first, last, SIDE, dtype=np.float32), (SIDE, SIDE))
+
+
+@pytest.mark.parametrize(("first", "last"), [(0.5, 0.5), (0.8, 0.2), (0.7, 0.7)])
+def test_both_filters_are_told_though_no_ground_is_of_one(images: list[np.ndarray], first: float, last: float) -> None:
+    placed, weight = moved(images), ramp(first, last)
+    mosaic = high_pass(weight * placed[0] + (1 - weight) * placed[1])
+    fine = [high_pass(one) for one in images]
+    found = mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool))
+    assert found is not None
+    inside = np.s_[16:-16, 16:-16]
+    assert np.square(mosaic - found.mosaic)[inside].sum() < 0.02 * np.square(mosaic[inside]).sum()
+    assert found.gain == pytest.approx(1, abs=0.08)
+    for (down, across), taps in zip(OFF, found.taps):
+        middle = np.array([(taps.sum(axis=axis) @ np.arange(-2, 3)) / taps.sum() for axis in (1, 0)])
+        np.testing.assert_allclose(middle, (-down, -across), atol=0.12)
+
+
+def test_of_a_cut_there_is_none(images: list[np.ndarray]) -> None:
+    placed = moved(images)
+    mosaic = high_pass(np.where(np.arange(SIDE) < SIDE // 2, placed[0], placed[1]))
+    fine = [high_pass(one) for one in images]
+    assert mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool)) is None
+
+
+def test_no_mixture_is_given_up_in_its_first_rounds(images: list[np.ndarray]) -> None:
+    placed, weight = moved(images), ramp(0.5, 0.5)
+    mosaic = high_pass(weight * placed[0] + (1 - weight) * placed[1])
+    fine = [high_pass(one) for one in images]
+    assert mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool), is_hopeless=lambda made: True) is not None
+
+
+def test_of_images_that_are_not_there_there_is_none(images: list[np.ndarray]) -> None:
+    fine = [high_pass(one) for one in images]
+    nothing = np.zeros((SIDE, SIDE), bool)
+    assert mixed_ground(fine[0], fine, fine, nothing) is None
+
+
+@pytest.mark.parametrize(("first", "last"), [(0.75, 0.25), (0.9, 0.1)])
+def test_sources_are_shown_as_sharp_as_they_were_mixed(images: list[np.ndarray], first: float, last: float) -> None:
+    """A filter that is learned of one alone takes what mixing took."""
+    placed, weight = moved(images), ramp(first, last)
+    mosaic = weight * placed[0] + (1 - weight) * placed[1]
+    fine = [high_pass(one) for one in (mosaic, *images)]
+    following = follow(lambda start, stop: [one[start:stop] for one in fine], (SIDE, SIDE), 2)
+    found = expected_mosaic(mosaic, images, fine, following, {})
+    for number, true in enumerate(placed):
+        own, expected = high_pass(found.shown[number]), high_pass(true)
+        assert np.square(own).sum() == pytest.approx(np.square(expected).sum(), rel=0.14)
+        assert np.corrcoef(own.ravel(), expected.ravel())[0, 1] > 0.98
+
+
+@pytest.mark.parametrize("contrast", [1.0, 0.5])
+def test_the_mean_of_images_of_unlike_contrast_keeps_what_they_have_in_common(contrast: float) -> None:
+    """Labels of such a mosaic go round whatever has more detail, here the one and there the other: gains and energies
+    that are read by them differ."""
+    ground = texture((SIDE, SIDE), 1.2, 1)
+    places = [np.exp(0.5 * ndimage.gaussian_filter(texture((SIDE, SIDE), 3.0, 20 + i), 12)) for i in range(2)]
+    first, second = (
+        (120 + 12 * ground + 12 * place * texture((SIDE, SIDE), 1.2, 2 + i)).astype(np.float32)
+        for i, place in enumerate(places)
+    )
+    mosaic = (first + second) / 2
+    given = [first, (120 + contrast * (second - 120)).astype(np.float32)]
+    fine = [high_pass(one) for one in (mosaic, *given)]
+    following = follow(lambda start, stop: [one[start:stop] for one in fine], (SIDE, SIDE), 2)
+    found = window_detail(mosaic, expected_mosaic(mosaic, given, fine, following, {}), {}, "coif3", 3).profile
+    assert found is not None
+    own = [np.square(high_pass(one)).sum() for one in (mosaic, first, second)]
+    assert found.by_mixture == pytest.approx(own[0] / np.mean(own[1:]), abs=0.08)  # the strip is some of it
+    assert found.high < 0.9
