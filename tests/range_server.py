@@ -62,11 +62,11 @@ class RangeServer:
     closing: threading.Event = field(default_factory=threading.Event)
 
     def address(self, name: str) -> str:
-        """Address of a file in the folder."""
+        """Of a file in the folder."""
         return f"http://127.0.0.1:{self.port}/{name}"
 
     def vsi(self, name: str) -> str:
-        """Address of a file as GDAL opens it."""
+        """The same as GDAL opens it."""
         return f"/vsicurl/{self.address(name)}"
 
     @property

@@ -40,7 +40,7 @@ class Look:
     """Around each mark."""
     negative: bool = False
     dots: bool = False
-    """Dots to the mark's right, as many as its number."""
+    """As many as the mark's number to its right."""
 
 
 @dataclass(frozen=True)

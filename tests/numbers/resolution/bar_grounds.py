@@ -44,7 +44,7 @@ class Scene:
     lines: dict[int, Ends]
     """A line across each group, roughly drawn."""
     sigma: float
-    """Sigma of the blur, px."""
+    """Of the blur, px."""
     bars: int
 
     @property

@@ -93,7 +93,7 @@ def spoilt(scenes: list[Scene]) -> Found:
 
 
 def smaller_share(scene: Scene) -> float:
-    """Share of the window that the second of its two main images has."""
+    """Of the window, of the second of its two main images."""
     return float(min((scene.labels == number).mean() for number in scene.main))
 
 
@@ -191,7 +191,7 @@ def true_kept(scene: Scene, sigma_px: float) -> float:
 
 
 def sigma_of(truth: Truth) -> float:
-    """Sigma of a feather, px."""
+    """Of a feather, px."""
     return float(truth.name.split()[1]) / 0.03
 
 

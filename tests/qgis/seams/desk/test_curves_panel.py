@@ -38,7 +38,7 @@ BANDS = ("luminance", "red", "green", "blue")
 
 
 class Inputs:
-    """What the panel reads of a session's inputs."""
+    """Of a session's inputs, what the panel reads."""
 
     max_ratio = 0.5
     reference = "sources"

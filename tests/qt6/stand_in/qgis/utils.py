@@ -1,2 +1,2 @@
-"""Stand-in for ``qgis.utils``: no interface."""
+"""As ``qgis.utils``: no interface."""
 iface = None
