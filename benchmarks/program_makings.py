@@ -22,7 +22,7 @@ from .seam_makings import whole_values
 
 NODATA = 0
 FAR_PX = 0.01
-"""By which a program's grid may lie beside the orthoimages': what rounding of coordinates leaves."""
+"""How far a program's grid may lie beside the orthoimages': what rounding of coordinates leaves."""
 BEYOND_PX = 128
 """Wider than any blend."""
 TIMEOUT_S = 300
@@ -37,7 +37,7 @@ class Overlap:
     images: tuple[np.ndarray, np.ndarray]
     """(3, rows, columns) 8 bit, nodata nowhere."""
     inside: tuple[np.ndarray, np.ndarray]
-    """Where a program is given pixels of each, (rows, columns) bool."""
+    """Pixels of each that a program is given, (rows, columns) bool."""
     is_second: np.ndarray
     """The second image's side of the line, (rows, columns) bool."""
     pixel_m: float
@@ -76,11 +76,11 @@ class Product:
     bands: np.ndarray
     """(3, rows, columns) 8 bit, on the overlap's grid."""
     mask: np.ndarray | None = None
-    """Where the program's own seam takes the second image, (rows, columns) bool; None where it tells of no seam."""
+    """Pixels of the second image by the program's own seam, (rows, columns) bool; None where it tells of no seam."""
 
 
 Make = Callable[[Overlap, Path], Product]
-"""Of an overlap whose files lie in a folder."""
+"""Makes the mosaic of an overlap whose files lie in a folder."""
 
 
 class TruthBy(Enum):
@@ -209,15 +209,15 @@ def stitched(seam: str, sharpness: float = 0.0, pyramid: int = 0) -> Make:
         if seam:
             finder = {"Voronoi": lambda: cv2.detail.SeamFinder_createDefault(cv2.detail.SeamFinder_VORONOI_SEAM),
                       "graph cut": lambda: cv2.detail_GraphCutSeamFinder("COST_COLOR")}[seam]()
-            found = finder.find([one.astype(np.float32) for one in images], [(0, 0), (0, 0)], masks)
-            masks = [mask.get() for mask in found]
-        own = masks[1] > 0 if seam else None
+            cut = finder.find([image.astype(np.float32) for image in images], [(0, 0), (0, 0)], masks)
+            masks = [mask.get() for mask in cut]
+        is_second = masks[1] > 0 if seam else None
         blender = (cv2.detail_MultiBandBlender(0, pyramid) if pyramid else cv2.detail_FeatherBlender(sharpness)
                    if sharpness else cv2.detail.Blender_createDefault(cv2.detail.Blender_NO))
         blender.prepare((0, 0, *overlap.is_second.shape[::-1]))
         for image, mask in zip(images, masks):
             blender.feed(image.astype(np.int16), mask, (0, 0))
-        return Product(whole_values(blender.blend(None, None)[0].transpose(2, 0, 1)), own)
+        return Product(whole_values(blender.blend(None, None)[0].transpose(2, 0, 1)), is_second)
 
     return make
 

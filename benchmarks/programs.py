@@ -38,21 +38,21 @@ OVERLAP_PX = 64
 ZONES_PX = (-64, -32, -16, *range(-BIN_PX, BIN_PX + 1), 16, 32, 64)
 """Distances from a seam between which one weight is fitted; the second image's side is positive."""
 GREYS = (50, 250)
-"""Of the two images that a program's weights are read from."""
+"""Grey values of the two images that a program's weights are read from."""
 SNAP = 0.01
 """A weight nearer to 0 or 1 is that: programs round and cut grey values differently."""
 TIE = 0.02
 """Weights nearer to one half name neither image: the side of the line counts."""
 UNMIXED = 0.1
-"""Of the other image: where a feather ends, as the plugin has it."""
+"""Weight of the other image where a feather ends, as the plugin has it."""
 FAR = 0.05
-"""From the truth: a disagreement, even inside the interval."""
+"""Distance from the truth that is a disagreement, even inside the interval."""
 FEATHER_PX = 10
 MOST_HOLES = 0.001
 """Share of the pixels without a value in a mosaic of which it can't be told what was kept."""
 CODECS = tuple((codec, replace(codec, shift_px=0)) for codec in (
     LOSSLESS, Codec("JPEG", 90), Codec("JPEG", 75, shift_px=3), Codec("JPEG", 75)))
-"""Of the orthoimages, and of the mosaic."""
+"""Codecs of the orthoimages, and of the mosaic."""
 HEAD = ("program, mode", "truth", "delivered", "kept_1", "interval", "right", "feather true", "feather px", "gain",
         "off weights DN", "seconds")
 MARKS = {"weights": "", "mask": " *", "mosaic": " **"}
@@ -74,7 +74,7 @@ class Mixture:
     labels: np.ndarray
     """Number of the image that each pixel follows, (rows, columns) uint8."""
     weights: tuple[np.ndarray, np.ndarray]
-    """Of the two images, (rows, columns) float32."""
+    """Weights of the two images, (rows, columns) float32."""
 
     @property
     def feather_px(self) -> float:
@@ -95,7 +95,7 @@ class Row:
     truth_by: str
     truth: float
     delivered: float
-    """Of the mosaic as it was stored, its compression included, against the ground."""
+    """Detail of the mosaic as it was stored, its compression included, against the ground."""
     kept: float
     low: float
     high: float
@@ -104,7 +104,7 @@ class Row:
     true_feather_px: float
     feather_px: float
     gain: float
-    """Of the mosaic's grey values against the plugin's hard cut."""
+    """Gain of the mosaic's grey values against the plugin's hard cut."""
     off_dn: float
     by_energy: float
     by_mixture: float
