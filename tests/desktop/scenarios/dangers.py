@@ -61,11 +61,20 @@ def come_and_go(desk: Desk, block: Path, side_m: float) -> None:
 
 
 def use_once(desk: Desk) -> None:
-    """Open the dock, take the tool, move over the map."""
+    """Open the dock, take the tool, move over the map, until the looks at the sources have ended.
+
+    QGIS adds widgets of its own for a task at work, and a tab of its log when the first one has ended.
+    """
     desk.open_dock()
     desk.dock.draw.trigger()
     desk.move(tuple(desk.session.mosaic_layer().extent().center()))
     desk.pause(0.1)
+    wait_for_tasks(desk)
+
+
+def wait_for_tasks(desk: Desk) -> None:
+    """Until no task is at work, the plugin's or QGIS's."""
+    desk.wait(lambda: QgsApplication.taskManager().countActiveTasks() == 0, 60, "no task at work")
 
 
 def switch(desk: Desk) -> None:
@@ -82,6 +91,7 @@ def switch(desk: Desk) -> None:
 def settle(desk: Desk) -> None:
     """Let go what is to be deleted later."""
     desk.pause(0.1)
+    wait_for_tasks(desk)
     QCoreApplication.sendPostedEvents(None, int(QEvent.Type.DeferredDelete))
     gc.collect()
     desk.pause(0.1)
@@ -150,11 +160,9 @@ def remove_mosaic(desk: Desk, block: Path, side_m: float) -> None:
 
 
 def disable_at_work(desk: Desk, block: Path, side_m: float) -> None:
-    """The plugin goes while its tasks are under way."""
+    """The plugin goes while its tasks are under way, and they end."""
     start_work(desk, block, side_m)
     switch(desk)
-    manager = QgsApplication.taskManager()
-    desk.wait(lambda: manager.countActiveTasks() == 0, 20, "no task after the plugin was disabled")
     clear(desk)
 
 
