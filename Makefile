@@ -24,7 +24,7 @@ export PYTHONPATH := $(CURDIR)/build/plugins
 ifndef SIDE_BY_SIDE_TARGETS
 .NOTPARALLEL:
 endif
-.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-programs benchmark-calibration fuzz soak translate package icon clean
+.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-compressed-scans benchmark-programs benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -133,6 +133,10 @@ benchmark-detection: link ## Measure how well lost contrast and its causes are f
 benchmark-compressed: link ## Measure how truly compressed deliveries are judged, on all cores: HALF="held back", SHARE=0.1 for a try; real data by SEAM_INSPECTOR_DATA
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.compressed $(if $(HALF),--half "$(HALF)") \
 		$(if $(SHARE),--share $(SHARE))
+
+benchmark-compressed-scans: link ## Measure how truly scans judge compressed deliveries, some twenty minutes: HALF="held back", IMAGERY=block
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.compressed_scans \
+		$(if $(HALF),--half "$(HALF)") $(if $(IMAGERY),--imagery $(IMAGERY))
 
 benchmark-programs: link ## Measure what OTB, SAGA, GDAL, GRASS, enblend, rasterio and OpenCV keep along seams, after installing them: WINDOWS=1 IMAGERY=brighton SIDE=256 ONLY=OTB for a try; real data by SEAM_INSPECTOR_DATA
 	@tools/install_programs.sh

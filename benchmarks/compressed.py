@@ -2,7 +2,8 @@
 
 Mosaics whose seams are known are stored by a codec, and so are their orthoimages: before the mosaic was made, since, or
 one of them alone. What the plugin says of each window is compared with the detail that was truly left, and with whether
-an orthoimage is missing. Codecs, makings and grounds stand in halves: those that may be looked at while limits are set,
+an orthoimage is missing. Where a given one, moved if need be, has what it shows there, or codecs leave over as much, it
+counts apart, as faint. Codecs, makings and grounds stand in halves: those that may be looked at while limits are set,
 and those that are held back.
 """
 from __future__ import annotations
@@ -20,11 +21,14 @@ from uuid import uuid4
 
 import numpy as np
 from osgeo import gdal
+from scipy import ndimage
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from skimage.registration import phase_cross_correlation
 
 from . import seam_makings as seams
+from .detail import details, luminance_of
 from .detection import grounds
-from .known_windows import KnownWindow, WindowFacts
+from .known_windows import MIN_TEXTURE, KnownWindow, WindowFacts
 from .production import Made
 from .readings import inspected, reading_of
 from .seam_makings import Mix
@@ -71,6 +75,9 @@ class Codec:
 
 
 LOSSLESS = Codec()
+WAVELET = "coif3"
+SMOOTH_PX = 2.0
+"""Sigma of what is coarser than the detail that images are placed by."""
 WAYS = ("lossless", "before", "since", "one since", "one before")
 MAKINGS: dict[str, dict[str, Mix]] = {
     "used": {
@@ -121,20 +128,47 @@ class Case:
         before = self.way in ("before", "one before")
         if self.making.startswith("missing") and not window.is_covered:
             return None
-        first = window.main[1]
-        stored = [
-            self.orthoimages.stored(one) if "one" not in self.way or k == first else one
-            for k, one in enumerate(window.sources)
-        ]
-        used = replace(window, sources=tuple(stored)) if before else window
+        stored = self.stored(window)
+        used = replace(window, sources=stored) if before else window
         seed = [len(self.making), window.number, window.side]
         mixed = mix(used, np.random.default_rng(seed))
-        given = stored if self.way != "lossless" else window.sources
         is_missing = mixed.foreign[window.middle].any()
         truth = np.nan if is_missing else truth_of(mixed, seams.seam_distance(mixed.labels), window.middle).near
-        return Made(self.mosaic.stored(mixed.bands), mixed.bands, tuple(given[k] for k in mixed.given),
+        return Made(self.mosaic.stored(mixed.bands), mixed.bands, tuple(stored[k] for k in mixed.given),
                     tuple(window.valid[k] for k in mixed.given), ((0.0, 0.0),) * len(mixed.given), truth,
                     frozenset(), mixed.foreign, frozenset())
+
+    def stored(self, window: KnownWindow) -> tuple[np.ndarray, ...]:
+        """A window's orthoimages as they are given."""
+        return tuple(
+            self.orthoimages.stored(one) if "one" not in self.way or k == window.main[1] else one
+            for k, one in enumerate(window.sources)
+        )
+
+
+def shows_missing(mosaic: np.ndarray, given: Sequence[np.ndarray], missing: np.ndarray, part: np.ndarray) -> bool:
+    """Whether the given orthoimages, as they lie or moved, leave over more of a part's finest detail than the missing
+    one would: by as much again, and by what windows need to have texture. Bands (bands, rows, columns), the part (rows,
+    columns) bool."""
+    plane, *others = map(luminance_of, (mosaic, missing, *given))
+    own = details(plane, 1, WAVELET)[:, part]
+
+    def left_over(other: np.ndarray) -> float:
+        """Variance, whatever the contrast."""
+        its = details(other, 1, WAVELET)[:, part]
+        shared = max(float((own * its).sum()), 0.0)
+        return float((own**2).sum() - shared**2 / max(float((its**2).sum()), 1e-9)) / int(part.sum())
+
+    noise, *left = map(left_over, others)
+    left += [left_over(_moved(other, plane, part)) for other in others[1:]]
+    return min(left) - noise >= max(noise, MIN_TEXTURE)
+
+
+def _moved(plane: np.ndarray, onto: np.ndarray, part: np.ndarray) -> np.ndarray:
+    """A plane where its fine detail fits a part of another one best."""
+    fine, own = (one - ndimage.gaussian_filter(one, SMOOTH_PX) for one in (plane, onto))
+    shift = phase_cross_correlation(own * part, fine, upsample_factor=16, normalization=None)[0]
+    return np.asarray(ndimage.shift(plane, shift, order=5, mode="mirror"))
 
 
 def run(task: tuple[Case, KnownWindow]) -> dict[str, object] | None:
@@ -146,11 +180,17 @@ def run(task: tuple[Case, KnownWindow]) -> dict[str, object] | None:
         return None
     started = time.process_time()
     result = inspected(made, window, InspectionSettings())
+    seconds = time.process_time() - started
     reading, profile = reading_of(result), result.profile
+    part = np.zeros_like(made.foreign)
+    part[window.middle] = made.foreign[window.middle]
+    missing = case.stored(window)[window.main[1]]
     return {
         "making": case.making, "mosaic": case.mosaic.name, "way": case.way, "orthoimages": case.orthoimages.name,
         "ground": window.imagery, "number": window.number, "side": window.side, "truth": made.truth,
-        "missing": float(made.foreign[window.middle].mean()), "seconds": time.process_time() - started,
+        "missing": float(made.foreign[window.middle].mean()),
+        "faint": bool(part.any() and not shows_missing(made.bands, made.sources, missing, part)),
+        "seconds": seconds,
         "energy": profile and profile.by_energy, "mixture": profile and profile.by_mixture,
         "width": profile and profile.feather_width_px, "measure": profile and profile.measure.value,
         "left": profile and profile.left_by_mixture, "strength": profile and profile.energy,
@@ -159,9 +199,10 @@ def run(task: tuple[Case, KnownWindow]) -> dict[str, object] | None:
 
 
 def table(title: str, rows: Sequence[dict]) -> None:
-    """Print one line."""
+    """Print one line: windows without a missing orthoimage, with one, and with one that is faint."""
     whole = [one for one in rows if not one["missing"]]
-    parts = [one for one in rows if one["missing"]]
+    faint = [one for one in rows if one["faint"]]
+    parts = [one for one in rows if one["missing"] and not one["faint"]]
     measured = [one for one in whole if np.isfinite(one["kept"]) and np.isfinite(one["truth"])]
     errors = np.array([one["kept"] - one["truth"] for one in measured])
     hard = [one for one in measured if one["making"] == "hard"]
@@ -170,9 +211,13 @@ def table(title: str, rows: Sequence[dict]) -> None:
         return float(np.mean(values)) if len(values) else np.nan
 
     said = "missing source"
-    print(f"{title:34s} {len(whole):4d} {len(parts):4d} | "
+
+    def named(windows: Sequence[dict]) -> float:
+        return 100 * mean([said in one["causes"] or one["verdict"] == "not_comparable" for one in windows])
+
+    print(f"{title:34s} {len(whole):4d} {len(parts):4d} {len(faint):4d} | "
           f"false {100 * mean([said in o['causes'] for o in whole]):5.1f} "
-          f"true {100 * mean([said in o['causes'] or o['verdict'] == 'not_comparable' for o in parts]):5.1f} | "
+          f"true {named(parts):5.1f} faint {named(faint):5.1f} | "
           f"error {np.median(np.abs(errors)) if len(errors) else np.nan:.3f} bias "
           f"{np.median(errors) if len(errors) else np.nan:+.3f} p90 "
           f"{np.quantile(np.abs(errors), 0.9) if len(errors) else np.nan:.3f} right "

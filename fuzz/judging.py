@@ -59,6 +59,6 @@ def judged(outcome: Outcome, stderr: str) -> list[str]:
 
 
 def kind_of(finding: str) -> str:
-    """The same for findings that are alike: without numbers, names of files and quoted words."""
+    """Kind of a finding, the same for those that are alike: without numbers, names of files and quoted words."""
     text = re.sub(r"'[^']*'|\"[^\"]*\"|/\S+|\S+\.(tif|vrt|gpkg|csv|json|xml|jpg|shp|zip)\b", "*", finding)
     return re.sub(r"\d+", "#", text)[:160]

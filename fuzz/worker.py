@@ -33,7 +33,7 @@ SAID = "said.txt"
 MOST_ADDRESSES = 12 * 2**30
 """Far more than what is used: only what would fall on the whole machine at once ends here."""
 LONG_SECONDS = 0.5
-"""Of the processor: what takes less tells nothing of how it grows."""
+"""Time of the processor: what takes less tells nothing of how it grows."""
 MOST_GROWTH = 3.0
 """Times the time, for twice the bytes."""
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
@@ -116,7 +116,7 @@ class Player:
         return report
 
     def _growth(self, case: Case, folder: Path, worked: float) -> list[str]:
-        """The same with twice the bytes: it may take longer, but not by more than that."""
+        """Findings with twice the bytes: the run may take longer, but not by more than that."""
         with gdal_quiet():
             values = values_of(case, self.samples, folder / "twice", self._outside / "secret.txt", scale=2)
         (folder / "out twice").mkdir()
@@ -136,7 +136,7 @@ class Player:
 
 
 def _of_ours(algorithm: str, changed: list[str], said: str) -> tuple[list[str], str]:
-    """Of what changed and was said what is not QGIS's own doing, or the desk's."""
+    """What changed and was said that is not QGIS's own doing, or the desk's."""
     if algorithm in READERS:  # QGIS tells aloud what it can't read of a project
         return [one for one in changed if not _KEPT_BY_DESK.search(one)], ""
     if algorithm in MODELS:

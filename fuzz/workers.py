@@ -16,7 +16,7 @@ from fuzz.judging import MOST_BYTES, Report
 
 START_SECONDS = 300.0
 CPU_SECONDS = 60.0
-"""Of the processor, which a busy machine does not change."""
+"""Time of the processor, which a busy machine does not change."""
 IDLE_SECONDS = 60.0
 """Waiting for something that is not the processor."""
 _HERE = str(Path(__file__).parent)

@@ -3838,7 +3838,7 @@
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="259"/>
+        <location filename="../plugin/seams/words.py" line="261"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
@@ -3868,7 +3868,7 @@
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="260"/>
+        <location filename="../plugin/seams/words.py" line="262"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -5670,27 +5670,27 @@
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="313"/>
+        <location filename="../plugin/seams/words.py" line="315"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="314"/>
+        <location filename="../plugin/seams/words.py" line="316"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="315"/>
+        <location filename="../plugin/seams/words.py" line="317"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="316"/>
+        <location filename="../plugin/seams/words.py" line="318"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="317"/>
+        <location filename="../plugin/seams/words.py" line="319"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
@@ -6210,42 +6210,42 @@
         <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="108"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="109"/>
         <source>Seam profile</source>
         <translation>Profil linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="110"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="111"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="133"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="134"/>
         <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
         <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="164"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="165"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="170"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="171"/>
         <source>The profile is not at hand. Inspect again to see it.</source>
         <translation>Nie ma profilu pod ręką. Aby go zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="175"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="176"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="176"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="177"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="197"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="198"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -10572,7 +10572,7 @@
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="261"/>
+        <location filename="../plugin/seams/words.py" line="263"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
@@ -13600,6 +13600,11 @@
         <location filename="../plugin/acceptance/measure/messages.py" line="425"/>
         <source>{name}: the seams are those of the given seamlines; one that lacks shows where it is longer than some 150 pixels.</source>
         <translation>{name}: linie mozaikowania są podane; brakującą widać, gdy jest dłuższa niż około 150 pikseli.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="257"/>
+        <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
+        <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
 </context>
 </TS>

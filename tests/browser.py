@@ -15,7 +15,7 @@ from tempfile import TemporaryDirectory
 
 _PATIENCE_S = 120
 _BUDGET_MS = 3000
-"""Of the browser's own time, which passes at once while nothing is fetched."""
+"""Budget of the browser's own time, ms, which passes at once while nothing is fetched."""
 _FRAMES = """<!DOCTYPE html><meta charset="utf-8"><script>
 const found = {};
 function of(name) { return found[name] = found[name] || {ran: 0}; }

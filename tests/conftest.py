@@ -19,7 +19,7 @@ if not LINK.exists():
 sys.path.insert(0, str(PLUGINS))
 
 _DESKTOP_BEGUN = 0.7
-"""Of the run, by when all files of the real application are begun: the last ones take a while."""
+"""Share of the run by which all files of the real application are begun: the last ones take a while."""
 
 for profile, examples in (("all", 60), ("quick", 10)):
     settings.register_profile(

@@ -5,10 +5,10 @@ from hypothesis import settings
 
 
 def at_most(count: int) -> settings:
-    """Of a property that is slow to look at."""
+    """Settings for a property that is slow to look at."""
     return settings(max_examples=min(count, settings().max_examples))
 
 
 def times(factor: int) -> settings:
-    """Of a property that is quick to look at and rarely broken."""
+    """Settings for a property that is quick to look at and rarely broken."""
     return settings(max_examples=factor * settings().max_examples)

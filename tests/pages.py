@@ -14,14 +14,14 @@ class Outline(HTMLParser):
         super().__init__()
         self.open: list[str] = []
         self.addresses: list[str] = []
-        """Of what would be fetched."""
+        """Addresses of what would be fetched."""
         self.links: list[str] = []
         self.anchors: list[str] = []
         self.words = ""
         self.rows: list[list[str]] = []
         """The cells of all tables, row by row."""
         self.captions: list[str] = []
-        """Of all pictures."""
+        """Captions of all pictures."""
 
     def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
         if tag not in _WITHOUT_END:

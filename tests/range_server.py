@@ -62,11 +62,11 @@ class RangeServer:
     closing: threading.Event = field(default_factory=threading.Event)
 
     def address(self, name: str) -> str:
-        """Of a file in the folder."""
+        """Address of a file in the folder."""
         return f"http://127.0.0.1:{self.port}/{name}"
 
     def vsi(self, name: str) -> str:
-        """The same as GDAL opens it."""
+        """Address of a file as GDAL opens it."""
         return f"/vsicurl/{self.address(name)}"
 
     @property

@@ -31,7 +31,7 @@ def refuse_what_is_not_committed() -> None:
 
 
 def commit_time() -> int:
-    """Of the last commit, in seconds since 1970."""
+    """Time of the last commit, in seconds since 1970."""
     return int(git("log", "-1", "--format=%ct"))
 
 

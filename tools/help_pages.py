@@ -75,7 +75,7 @@ def title(tokens: Sequence[Token]) -> str:
 
 
 def metadata() -> configparser.SectionProxy:
-    """Of the plugin."""
+    """Metadata of the plugin."""
     parser = configparser.ConfigParser(interpolation=None)
     parser.read(REPOSITORY / "metadata.txt", encoding="utf-8")
     return parser["general"]

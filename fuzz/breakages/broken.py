@@ -29,7 +29,7 @@ class Broken:
     outside: Path
     """A file that nothing may read into a result, and nobody may change."""
     scale: int = 1
-    """Of what grows: times as many bytes."""
+    """Scale of what grows: times as many bytes."""
 
     @property
     def folder(self) -> Path:

@@ -166,6 +166,6 @@ def payloads(broken: Broken) -> None:
 
 @breakage(".block")
 def block_payload(broken: Broken) -> None:
-    """The same of a block of a scan."""
+    """A block of a scan that says something else, its checksum right."""
     said = _spoilt(broken, broken.path.read_bytes()[:-4])
     broken.path.write_bytes(said + zlib.crc32(said).to_bytes(4, "little"))

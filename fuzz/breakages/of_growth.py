@@ -85,7 +85,7 @@ def long_packed(broken: Broken) -> str:
 
 @breakage(".qgs", grows=True)
 def long_settings(broken: Broken) -> None:
-    """Of what the plugin keeps in a project."""
+    """Long settings of what the plugin keeps in a project."""
     count = broken.scale * 20_000
     of_one_sign = _long(broken, broken.random.choice(("[", '{"a":', "9", '"', "[[],", "1,")))
     of_many_keys = json.dumps({f"key_{number}": "x" for number in range(count)})
@@ -105,7 +105,7 @@ def many_marks(broken: Broken) -> None:
 
 @breakage(".unsaved", grows=True)
 def many_records(broken: Broken) -> None:
-    """Of windows that nobody drew, or of one that is very long."""
+    """Records of windows that nobody drew, or of one that is very long."""
     count = broken.scale * 5_000
     outline = "010300000001000000040000" + "00" * 66  # a triangle without an extent
     window = {"wkb": broken.random.choice((None, outline)), "values": {"remark": "x" * 50}, "stale": True}

@@ -63,7 +63,7 @@ def _break_tag(content: bytearray, broken: Broken) -> None:
 
 @breakage(*RASTERS)
 def geotransform(broken: Broken) -> str:
-    """By a VRT over the file, since GDAL writes no such thing into one."""
+    """A geotransform by a VRT over the file, since GDAL writes no such thing into one."""
     kept = [str(value) for value in gdal.Open(str(broken.path)).GetGeoTransform()]
     for _ in range(broken.random.choice((1, 1, 2, 6))):
         kept[broken.random.randrange(6)] = broken.random.choice(NUMBERS)
@@ -157,7 +157,7 @@ def bands(broken: Broken) -> str:
 
 @breakage(*RASTERS)
 def sparse(broken: Broken) -> str:
-    """Of 10^12 pixels and no bytes, at the place of the raster."""
+    """An image of 10^12 pixels and no bytes, at the place of the raster."""
     like, path = gdal.Open(str(broken.path)), broken.renamed("made.tif")
     block = broken.random.choice((("4096", "4096"), ("16384", "16384"), ("1000000", "16")))
     options = ["SPARSE_OK=TRUE", "TILED=YES", f"BLOCKXSIZE={-(-int(block[0]) // 16) * 16}", f"BLOCKYSIZE={block[1]}",

@@ -254,6 +254,8 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("none"),
         QT_TR_NOOP("No step of production was found that took contrast away."),
         (QT_TR_NOOP("no step of production took detail away, so the sources differ in content"), ""),
+        (QT_TR_NOOP("the sources were compressed with loss, and the mosaic holds more than they do"), ""),
+        lambda found: 1.0 if found.evidence.has_compressed_sources else None,
     ),
     Cause.UNCLEAR.value: ShownCause(
         QT_TR_NOOP("unclear"),

@@ -31,7 +31,7 @@ _FRAMES = (  # of Qt and QGIS
 
 
 def contrasts(dock: QWidget) -> dict[str, float]:
-    """Of the words that the dock draws in ways of its own, against what they stand on, as WCAG 2.1 counts it."""
+    """Contrasts of words that the dock draws in ways of its own with what they stand on, as WCAG 2.1 counts them."""
     found = {}
     for name, widget, box in _words(dock):
         seen = box.translated(widget.mapTo(dock, QPoint()))  # alone, a widget has no background but its own

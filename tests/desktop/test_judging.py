@@ -69,7 +69,7 @@ def test_judging_has_the_screen_and_gives_it_back(small_block: Path, tmp_path: P
 def test_a_held_key_does_not_flicker_and_letters_elsewhere_judge_nothing(
     small_block: Path, tmp_path: Path, screenshots: Path
 ) -> None:
-    """As the X server repeats keys."""
+    """Keys are repeated as the X server does."""
     parameters = {"block": str(small_block), "screenshots": str(screenshots), "holds": 20}
     run = play(SCENARIOS / "held_keys.py", tmp_path, parameters, seconds=400)
     say("Held keys", run.seconds, run.report)

@@ -106,8 +106,8 @@ def wavedec(band: np.ndarray, wavelet: str, levels: int) -> list[Any]:
 
 
 def placed_wavedec(band: np.ndarray, wavelet: str, levels: int) -> list[Any]:
-    """The same of a band that goes on as in a mirror at every level, each detail moved by whole coefficients to where
-    the points of an image show in it."""
+    """Components of a band, as ``wavedec`` has them, that goes on as in a mirror at every level, each detail moved by
+    whole coefficients to where the points of an image show in it."""
     coarse, placed = without_mean(band), []
     for level in range(1, levels + 1):
         around = np.pad(coarse, 64, mode="symmetric")
@@ -127,8 +127,8 @@ def _moved(part: np.ndarray, shift: np.ndarray) -> np.ndarray:
 
 @lru_cache
 def _lags_px(wavelet: str, level: int) -> np.ndarray:
-    """By how much the energy of a point lies behind it in each detail, down and across, (3, 2): the mean over points on
-    all places beside the grid."""
+    """Pixels by which the energy of a point lies behind it in each detail, down and across, (3, 2): the mean over
+    points on all places beside the grid."""
     step, side = 2**level, 64 * 2**level
     found = np.zeros((3, 2))
     for place in range(side // 2, side // 2 + step):

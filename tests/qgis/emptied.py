@@ -14,7 +14,7 @@ UNDEFINED = (
     'GEOGCS["Undefined geographic SRS",DATUM["unknown",SPHEROID["unknown",6378137,298.257223563]],'
     'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]'
 )
-"""As a GeoPackage says of a table without a system."""
+"""What a GeoPackage says of a table without a system."""
 
 
 @contextmanager

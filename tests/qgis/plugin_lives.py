@@ -58,7 +58,7 @@ def left_behind(iface: QgisInterface) -> dict[str, int]:
 
 
 _TURNS = 100
-"""Of the event loop, 20 s in all, in which what was deleted goes on a busy machine."""
+"""Turns of the event loop, 20 s in all, in which what was deleted goes on a busy machine."""
 
 
 def assert_leaves_nothing(

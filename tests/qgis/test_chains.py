@@ -51,7 +51,7 @@ def test_every_layer_is_whole_without_the_collector(
 
 
 class UnexpectedError(Exception):
-    """Of no kind that the algorithms expect."""
+    """An error of no kind that the algorithms expect."""
 
 
 @pytest.mark.usefixtures("provider")

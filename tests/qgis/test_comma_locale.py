@@ -47,7 +47,7 @@ def written(name: str, folder: Path, values: dict[str, Any]) -> Run:
 
 
 def numbers(folder: Path) -> dict[str, list[list[str]]]:
-    """Of CSV files the cells that are numbers, whatever their decimal sign."""
+    """Cells of CSV files that are numbers, whatever their decimal sign."""
     found = {}
     for path in sorted(folder.glob("*.csv")):
         with open(path, encoding="utf-8", newline="") as file:

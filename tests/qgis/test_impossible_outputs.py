@@ -197,7 +197,7 @@ def test_an_older_layer_is_replaced_with_its_parts(scene: Scene, tmp_path: Path)
 
 
 class Cancelled(Log):
-    """As soon as a window is done."""
+    """A run that is cancelled as soon as a window is done."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -228,7 +228,7 @@ def test_what_a_cancelled_run_measured_is_kept(scene: Scene, tmp_path: Path) -> 
 def test_a_layer_that_can_not_be_replaced_gets_a_name_beside_it(
     scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As on Windows while QGIS has it open."""
+    """A layer on Windows while QGIS has it open."""
     output, replace = saved(windows(SHARP, name=("string", ["older"])), tmp_path / "made.gpkg"), os.replace
 
     def refuse(source: Any, target: Any) -> None:

@@ -213,7 +213,7 @@ def drawn_model() -> QgsProcessingModelAlgorithm:
 
 
 def direct(scene: Scene, levels: int = 3, **parameters: Any) -> Run:
-    """The same two steps one by one."""
+    """Both steps of the model one by one."""
     placed = run(
         "placewindows", SEAMLINES=seam(), MOSAIC=str(scene.mosaic), SIDE=6.4, SPACING=6.4, LEVELS=levels
     )

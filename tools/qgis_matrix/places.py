@@ -57,7 +57,7 @@ class Chroot:
 
     @property
     def name(self) -> str:
-        """As the user calls it."""
+        """The name that the user calls it by."""
         return self.suite if self.qgis is None else "qt6"
 
     @property
@@ -122,7 +122,7 @@ class Chroot:
         subprocess.run([*self._inside(), "sh", "-euc", unpack], input=packed.stdout, check=True)
 
     def python(self, arguments: Sequence[str], variables: Mapping[str, str], seconds: int) -> list[str]:
-        """As ``Here.python``."""
+        """The command as ``Here.python`` has it."""
         given = {
             "PYTHONPATH": "/checkout/build/plugins",
             "QGIS_PLUGINPATH": "/checkout/build/plugins",
@@ -134,7 +134,7 @@ class Chroot:
         return [*self._inside(), *words]
 
     def fetch(self, path: str, target: Path) -> bool:
-        """As ``Here.fetch``."""
+        """Copy a file as ``Here.fetch`` does."""
         found = subprocess.run([*self._inside(), "cat", f"/checkout/{path}"], capture_output=True, check=False)
         if found.returncode:
             return False

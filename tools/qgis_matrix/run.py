@@ -29,7 +29,7 @@ class Step:
 
     name: str
     tests: tuple[str, ...]
-    """As run each time; the whole folder with FULL=1."""
+    """Tests that are run each time; the whole folder with FULL=1."""
     folder: str
     options: tuple[str, ...] = ()
     variables: tuple[tuple[str, str], ...] = ()
@@ -193,7 +193,7 @@ def ended(code: int, text: str) -> tuple[bool, str]:
 
 
 def minutes(seconds: float) -> str:
-    """As minutes and seconds."""
+    """Seconds as minutes and seconds."""
     return f"{int(seconds) // 60}:{int(seconds) % 60:02d}"
 
 

@@ -53,7 +53,7 @@ def dotted(node: ast.expr) -> str:
 
 
 def added_members(additions: str) -> dict[str, dict[str, None]]:
-    """By enum (``Qgis.GeometryType``), the old names that QGIS's own ``__init__.py`` gives to its members."""
+    """Old names by enum (``Qgis.GeometryType``) that QGIS's own ``__init__.py`` gives to its members."""
     found: dict[str, dict[str, None]] = defaultdict(dict)
     for node in ast.parse(additions).body:
         if isinstance(node, ast.Assign) and len(node.targets) == 1:

@@ -53,12 +53,16 @@ def measure_texture(
     strongest = _transfer(sums, sums["uu"] >= np.quantile(sums["uu"], _STRONGEST))
     large = [of for of in (first[whole] == i for i in np.unique(first[whole]))
              if np.count_nonzero(of) >= _FEWEST_OF_SOURCE] or [np.ones(np.count_nonzero(whole), bool)]
-    of_sources = [_transfer(sums, of) for of in large]
+    of_sources, held = ([way(sums, of) for of in large] for way in (_transfer, _held))
     # What the sources' own compression left in them is none of the mosaic's.
-    quantised = 0.0
+    quantised = traces = 0.0
     if noise >= MIN_COMPRESSED_DN * unit_dn:
-        quantised = vanished_share(mosaic / unit_dn) - vanished_share(expected / unit_dn)
-    return Texture(transfer, min(of_sources), max(of_sources), strongest, noise, loud / max(noise, 1e-6), quantised)
+        traces = vanished_share(expected / unit_dn)
+        quantised = vanished_share(mosaic / unit_dn) - traces
+    return Texture(
+        transfer, min(of_sources), max(of_sources), strongest, noise, loud / max(noise, 1e-6), quantised, traces,
+        min(held), max(held),
+    )
 
 
 def _transfer(sums: Mapping[str, np.ndarray], where: np.ndarray) -> float:
@@ -68,13 +72,20 @@ def _transfer(sums: Mapping[str, np.ndarray], where: np.ndarray) -> float:
     return mc / max(float(np.sqrt(cc * uu)), 1e-9)
 
 
+def _held(sums: Mapping[str, np.ndarray], where: np.ndarray) -> float:
+    """Amplitude by the mosaic's own detail, of which the sources have what is not noise of theirs (errors in the
+    variables, Fuller 1987)."""
+    mm, mc, cc, uu = (float(sums[name][where].sum()) for name in ("mm", "mc", "cc", "uu"))
+    return mm / max(mc, 1e-9) * float(np.sqrt(cc / max(uu, 1e-9)))
+
+
 def measure_tones(
     mosaic: Raster,
     sources: Sequence[tuple[Raster, float, float, Tone | None, float | None]],
     values: np.ndarray,
 ) -> tuple[SourceTone, ...]:
-    """Of the sources that are followed: raster, share of the pixels, mean grey value, tone of the judged band and
-    shift of the colours. ``values``: of the mosaic's judged band."""
+    """Tones of the sources that are followed, each given by its raster, share of the pixels, mean grey value, tone of
+    the judged band and shift of the colours. ``values``: grey values of the mosaic's judged band."""
     known = [one for one in sources if one[3] is not None]
     if not known:
         return ()

@@ -16,7 +16,6 @@ from .profile.mixture import NARROW_PX
 from .profile.seam_profile import Measure, SeamProfile
 
 MIN_MISSING_SHARE = 0.03  # of the pixels, lying together, that no given source explains; noise alone has made 0.02
-MIN_SURE_FIT, MIN_UNSURE_MISSING_SHARE = 0.9, 0.08  # where compression or filters left less of the sources' detail
 MIN_CLIPPED_SHARE = 0.005  # of the pixels: the share that JRC's specification allows in one tail of the histogram
 MIN_COLOUR_SHIFT = 1.05  # gains of the colours 5 % apart
 MIN_GAMMA_CHANGE = 1.1  # as a factor, either way
@@ -53,7 +52,7 @@ class SourceTone:
     """What became of one source's grey values, in the mosaic's range of values over the source's."""
 
     share: float
-    """Of the window's pixels."""
+    """Share of the window's pixels that follow it."""
     gain: float | None
     """None where the ranges can't be compared."""
     offset: float
@@ -68,19 +67,27 @@ class Texture:
     """What became of fine detail away from the seams, at level 1."""
 
     transfer: float
-    """Of the sources' detail that comes over at their tone: below 1 blurred, above 1 sharpened."""
+    """Amplitude of the sources' detail that comes over at their tone, a share: below 1 blurred, above 1 sharpened."""
     least_transfer: float
-    """The same of the source of which least comes over."""
+    """Transfer of the source of which least comes over."""
     most_transfer: float
-    """The same of the source of which most comes over."""
+    """Transfer of the source of which most comes over."""
     strong_transfer: float
-    """Of what has most detail, which quantisation spares and a blur does not."""
+    """Transfer of what has most detail, which quantisation spares and a blur does not."""
     noise_dn: float
     """Standard deviation of what is not from the sources, in weak detail."""
     noise_rise: float
     """How much larger it is in strong detail."""
     quantised: float
-    """By which share more of the coefficients of blocks of 8 px vanish on one grid of blocks than on others."""
+    """Share of the coefficients of blocks of 8 px that vanish on one grid of blocks, less that on others; beyond what
+    does in the sources."""
+    source_traces: float = 0.0
+    """Share that vanishes so in the sources, whose noise is then among what is not from them."""
+    least_held: float = 1.0
+    """Amplitude of the mosaic's detail over that of the source of which it holds least, by the mosaic's detail: what a
+    source lost since the mosaic was made does not lower it."""
+    most_held: float = 1.0
+    """Amplitude over that of the source of which it holds most."""
 
 
 @dataclass(frozen=True)
@@ -89,7 +96,7 @@ class Misfit:
 
     px: float
     share: float
-    """Of what the finest detail of the two differs by beside the seam: as much would go if they fitted."""
+    """Share of what the finest detail of the two differs by beside the seam that would go if they fitted."""
 
 
 @dataclass(frozen=True)
@@ -105,23 +112,25 @@ class CauseEvidence:
     mixed: float
     """Share of the pixels in which two sources together explain the mosaic and neither does alone."""
     sharpness: float | None
-    """Of the whole window."""
+    """Sharpness of the whole window, as an amplitude."""
     clipped: float
     """Share of pixels, in the band that has most."""
     clipped_lost: float
     """Share of the window's finest detail energy that is gone where it is clipped."""
     tones: tuple[SourceTone, ...]
-    """Of the sources that are followed."""
+    """Tones of the sources that are followed."""
     unevenness: float
     """Share of what the tones leave over that depends on the place: dodging."""
     misfit: Misfit | None
-    """Of the two images that the mosaic follows most; None where there are none, or it can't be told."""
+    """Misfit of the two images that the mosaic follows most; None where there are none, or it can't be told."""
     off_pixel: float
     """How far its pixels lie off those of a source that it follows, px, 0 to 0.71."""
     texture: Texture | None
     """None where too little is unmixed."""
     lossy_file: bool
     """Whether the mosaic's file says that it is compressed with loss."""
+    lossy_sources: bool
+    """Whether the file of a source that is followed does."""
     filter_power: float | None = None
     """The power of what the filter that came over the sources leaves of waves of 2.5 px, that it leaves of those of
     5 px, the least of any source; None where no filter explains more than a lower contrast."""
@@ -138,8 +147,21 @@ class CauseEvidence:
         return found.quantised >= (MIN_LOSSY_QUANTISED if self.lossy_file else MIN_QUANTISED)
 
     @property
+    def has_compressed_sources(self) -> bool:
+        """Whether noise of a codec in the sources is among what is not from them, by its traces or by their files."""
+        found = self.texture
+        if found is None or found.noise_dn < MIN_COMPRESSED_DN * self.unit_dn:
+            return False
+        return self.lossy_sources or found.source_traces >= MIN_QUANTISED
+
+    @property
+    def has_codec_noise(self) -> bool:
+        """Whether a codec left noise in the mosaic or in its sources, so that no other noise can be told."""
+        return self.is_compressed or self.has_compressed_sources
+
+    @property
     def feather_width_px(self) -> float:
-        """Of the seam's feather; 0 for a cut, and where none was looked for."""
+        """Full width of the seam's feather; 0 for a cut, and where none was looked for."""
         return (self.profile.feather_width_px if self.profile else None) or 0.0
 
     @property
@@ -172,7 +194,7 @@ class CauseEvidence:
 
     @property
     def mixed_loss(self) -> float:
-        """Of what a seam lost, the share that mixing its images took: all where nothing says otherwise, none where the
+        """Share of what a seam lost that mixing its images took: all where nothing says otherwise, none where the
         mixture explains little and is as narrow as a wrong border makes a cut."""
         found = self.profile
         kept = None if found is None else found.kept[0]
@@ -190,13 +212,13 @@ class CauseEvidence:
         found = self.profile
         if found is None or self.feather_width_px < NARROW_PX:
             return False
-        is_clean = self.texture is not None and not self.is_compressed and not self.is_noisy
+        is_clean = self.texture is not None and not self.has_codec_noise and not self.is_noisy
         return is_clean and found.left_by_mixture > MOST_LEFT
 
     @property
     def is_noisy(self) -> bool:
         found = self.texture
-        if found is None or self.is_compressed:
+        if found is None or self.has_codec_noise:
             return False
         least = MIN_NOISE_DN * self.unit_dn * max(found.transfer, 1)
         return found.noise_dn >= least and found.noise_rise <= MAX_NOISE_RISE
@@ -208,9 +230,11 @@ class CauseEvidence:
 
     @property
     def least_transfer(self) -> float:
-        """Of fine detail, by the source of which least comes over; by the whole window where none is unmixed."""
-        if self.texture is not None and not self.is_mostly_mixed:
-            return self.texture.least_transfer
+        """Share of fine detail that comes over of the source of which least does; by the whole window where none is
+        unmixed. A codec's noise is taken to be on the side that shows its traces."""
+        found = self.texture
+        if found is not None and not self.is_mostly_mixed:
+            return found.least_held if self.has_compressed_sources else found.least_transfer
         return 1.0 if self.sharpness is None or self.is_mixed_all_over else self.sharpness
 
     @property
@@ -232,12 +256,15 @@ class CauseEvidence:
         """Whether contrast was taken of fine and less fine detail alike and from all sources, as by a dodger that
         evens out a coarse overview. Blur and resampling take far more of what is finest."""
         found = self.texture
-        if found is None or self.is_mostly_mixed or found.most_transfer > MAX_BLURRED_TRANSFER * self.bends[0]:
+        if found is None or self.is_mostly_mixed:
+            return False
+        most = found.most_held if self.has_compressed_sources else found.most_transfer
+        if most > MAX_BLURRED_TRANSFER * self.bends[0]:
             return False
         if self.has_seam_loss and self.off_seam_lost <= self.lost:
             return False
         if self.filter_power is None:
-            return self.fit >= MIN_EVENED_FIT and not self.is_compressed
+            return self.fit >= MIN_EVENED_FIT and not self.has_codec_noise
         return self.filter_power >= MIN_EVENED_POWER
 
     @property
@@ -277,7 +304,7 @@ class CauseEvidence:
 
     @property
     def misfit_lost(self) -> float:
-        """Of what a feather took, the share that it would not have taken of images that fit."""
+        """Share of what a feather took that it would not have taken of images that fit."""
         if self.misfit is None or self.misfit.px < limits.MIN_MISREGISTRATION_PX:
             return 0.0
         return self.misfit.share if self.misfit.share >= MIN_MISFIT_SHARE else 0.0
@@ -289,9 +316,7 @@ part."""
 
 
 def _missing(found: CauseEvidence) -> float | None:
-    # What is missing is explained by nothing, and must not make the rest unsure.
-    least = MIN_MISSING_SHARE if found.fit + found.missing >= MIN_SURE_FIT else MIN_UNSURE_MISSING_SHARE
-    return found.missing if found.missing >= least else None
+    return found.missing if found.missing >= MIN_MISSING_SHARE else None
 
 
 def _misregistration(found: CauseEvidence) -> float | None:
@@ -423,5 +448,5 @@ def causes_taken(evidence: CauseEvidence) -> tuple[tuple[Cause, float], ...]:
 
 
 def find_causes(evidence: CauseEvidence) -> tuple[Cause, ...]:
-    """The same without figures; ``none`` alone where nothing did."""
+    """All causes that took part, that which took most first; ``none`` alone where nothing did."""
     return tuple(cause for cause, _ in causes_taken(evidence)) or (Cause.NONE,)

@@ -144,6 +144,7 @@ def explain(
         fit=following.fit,
         unit_dn=unit,
         lossy_file=image.raster.is_lossy,
+        lossy_sources=any(images[i].raster.is_lossy for i in following.followed),
         filter_power=_filter_power(cut),
     )
     found = Explanation(

@@ -44,7 +44,7 @@ def play(desk: Desk) -> None:
 
 
 def place(desk: Desk) -> None:
-    """By the dock's own button."""
+    """Place windows by the dock's own button."""
     session = desk.session
     start = time.perf_counter()
     with Gaps() as gaps:

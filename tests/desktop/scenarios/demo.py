@@ -111,5 +111,5 @@ def place(desk: Desk, x: float, y: float) -> tuple[float, float]:
 
 
 def centre(extent: tuple[float, float, float, float]) -> tuple[float, float]:
-    """Of a rectangle."""
+    """Middle of a rectangle."""
     return (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2

@@ -100,7 +100,7 @@ def judge_by_a_held_key(desk: Desk) -> int:
 
 
 def take_focus(desk: Desk, widget: QWidget) -> None:
-    """As a click does."""
+    """Give a widget the focus, as a click does."""
     desk.window.activateWindow()
     widget.setFocus()
     desk.wait(widget.hasFocus, 5, "focus")

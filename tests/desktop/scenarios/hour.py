@@ -116,7 +116,7 @@ def found(desk: Desk) -> dict[str, str]:
 
 
 def verdicts(desk: Desk) -> dict[str, str]:
-    """By the windows' numbers."""
+    """Verdicts by the windows' numbers."""
     return {str(row.window_id): row.verdict for row in desk.session.windows()}
 
 

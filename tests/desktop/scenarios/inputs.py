@@ -173,7 +173,7 @@ def many(desk: Desk, brighton: Path, shots: Path) -> None:
 
 
 def choose(desk: Desk, mosaic: QgsRasterLayer | None) -> float:
-    """As the operator does, the sources taken away with a mosaic that is chosen no more; seconds."""
+    """Choose as the operator does, the sources taken away with a mosaic that is chosen no more; seconds."""
     box = desk.dock.inputs.mosaic
     start = time.perf_counter()
     if mosaic is None:

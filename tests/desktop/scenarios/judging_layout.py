@@ -150,5 +150,5 @@ def key(desk: Desk, pressed: Qt.Key) -> None:
 
 
 def picture(desk: Desk, step: str) -> Path:
-    """Of a step."""
+    """Path of a step's picture."""
     return Path(desk.parameters["screenshots"]) / f"{desk.parameters['name']}_{step}.png"

@@ -259,7 +259,7 @@ def zoom_to(desk: Desk, point: Point) -> None:
 
 
 def centre_of(desk: Desk) -> Point:
-    """Of the mosaic."""
+    """Middle of the mosaic."""
     point = desk.session.mosaic_layer().extent().center()
     return point.x(), point.y()
 
@@ -284,7 +284,7 @@ def charts_drawn(desk: Desk) -> int:
 
 
 def open_files() -> int:
-    """Of this process."""
+    """How many files this process has open."""
     return len(list(Path("/proc/self/fd").iterdir()))
 
 

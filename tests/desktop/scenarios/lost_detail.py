@@ -62,7 +62,7 @@ def play(desk: Desk) -> None:
 
 
 def toggle_loss(desk: Desk) -> None:
-    """By the button beside the tabs."""
+    """Switch lost detail on or off by the button beside the tabs."""
     desk.dock.lost.action.trigger()
     desk.pause(0.3)
 

@@ -176,7 +176,7 @@ def judge(desk: Desk, shots: Path) -> None:
 
 
 def dense(desk: Desk, shots: Path) -> None:
-    """As many small windows as the seams have room for."""
+    """The desk with as many small windows as the seams have room for."""
     desk.new_project()
     side_m = float(desk.parameters["small_side_m"])
     desk.set_up(Path(desk.parameters["block"]), side_m, 1.15 * side_m, mosaic=desk.parameters["mosaic"])

@@ -45,7 +45,7 @@ def play(desk: Desk) -> None:
 
 
 def scan(desk: Desk, shot: Path) -> None:
-    """By the dock's own button, stopped once and gone on."""
+    """Scan by the dock's own button, stopped once and gone on."""
     scans, bar = desk.dock.scans, desk.dock.scan_progress
     found, formats = [], []
     scans.found.connect(found.append)
@@ -79,7 +79,7 @@ def scan(desk: Desk, shot: Path) -> None:
 
 
 def judge_worst(desk: Desk) -> None:
-    """By the button in the message bar; then the key N leads from one to the next."""
+    """Judge by the button in the message bar; then the key N leads from one to the next."""
     button = next(
         button for item in iface.messageBar().items() for button in item.findChildren(QPushButton)
         if button.text().startswith("Judge")
@@ -108,5 +108,5 @@ def in_view(desk: Desk) -> bool:
 
 
 def titles(desk: Desk) -> list[str]:
-    """Of all layers, the topmost first."""
+    """Names of all layers, the topmost first."""
     return [node.name() for node in desk.project.layerTreeRoot().findLayers()]

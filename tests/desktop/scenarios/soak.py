@@ -117,7 +117,7 @@ def inspect(desk: Desk, count: int, told: dict[str, Any]) -> None:
 
 
 def judge(desk: Desk, count: int, told: dict[str, Any]) -> None:
-    """By one key each; the map follows."""
+    """Judge windows by one key each; the map follows."""
     with desk.judging():
         desk.wait(lambda: desk.session.selected(), 10, "a window to judge")
         judge_by_keys(desk, count, told)

@@ -63,5 +63,5 @@ def window_on(decision: Decision, piece: int, window_id: str = "1", **said: str)
 
 
 def with_windows(decision: Decision, *windows: SeenWindow) -> Decision:
-    """The same delivery, looked at."""
+    """The decision on that delivery, looked at."""
     return decide(replace(decision.delivery, windows=windows), decision.rules)

@@ -369,7 +369,7 @@ def test_how_much_of_what_failed_may_keep_enough_is_a_number() -> None:
 
 
 def test_a_layer_without_the_seal_of_its_scan_is_not_accepted() -> None:
-    """As an export is: seams that it lacks can't be noticed."""
+    """An exported layer is one: seams that it lacks can't be noticed."""
     pieces = sure(seam([0.95] * 20))
     sealed, exported = (
         DeliveredLayer(name, seal, 0.0, {}) for name, seal in (("scan", Seal.WHOLE), ("export", Seal.MISSING))

@@ -215,7 +215,7 @@ def test_a_truncated_sheet_is_a_finding(tmp_path: Path, compression: str) -> Non
 
 
 def test_a_damaged_tile_is_a_finding(tmp_path: Path) -> None:
-    """Of the same length: the file says nothing of it."""
+    """The file is as long as before and says nothing of it."""
     options = ["COMPRESS=JPEG", "TILED=YES", "BLOCKXSIZE=64", "BLOCKYSIZE=64"]
     path = Path(write_raster(tmp_path / "cut.tif", orthoimage((256, 256)), 1.0, (LEFT, TOP), options=options))
     held = bytearray(path.read_bytes())

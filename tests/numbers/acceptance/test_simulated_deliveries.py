@@ -55,13 +55,13 @@ def simulated(seed: int, seams: int, piece_m: float) -> Simulated:
 
 @pytest.fixture(scope="module")
 def found() -> list[Simulated]:
-    """Of 8 km in pieces of 10 m, 16 of which may fail."""
+    """Deliveries of 8 km in pieces of 10 m, 16 of which may fail."""
     return [simulated(seed, 40, 10.0) for seed in range(200)]
 
 
 @pytest.fixture(scope="module")
 def coarse() -> list[Simulated]:
-    """Of 1.6 km in pieces of 12.5 m, two and a half of which may fail."""
+    """Deliveries of 1.6 km in pieces of 12.5 m, two and a half of which may fail."""
     return [simulated(seed, 8, 12.5) for seed in range(200)]
 
 

@@ -39,7 +39,7 @@ def names(path: Path) -> set[str]:
 
 
 def write_statistics(path: Path) -> None:
-    """As QGIS does when it shows a raster."""
+    """Write statistics as QGIS does when it shows a raster."""
     dataset = gdal.Open(str(path))
     dataset.GetRasterBand(1).ComputeStatistics(False)
     dataset.GetRasterBand(1).GetDefaultHistogram(force=True)
@@ -120,7 +120,7 @@ LARGE = 70_000_000
 
 @pytest.mark.parametrize(("size", "changed"), [(300_000, 1), (2_000_000, 1), (LARGE, 1_000_000)])
 def test_a_change_is_seen_wherever_it_is(tmp_path: Path, size: int, changed: int) -> None:
-    """Of a small file each byte, of a large one what is as long as a short seam."""
+    """Each byte of a small file, what is as long as a short seam of a large one."""
     path = tmp_path / "a.tif"
     with open(path, "wb") as file:
         file.truncate(size)

@@ -27,7 +27,7 @@ from tests.numbers.synthetic import decompose, luminance, orthoimage, placed_wav
 
 WEIGHTS = (0.299, 0.587, 0.114)
 NEGLIGIBLE = 1e-25
-"""Of the total variance: rounding of float64, also that of PyWavelets."""
+"""Share of the total variance: rounding of float64, also that of PyWavelets."""
 ORTHONORMAL = [wavelet for wavelet in imagery_limits.WAVELETS if wavelet != "dmey"]
 """dmey's published coefficients are orthonormal to 0.2 % only."""
 

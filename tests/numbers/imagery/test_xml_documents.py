@@ -42,7 +42,7 @@ def test_entities_are_refused_before_they_grow(tmp_path: Path) -> None:
 
 
 class CountedParser:
-    """As expat's; notes how much it is given at once."""
+    """A parser as expat's; notes how much it is given at once."""
 
     def __init__(self, given: list[int], parser: object) -> None:
         vars(self).update(given=given, parser=parser)

@@ -67,7 +67,7 @@ def test_noise_that_is_most_of_what_there_can_be_is_all_of_it(noise: float, amou
 
 @pytest.mark.parametrize("rise", [2.0, 2.2, 2.5])
 def test_texture_takes_no_part_however_it_rises(rise: float) -> None:
-    """Of levels with noise of 5 DN and texture of 6 DN at level 1 that rises alike from level to level."""
+    """Levels have noise of 5 DN and texture of 6 DN at level 1 that rises alike from level to level."""
     quiet = [1.02 * math.hypot(5, 6 * rise**level) for level in range(3)]
     assert white_noise([QuietGround(one, one, 1.0) for one in quiet], 50.0) == pytest.approx(5)
 
@@ -86,7 +86,7 @@ def test_grain_as_strong_as_that_is_never_little(size: float) -> None:
 
 
 def test_grain_that_texture_hides_is_bounded_and_the_bound_holds(data_folder: Path) -> None:
-    """Of places in real images: little was found, and some is the most that there is."""
+    """Places in real images: little was found, and some is the most that there is."""
     said = []
     for column, row in ((600, 500), (1800, 4000), (3000, 1700)):
         ground = luminance(read_pixels(str(data_folder / "fiducials/unbc/15BCC02013_114.jpg"), column, row, 1024, 1024))

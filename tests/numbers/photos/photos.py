@@ -40,7 +40,7 @@ class Look:
     """Around each mark."""
     negative: bool = False
     dots: bool = False
-    """As many as the mark's number to its right."""
+    """Dots to the mark's right, as many as its number."""
 
 
 @dataclass(frozen=True)

@@ -152,7 +152,7 @@ def test_what_makes_an_outlier(others: float, moved: float, found: set[str], nam
 @pytest.mark.parametrize("names", ["1234", "12345", "12345678", "5678"])
 @given(seed=st.integers(0, 10_000))
 def test_film_that_is_deformed_costs_no_mark(model: PlaneModel, names: str, seed: int) -> None:
-    """By up to 0.04 mm, each mark its own way or the whole film bent: a limit of 0.05 mm threw good marks out."""
+    """Bent by up to 0.04 mm, each mark its own way or the whole film: a limit of 0.05 mm threw good marks out."""
     random = np.random.default_rng(seed)
     points = np.array([EIGHT[name] for name in names]) / 110
     bent = np.stack([points[:, 0] ** 2, points[:, 0] * points[:, 1], points[:, 1] ** 2], 1) @ random.normal(size=(3, 2))

@@ -56,7 +56,7 @@ def oriented(path: str, names: Sequence[str], model: PlaneModel) -> PhotoOrienta
 
 
 def farthest(made: PhotoOrientation, scan: Scan) -> float:
-    """Of the marks from the truth, px."""
+    """Largest distance of the marks from the truth, px."""
     return max(math.dist(mark.place, scan.places[mark.name]) for mark in made.marks if mark.place)
 
 

@@ -49,7 +49,7 @@ def checked(
 
 
 def checked_figure(result: Assessment, check: str, band: str = "") -> CheckedFigure:
-    """Of a band, else of what the default rules hold against limits in an image with one band."""
+    """Figure of a band, else of what the default rules hold against limits in an image with one band."""
     band = band or (LUMINOSITY if check in FROM_HISTOGRAM else "band_1")
     (found,) = [one for one in result.checked_figures if (one.rule.check, one.band) == (check, band)]
     return found

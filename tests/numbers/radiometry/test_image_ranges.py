@@ -103,7 +103,7 @@ def test_the_range_of_a_set(images: list[LargestValue], high: float | None) -> N
 
 
 def test_16_bits_with_a_sign_have_no_range_of_their_own(make_raster: MakeRaster) -> None:
-    """Of -32768 to 32767 any small positive values lie near the middle."""
+    """Any small positive values lie near the middle of -32768 to 32767."""
     result = checked(make_raster("a.tif", sheet(2000, 500, 3000).astype(np.int16)))
     assert "values of type int16 have no range of their own" in reasons(result)["peak"]
     assert decide_image(result).outcome is RadiometricOutcome.UNDECIDED

@@ -44,7 +44,7 @@ class Scene:
     lines: dict[int, Ends]
     """A line across each group, roughly drawn."""
     sigma: float
-    """Of the blur, px."""
+    """Sigma of the blur, px."""
     bars: int
 
     @property

@@ -30,7 +30,7 @@ class Bars:
     cycle: float
     """Width of a bar and a gap together, px."""
     length: float
-    """Of the bars, px."""
+    """Length of the bars, px."""
     angle: float = 0.0
     """From the direction of the columns to the rows, radians."""
     count: int = 3

@@ -16,7 +16,7 @@ from tests.numbers.resolution.measuring_bars import resolution
 
 MakeRaster = Callable[..., str]
 KINDS = tuple(product((False, True), (3, 5)))
-"""Of targets: bright bars or dark ones, three or five of them."""
+"""Kinds of targets: bright bars or dark ones, three or five of them."""
 
 
 def measured_scene(make_raster: MakeRaster, scene: Scene) -> tuple[TargetResolution, int | None]:
@@ -55,7 +55,7 @@ def test_the_mean_signed_error_is_small_on_any_ground(make_raster: MakeRaster, d
 @pytest.mark.parametrize("sigma", [0.6, 1.0, 1.3])
 @pytest.mark.parametrize("dark_bars", [False, True])
 def test_the_distance_is_the_same_on_every_ground(make_raster: MakeRaster, sigma: float, dark_bars: bool) -> None:
-    """The same bars and the same noise; the issue's four grounds gave 37.80, 33.67, 33.67 and 42.43 cm."""
+    """Bars and noise are the same; the issue's four grounds gave 37.80, 33.67, 33.67 and 42.43 cm."""
     finest = theoretical_cycle(sigma) * STEP**0.5  # half a step either side of where theory crosses the criterion
     found = {
         name: measured_scene(make_raster, ground_scene(
@@ -106,7 +106,7 @@ def test_a_lone_group_is_judged_by_the_plain_ground_beside_it(make_raster: MakeR
 
 
 def test_the_two_pixel_limit_stays_on_bar_and_gap_together(make_raster: MakeRaster) -> None:
-    """As the paper's DMC: bars of 1.2 px are 2.4 px with their gaps, and are no aliasing."""
+    """The paper's DMC: bars of 1.2 px are 2.4 px with their gaps, and are no aliasing."""
     random = np.random.default_rng(2)
     scene = ground_scene(random, GROUNDS["panel"], groups=6, limit=3, sigma=0.3, noise=0.5, finest=2.2)
     path = make_raster("target.tif", scene.pixels, gsd=0.1)

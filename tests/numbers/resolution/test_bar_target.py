@@ -86,7 +86,7 @@ def test_aliased_bars_are_not_resolved_without_a_scale_either(make_raster: MakeR
 
 
 def test_a_group_that_is_finer_than_an_unresolved_one_is_spurious(make_raster: MakeRaster) -> None:
-    """As figure 9 of the paper: group 10 seems resolved, group 9 is not."""
+    """Figure 9 of the paper: group 10 seems resolved, group 9 is not."""
     cycles = [12.0, 6.0, 5.35, 4.77]
     shape, groups = row_of_groups(cycles, 0.0, np.random.default_rng(1))
     pixels = image(shape, groups, 0.6)
@@ -150,7 +150,7 @@ def test_a_line_is_turned_to_be_perpendicular(make_raster: MakeRaster, error: fl
 
 @pytest.mark.parametrize("shift", [-0.7, 0.0, 0.35, 1.2])
 def test_the_shift_of_a_band_against_green(make_raster: MakeRaster, shift: float) -> None:
-    """As chromatic aberration: red lies further along the line by so many pixels, blue as far on the other side."""
+    """Chromatic aberration: red lies further along the line by so many pixels, blue as far on the other side."""
     shape, (bars,) = row_of_groups([8.0], 0.0, np.random.default_rng(7))
     bands = [
         image(shape, [replace(bars, x=bars.x + sign * shift)], 0.8, 1.0, seed) for seed, sign in enumerate((1, 0, -1))

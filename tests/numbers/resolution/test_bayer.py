@@ -161,7 +161,7 @@ def psnr(scene: np.ndarray, seen: np.ndarray) -> float:
              "seams/packo/19FD5606Ax00020_16372.tif", "seams/brighton/mosaic_hardseam.tif"],
 )
 def test_malvar_is_nearer_to_real_scenes(data_folder: Path, path: str) -> None:
-    """By 3 dB and more; the documentation says by how much, and that OpenCV's way is not nearer than bilinear."""
+    """3 dB and more nearer; the documentation says by how much, and that OpenCV's way is not nearer than bilinear."""
     source = gdal.Open(str(data_folder / path))
     scene = source.ReadAsArray(source.RasterXSize // 2 - 128, source.RasterYSize // 2 - 128, 256, 256)
     away = {way: psnr(scene, bayer.simulated(scene, "RGGB", way)) for way in DEMOSAICS}

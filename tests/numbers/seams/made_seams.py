@@ -17,7 +17,7 @@ BORDER = 150
 
 
 def three_images() -> list[np.ndarray]:
-    """Of one scene, each with fine detail of its own, (3, rows, columns) 8 bit."""
+    """Images of one scene, each with fine detail of its own, (3, rows, columns) 8 bit."""
     scene = np.stack([110 + 6 * band + 22 * texture(SHAPE, 3.0, 40) + 5 * texture(SHAPE, 3.0, 41 + band)
                       for band in range(3)])
     return [as_bytes(scene + 9 * texture(SHAPE, 0.8, seed)) for seed in (1, 2, 3)]
@@ -28,7 +28,7 @@ def as_bytes(bands: np.ndarray) -> np.ndarray:
 
 
 def weight(width: float, border: float = BORDER) -> np.ndarray:
-    """Of the second source, along columns: a linear feather of a full width, 0 for a hard cut."""
+    """Weight of the second source, along columns: a linear feather of a full width, 0 for a hard cut."""
     place = np.arange(SIDE) + 0.5 - border
     return np.asarray(place > 0, float) if not width else np.clip(place / width + 0.5, 0, 1)
 

@@ -8,7 +8,7 @@ from tests.numbers.synthetic import orthoimage
 
 
 def made_up_window(side: int) -> KnownWindow:
-    """Of ``side`` px."""
+    """A window of ``side`` px."""
     scene = orthoimage((side, side)) // 2
     sources = tuple(scene + orthoimage((side, side), seed=seed) // 2 for seed in (1, 2))
     labels = (np.arange(side) >= side // 2)[np.newaxis].repeat(side, axis=0).astype(np.uint8)

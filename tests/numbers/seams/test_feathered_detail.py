@@ -42,7 +42,7 @@ class Image:
 
     @cached_property
     def details(self) -> list[np.ndarray]:
-        """Of three directions, level by level, each over the pixels that it stands for, (3, rows, columns)."""
+        """Details of three directions, level by level, each over the pixels that it stands for, (3, rows, columns)."""
         _, *found = placed_wavedec(self.plane, "coif3", LEVELS)
         return [
             np.stack([np.kron(part, np.ones((2**level, 2**level))) for part in parts])

@@ -119,7 +119,7 @@ def test_how_the_other_lies_on_the_source(make_raster: MakeRaster, x: float, y: 
 
 
 def test_a_pixel_grid_that_lies_beside_is_no_shift_on_the_ground(make_raster: MakeRaster) -> None:
-    """The same ground, sampled 0.3 px further right and 0.4 px further up: no pixel lies elsewhere."""
+    """One ground, sampled 0.3 px further right and 0.4 px further up: no pixel lies elsewhere."""
     scene = 120 + 30 * texture(SIZE, 2.4)
     moved = np.fft.ifft2(ndimage.fourier_shift(np.fft.fft2(scene), (0.4, -0.3))).real
     paths = [

@@ -36,7 +36,7 @@ def outcome_of(
     window: KnownWindow, operation: Operation, reading: Reading, truth: float = 1.0, foreign: float = 0.0,
     made: Made | None = None, misfit: tuple[float, float] = (0.0, 0.0),
 ) -> Outcome:
-    """Of images that lie a misfit (px) off each other."""
+    """Outcome of images that lie a misfit (px) off each other."""
     facts = replace(WindowFacts.of(window), misfit=misfit)
     mains, allowed = (made.mains, made.allowed) if made else (frozenset(), frozenset())
     return Outcome(operation, facts, Finding(reading, None, truth, foreign, mains, allowed))

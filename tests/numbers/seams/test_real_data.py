@@ -133,7 +133,7 @@ def test_a_hard_cut_is_its_source_where_no_seam_is(brighton: Path, labels: np.nd
 
 @pytest.fixture(scope="module")
 def results(brighton: Path, on_seams: list[PixelWindow]) -> tuple[list[WindowResult], list[WindowResult]]:
-    """Of the hard-cut and of the feathered mosaic."""
+    """Results of the hard-cut and of the feathered mosaic."""
     sources = sorted(brighton.glob("DJI_*.tif"))
     hard, feathered = (inspect(block_of(str(brighton / name), sources), on_seams) for name in (HARD, FEATHERED))
     assert len(on_seams) >= 10
@@ -259,7 +259,7 @@ def test_the_blurred_image_of_packo_is_found(packo: list[Path], tmp_path: Path) 
 
 
 def copy_of(folder: Path, path: Path) -> str:
-    """The same raster under another name: a mosaic is never its own source."""
+    """A copy of a raster under another name: a mosaic is never its own source."""
     copy = folder / f"copy_of_{path.name}"
     copy.write_bytes(path.read_bytes())
     return str(copy)

@@ -245,7 +245,7 @@ def test_mosaic_and_sources_of_other_types_are_judged_alike(
 def test_causes_do_not_depend_on_how_many_grey_values_there_are(
     make_raster: MakeRaster, sources: list[np.ndarray], change: str
 ) -> None:
-    """The same ground in 8 and in 16 bit: what is noise there is noise here."""
+    """One ground in 8 and in 16 bit: what is noise there is noise here."""
     rng = np.random.default_rng(2)
     fine = [one.astype(np.float64) + rng.uniform(-0.5, 0.5, one.shape) for one in sources[:2]]
     hard = np.where(np.arange(SIDE) < BORDER, *fine)

@@ -75,7 +75,7 @@ def test_classes_of_many_values_change_nothing_to_speak_of() -> None:
 
 @given(VALUES, st.floats(0.1, 1.5))
 def test_smoothing_keeps_mean_and_standard_deviation(values: list[float], bandwidth: float) -> None:
-    """As Silverman and Young 1987 ask of it, by the moments of the shares themselves."""
+    """Silverman and Young 1987 ask this of it; by the moments of the shares themselves."""
     verdicts = np.array([values])
     mean, deviation = float(verdicts.mean()), float(verdicts.std(ddof=1))
     thresholds = np.linspace(mean - 12 * deviation, mean + 12 * deviation, 4001)[np.newaxis]

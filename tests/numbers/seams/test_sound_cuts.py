@@ -77,6 +77,36 @@ def test_one_image_as_it_was_beside_one_in_other_tones(
     assert found.profile.high >= 0.95
 
 
+@pytest.mark.parametrize("quality", [60, 75, 90])
+@pytest.mark.parametrize("how_many", [1, 2])
+def test_orthoimages_that_were_compressed_since_make_no_blur_of_a_sound_mosaic(
+    make_raster: MakeRaster, photographs: list[np.ndarray], quality: int, how_many: int
+) -> None:
+    rng, border = np.random.default_rng(4), SHAPE[1] / 2 + 20 * np.sin(ROWS / 40)
+    mosaic = np.where(border > COLUMNS, *photographs)
+    stored = [jpeg(quality)(one, rng) for one in photographs[:how_many]] + photographs[how_many:]
+    sources = [make_raster(f"{name}.tif", image) for name, image in zip("ab", stored)]
+    found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert not {Cause.BLUR, Cause.NOISE_ADDED, Cause.SHARPENED, Cause.MISSING_SOURCE} & set(found.causes)
+    assert found.judgement.verdict is Verdict.PRESERVED
+    soft = ndimage.gaussian_filter(mosaic.astype(float), (0, 1, 1))
+    found = inspect(block_of(mosaic_of(make_raster, soft), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert Cause.BLUR in found.causes
+
+
+@pytest.mark.parametrize("share", [0.25, 0.35])
+def test_what_is_mixed_into_all_of_one_side_is_no_noise(
+    make_raster: MakeRaster, photographs: list[np.ndarray], share: float
+) -> None:
+    border = SHAPE[1] / 2 + 20 * np.sin(ROWS / 40)
+    first, second = (one.astype(float) for one in photographs)
+    mosaic = np.where(border > COLUMNS, (1 - share) * first + share * second, second)
+    sources = [make_raster(f"{name}.tif", image) for name, image in zip("ab", photographs)]
+    found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert found.profile is not None
+    assert found.profile.kept[0] < 0.97
+
+
 @pytest.mark.parametrize("seed", [1, 40])
 def test_a_feather_is_seen_beside_even_ground(make_raster: MakeRaster, seed: int) -> None:
     """40 px wide, and half of the window says nothing of tones."""

@@ -101,7 +101,7 @@ def request_of(make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray], w
 def test_a_window_of_128_px_is_measured_and_its_curves_are_its_own(
     make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray], width: int, verdict: Verdict
 ) -> None:
-    """As PyWavelets has those of exactly its pixels, whatever lies around."""
+    """Curves as PyWavelets has them of exactly its pixels, whatever lies around."""
     request = request_of(make_raster, images, width)
     assert request.around == PixelWindow(48, 32, 384, 384)
     result = inspect_window(request)

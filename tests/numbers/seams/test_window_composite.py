@@ -18,7 +18,7 @@ def composite(make_raster: MakeRaster, image: np.ndarray, given: list[np.ndarray
 
 
 def test_a_feather_is_cut_and_tones_are_the_mosaics(make_raster: MakeRaster) -> None:
-    """Of sources that were darker: the composite has their detail, and no step against the mosaic."""
+    """The sources were darker: the composite has their detail, and no step against the mosaic."""
     first, second, other = three_images()
     mosaic = blended([first, second], 40)
     found = composite(make_raster, mosaic, [as_bytes(0.8 * one + 5) for one in (first, second, other)])

@@ -42,7 +42,7 @@ def test_fifteen_points_see_a_scene_that_order_two_needs_nineteen_for() -> None:
 
 @pytest.mark.slow
 def test_noise_brings_no_terms_in() -> None:
-    """Of an affine image one fit in a hundred and an axis takes a term that is not there; here three draws of 60."""
+    """One fit of an affine image in a hundred and an axis takes a term that is not there; here three draws of 60."""
     truth, extra = sparse(), 0
     numerators, denominators = truth.numerators.copy(), truth.denominators.copy()
     numerators[4:], denominators[1:] = 0, 0

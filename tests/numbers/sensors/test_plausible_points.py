@@ -26,7 +26,7 @@ SIZE = (4000, 3000)
 
 
 def points(count: int = 20) -> Points:
-    """Of an image of 0.5 m in UTM, near the ground."""
+    """Points of an image of 0.5 m in UTM, near the ground."""
     image = np.random.default_rng(1).uniform([0, 0], SIZE, (count, 2))
     ground = np.column_stack([500_000 + image[:, 0] / 2, 4_000_000 - image[:, 1] / 2, 100 + image[:, 0] / 100])
     names = tuple(map(str, range(count)))
@@ -153,7 +153,7 @@ def test_interchanged_points_are_told_on_a_small_part_of_a_scene() -> None:
 
 @given(st.lists(st.tuples(st.floats(-3, 7), st.floats(-3, 7)), min_size=3, max_size=12, unique=True))
 def test_what_is_extrapolated_is_what_of_the_image_the_outline_leaves(corners: list[tuple[float, float]]) -> None:
-    """By scipy's hulls and intersections of half-planes."""
+    """Scipy's hulls and intersections of half-planes tell what is expected."""
     control = np.round(np.array(corners), 3)
     if np.linalg.matrix_rank(control - control.mean(axis=0), tol=0.05) < 2:
         return

@@ -37,7 +37,7 @@ def mosaic(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @pytest.fixture(scope="module")
 def loss(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """As a scan writes it."""
+    """Picture of losses as a scan writes it."""
     path = tmp_path_factory.mktemp("loss") / "loss.tif"
     made = write_raster(path, np.ones((5, 20, 31), np.float32), 8.0, (X - 25, Y + 75), system=UTM33)
     dataset = gdal.Open(made, gdal.GA_Update)

@@ -79,7 +79,7 @@ def test_failures_that_are_unclear_or_that_no_eye_sees_are_marked(tmp_path: Path
 
 
 def test_the_share_without_data_is_told_where_files_were_not_checked(tmp_path: Path) -> None:
-    """Of 200 x 1000 m a hole of 50 x 200 m: 5 %."""
+    """A hole of 50 x 200 m in 200 x 1000 m: 5 %."""
     mosaic = ground(tmp_path / "mosaic.tif")
     dataset = gdal.Open(mosaic.ref.path, gdal.GA_Update)
     for band in range(1, 4):

@@ -184,7 +184,7 @@ def test_a_mosaic_is_all_of_its_files(scanned: Path, tmp_path: Path) -> None:
 
 
 def swap(vrt: Path) -> None:
-    """The same sheets, each in the other's place."""
+    """Put two sheets each in the other's place."""
     text = vrt.read_text(encoding="utf-8")
     vrt.write_text(text.replace("a.tif", "?").replace("b.tif", "a.tif").replace("?", "b.tif"), encoding="utf-8")
 

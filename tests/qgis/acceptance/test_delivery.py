@@ -16,7 +16,7 @@ from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 pytestmark = [pytest.mark.slow, NEEDED]
 
 CLOSE = 0.05
-"""Of what is known of the delivery."""
+"""Tolerance, relative to what is known of the delivery."""
 
 
 @pytest.fixture(scope="module")

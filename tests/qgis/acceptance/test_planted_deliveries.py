@@ -166,7 +166,7 @@ def test_4_smooth_fields(tmp_path: Path) -> None:
 
 
 def test_5_a_missing_orthoimage(spoilt: Block, tmp_path: Path) -> None:
-    """Of four one is not there, and seams are found in the pixels: two of three are in no figure."""
+    """One of four is not there, and seams are found in the pixels: two of three are in no figure."""
     made = scan(spoilt, tmp_path / "scan", SOURCES=[*spoilt.sources[:2], spoilt.sources[3]], SEAMLINES=None)
     found = decide(tmp_path, made.results["SEAMS"], MAX_SHARE=100, MAX_RUN=1000)
     assert found.results["DECISION"] == "undecided"

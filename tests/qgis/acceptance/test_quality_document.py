@@ -32,14 +32,14 @@ def text(element: ET.Element, path: str) -> str:
 
 
 def elements(document: str) -> dict[str, ET.Element]:
-    """By their identifiers."""
+    """Elements by their identifiers."""
     assert faults(document) == []
     root = ET.fromstring(document.encode())
     return {one.get("id", ""): one for report in root.iterfind(".//mdq:report", NAMESPACES) for one in report}
 
 
 def values(element: ET.Element) -> list[float]:
-    """Of all sheets together."""
+    """Values of all sheets together."""
     first = element.find("mdq:result/mdq:DQ_QuantitativeResult", NAMESPACES)
     assert first is not None
     return [float(one.text or "") for one in first.iterfind("mdq:value/gco:Record", NAMESPACES)]

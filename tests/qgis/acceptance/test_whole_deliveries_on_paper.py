@@ -137,7 +137,7 @@ def test_the_marks_of_an_operating_characteristic_lie_on_its_curve(pieces: int) 
 
 
 def height_of(curve: Line2D, x: float) -> float:
-    """Of the level part of the steps that begins at ``x`` or goes on there."""
+    """Height of the level part of the steps that begins at ``x`` or goes on there."""
     assert curve.get_drawstyle() == "steps-post"
     return float(np.asarray(curve.get_ydata())[np.searchsorted(curve.get_xdata(), x + 1e-9) - 1])
 

@@ -52,7 +52,7 @@ NAMED: dict[str, dict[str, str]] = {
         "satellite/terrain.tif": "dem.tif",
     },
 }
-"""By folder of a reader: a file of `make demo-data`, and what the pages call it."""
+"""Files of `make demo-data` by folder of a reader, and what the pages call them."""
 READ = {
     "block": "start/own_rasters acceptance/calibration acceptance/choose_a_limit desk/report method/predictloss "
     "acceptance/scan acceptance/sampling neighbours/radiometry",
@@ -147,7 +147,7 @@ def reader(checkout: Path) -> Path:
 
 
 def judge(windows: str) -> None:
-    """As an operator does in the desk: one loss seen, the other windows sound."""
+    """Judge as an operator does in the desk: one loss seen, the other windows sound."""
     source = gdal.OpenEx(windows, gdal.OF_VECTOR | gdal.OF_UPDATE)
     layer = source.GetLayer(0)
     layer.CreateField(ogr.FieldDefn("observer", ogr.OFTString))

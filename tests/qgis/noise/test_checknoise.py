@@ -37,7 +37,7 @@ FIELDS = (
 
 @pytest.fixture(scope="module")
 def pictures(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    """The same ground clean and with noise."""
+    """Pictures of one ground, clean and with noise."""
     folder, random = tmp_path_factory.mktemp("pictures"), np.random.default_rng(0)
     ground = np.stack([120 + 25 * patchy_texture((SIDE, SIDE), 2.7, 1 + band // 9) for band in range(3)])
     made = {}

@@ -337,7 +337,7 @@ NEXT_BOX = (64, 100, 128, 128)
 
 
 def group(panel: NoisePanel) -> CurveGroup:
-    """As it is drawn behind the curves of the selected window."""
+    """Group that is drawn behind the curves of the selected window."""
     chart = panel._chart
     return NO_GROUP if chart is None else chart._group
 

@@ -34,7 +34,7 @@ def scene(tmp_path_factory: pytest.TempPathFactory) -> PhotoScene:
 
 @pytest.fixture(scope="module")
 def blotted(tmp_path_factory: pytest.TempPathFactory) -> PhotoScene:
-    """The same kind of photo with mark 2 under a blot."""
+    """A photo of that kind with mark 2 under a blot."""
     scene = make_photo(tmp_path_factory.mktemp("blotted"), seed=4)
     column, row = (int(value) for value in scene.frame.places["2"])
     pixels = scene.frame.pixels.copy()
@@ -83,7 +83,7 @@ def test_marks_of_a_photo_that_nobody_looked_at(scene: PhotoScene, tmp_path: Pat
 
 
 def test_micmac_reads_the_marks(scene: PhotoScene, tmp_path: Path, data_folder: Path) -> None:
-    """The same elements, one within the other, as MicMac's own file for the UNBC photo has."""
+    """Elements, one within the other, are those of MicMac's own file for the UNBC photo."""
     path = tmp_path / "MeasuresIm-photo.bmp.xml"
     outcome = run("interiororientation", **scene.inputs, **CROSS, MEASURES=str(path))
     assert outcome.results["MEASURES"] == str(path)

@@ -61,7 +61,7 @@ def measured_places(photo: int, moved: bool) -> dict[str, tuple[float, float]]:
 
 
 def measures(photo: int, moved: bool) -> str:
-    """As MicMac writes them."""
+    """Measured places as MicMac writes them."""
     rows = (f"<OneMesureAF1I><NamePt>{name}</NamePt><PtIm>{x!r}  {y!r}</PtIm></OneMesureAF1I>"
             for name, (x, y) in measured_places(photo, moved).items())
     return (f'<?xml version="1.0" ?><SetOfMesureAppuisFlottants><MesureAppuiFlottant1Im><NameIm>{photo}.jpg</NameIm>'

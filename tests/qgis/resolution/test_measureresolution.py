@@ -141,7 +141,7 @@ def test_distances_of_one_bar_and_the_coarsest_groups_amplitude(target: BarScene
 
 
 def test_several_observers_of_each_line(target: BarScene, tmp_path: Path) -> None:
-    """As tables 3A and 3B: a group counts when each of those who judged it tells its bars apart."""
+    """Tables 3A and 3B: a group counts when each of those who judged it tells its bars apart."""
     keys = [(group, "along") for group in (1, 2, 3, 4)]
     lines = layer(
         "LineString", [target.geometry(*key) for key in keys], group=("integer", [1, 2, 3, 4]),

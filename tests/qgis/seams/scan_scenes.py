@@ -89,5 +89,5 @@ def points_along(geometries: Iterable[QgsGeometry], step: float) -> np.ndarray:
 
 
 def share_within(places: np.ndarray, of: np.ndarray, distance: float) -> float:
-    """Of places that lie within a distance of others."""
+    """Share of places that lie within a distance of others."""
     return float(np.mean(cKDTree(of).query(places)[0] <= distance))

@@ -35,7 +35,7 @@ def inspect(scene: Scene, **parameters: Any) -> Run:
 
 @pytest.fixture(scope="module")
 def good(scene: Scene, provider: None) -> Iterator[Run]:
-    """Of sound input."""
+    """Run of sound input."""
     made = inspect(scene)
     yield made
     made.close()

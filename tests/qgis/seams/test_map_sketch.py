@@ -15,7 +15,7 @@ def boxes(sketch: Sketch) -> list[Box]:
 
 
 def millimetres_per_metre(sketch: Sketch) -> float:
-    """By the scale bar."""
+    """Scale by the bar: mm on paper per metre."""
     number, unit = sketch.bar_words.split()
     return sketch.bar / (float(number) * {"km": 1000, "m": 1}[unit])
 

@@ -68,7 +68,7 @@ MADE: dict[str, Callable[[list[Image]], Image]] = {
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory: pytest.TempPathFactory) -> dict[str, WindowResult]:
-    """By what was done; those of a generated block, which tells of everything, by their places."""
+    """Results by what was done; those of a generated block, which tells of everything, by their places."""
     images, found = three_images(), {}
     for name, make in MADE.items():
         folder = tmp_path_factory.mktemp("made")
@@ -85,7 +85,7 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> dict[str, WindowResult]
 
 @pytest.fixture(scope="module")
 def rows(qgis_app: QgsApplication, results: dict[str, WindowResult]) -> dict[str, WindowRecord]:
-    """As a window layer holds them."""
+    """Results as a window layer holds them."""
     layer = windows(*[(0, 0, 64, 64)] * len(results))
     window_layer.complete_fields(layer, 3)
     fids = sorted(layer.allFeatureIds())

@@ -302,7 +302,7 @@ def many(block: Block, count: int) -> ReportRequest:
 
 
 def test_300_windows_stay_below_30_megabytes(qgis_app: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of which a tenth is made, with a tenth of the bytes for their pictures. The sketch's background is there once."""
+    """A tenth of them is made, with a tenth of the bytes for their pictures. The sketch's background is there once."""
     assert inspection_report.MAX_REPORT_DETAILS == 300
     monkeypatch.setattr(flagged_windows, "REPORT_CLIPS_BYTES", flagged_windows.REPORT_CLIPS_BYTES / 10)
     request = many(noisy_block(tmp_path, 1024), 30)

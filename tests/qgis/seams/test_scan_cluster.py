@@ -27,7 +27,7 @@ from tests.qgis.scenes import Scene
 pytestmark = [pytest.mark.slow, needs_dask]
 
 SIDE = 4200
-"""Of the mosaic, px: 3 x 3 blocks."""
+"""Side of the mosaic, px: 3 x 3 blocks."""
 
 
 @pytest.fixture(scope="module")
@@ -63,7 +63,7 @@ def finished(result: ScanResult | None) -> ScanResult:
 
 
 def assert_alike(found: ScanResult, expected: ScanResult) -> None:
-    """The same but for the last digits, since float32 sums depend on memory's alignment."""
+    """Results are the same but for the last digits, since float32 sums depend on memory's alignment."""
     assert found.notices == expected.notices
     assert found.seam_metres == pytest.approx(expected.seam_metres, rel=1e-6)
     assert len(found.pieces) == len(expected.pieces) > 10

@@ -215,7 +215,7 @@ def test_a_full_disk_keeps_the_blocks_that_are_done(
 def test_a_layer_that_lost_its_features_is_noticed(
     files: Files, whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As on a disk that was full when the layer was closed, which QGIS tells nobody."""
+    """The disk was full when the layer was closed, which QGIS tells nobody."""
     with monkeypatch.context() as patched:
         patched.setattr(feature_sinks, "_count", lambda place: 0 if place.path.endswith("CELLS.gpkg") else 10**6)
         assert_sentence(scan(files, tmp_path).complaint, "The layer CELLS can't be written. What was measured is kept")

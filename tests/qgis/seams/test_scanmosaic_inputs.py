@@ -51,7 +51,7 @@ def assert_failed_along_the_seam(found: Run, metres: float = SEAM_METRES, by: fl
 
 
 def assert_lost_along_the_seam(found: Run) -> None:
-    """The same where compression or resampling blurs it a little, so that some pieces are just above the limit."""
+    """Loss is told where compression or resampling blurs it a little, so that some pieces are just above the limit."""
     assert found.complaint is None
     assert found.log.warnings == found.log.errors == []
     assert found.results["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.05)

@@ -38,7 +38,7 @@ def start(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Started
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory: pytest.TempPathFactory) -> Files:
-    """Of 8 blocks."""
+    """Files of a mosaic of 8 blocks."""
     return write_scene(tmp_path_factory.mktemp("long"), images((600, 15000), bands=1), width=16.0)
 
 

@@ -43,7 +43,7 @@ EVIDENCE = CauseEvidence(
     missing=0.17, profile=None, lost=0.1, mixed=0.1, sharpness=0.69, clipped=0.031, clipped_lost=0.03,
     tones=(SourceTone(0.6, 0.62, 0.41, 0.6, 1.24), SourceTone(0.4, 0.50, 0.4, 1.0, 1.1)), unevenness=0.0,
     misfit=Misfit(1.4, 0.6), off_pixel=0.31, texture=Texture(0.9, 0.69, 1.42, 0.9, 2.34, 1.1, 0.0),
-    lossy_file=False,
+    lossy_file=False, lossy_sources=False,
 )  # fmt: skip
 PROFILE = SeamProfile(
     (0.56, 0.81, 0.97), 0.51, 0.62, 20.0, 0.05,
@@ -75,7 +75,7 @@ def seam_row(verdict: str = "significant", **values: Any) -> WindowRecord:
 def result(
     causes: str, evidence: CauseEvidence = EVIDENCE, profile: SeamProfile = PROFILE, **values: Any
 ) -> WindowResult:
-    """Of a window whose mosaic was compared with one source and the composite."""
+    """Result of a window whose mosaic was compared with one source and the composite."""
     ratios = Ratios(RATIOS, 1.2)
     change = Change(**{
         "tone": Tone(0.62, 12.0, 0.6), "contrast": (0.43, 0.5, 0.6), "clipped": 0.031, "colour_shift": 1.24,

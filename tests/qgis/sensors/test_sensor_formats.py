@@ -17,7 +17,7 @@ pytestmark = pytest.mark.usefixtures("provider", "project")
 
 
 def empty_image(path: Path) -> str:
-    """As large as the scene, and sparse."""
+    """An image as large as the scene, and sparse."""
     options = ["SPARSE_OK=TRUE", "TILED=YES"]
     gdal.GetDriverByName("GTiff").Create(str(path), int(COLUMNS), int(ROWS), 1, options=options).FlushCache()
     return str(path)
@@ -50,7 +50,7 @@ def test_a_fit_is_written_for_gdal_and_the_georeferencer(tmp_path: Path) -> None
 
 
 def test_points_of_orthority_and_inside_a_tiff_are_read(project: QgsProject, tmp_path: Path) -> None:
-    """The same points as a layer, a GeoJSON and the tags of a TIFF: the same fit."""
+    """One set of points as a layer, a GeoJSON and the tags of a TIFF: the same fit."""
     image, ground = scene(12, 0.3)
     path, tiff = tmp_path / "gcps.geojson", tmp_path / "scene.tif"
     empty_image(tiff)
@@ -83,7 +83,7 @@ def test_points_of_orthority_and_inside_a_tiff_are_read(project: QgsProject, tmp
 
 @pytest.mark.parametrize("of_file", [False, True])
 def test_the_vertical_part_of_a_compound_system_is_used(tmp_path: Path, of_file: bool) -> None:
-    """As the code of a layer, and in a file, where QGIS forgets it: the same as egm96 said outright."""
+    """A system as the code of a layer, and in a file, where QGIS forgets it: the same as egm96 said outright."""
     image, ground = scene(12, 0.3)
     layer: object = gcps(image, ground, system="EPSG:9707")  # WGS 84 + EGM96 height
     if of_file:

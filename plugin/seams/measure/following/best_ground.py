@@ -16,7 +16,7 @@ MIN_STRANGE = 0.4  # of the way from what true sources leave over to all of it: 
 MIN_ALIKE_STRANGE = 0.05  # the same of another image of the same ground, where there is much of it
 MIN_ALIKE_FACTOR = 1.8  # by which that leaves more over than true sources do
 MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR = 0.015, 20.0
-"""The same of a source that stands in for one of the same ground, by what it leaves over where it is the true one."""
+"""Both for a source that stands in for one of the same ground, by what it leaves over where it is the true one."""
 MAX_TELLING = 0.7  # of the detail: where true sources leave over more, as of weak detail below noise, nothing is told
 MIN_EVEN_LEFT, MIN_EVEN_SLOPE = 0.2, -0.15  # see ``is_of_none``
 
@@ -31,7 +31,7 @@ _WEAK, _STRONG = 0.1, 0.9  # quantiles of the energies
 
 @dataclass(frozen=True, eq=False)
 class BestGround:
-    """Learned of one mosaic."""
+    """What true sources leave over, learned of one mosaic."""
 
     response: EnergyResponse
     """Share that is left over, by the mosaic's energy."""
@@ -63,8 +63,8 @@ class BestGround:
 
 
 def learn_best_ground(own: np.ndarray, left: np.ndarray) -> BestGround | None:
-    """From places (n,): the mosaic's energy and what its sources leave over of it. None where there are too few, or
-    values so large that energies are none."""
+    """Best ground of places (n,), from the mosaic's energy and what its sources leave over of it. None where there are
+    too few, or values so large that energies are none."""
     if len(own) < _FEWEST:
         return None
     own, left = sampled(own), sampled(left)

@@ -34,10 +34,10 @@ def to_the_pixel(
     # By one number each, pixels are taken in a quarter of the time.
     around = rows[:, :, np.newaxis] * labels.shape[1] + columns[:, np.newaxis, :]
     pixels = around[:, _REACH_PX:-_REACH_PX, _REACH_PX:-_REACH_PX]
-    own, before, smoothing = np.take(mosaic, around), np.take(labels, around), _smoothing()
+    mosaic_around, before, smoothing = np.take(mosaic, around), np.take(labels, around), _smoothing()
     least: np.ndarray | None = None
     for number, plane in planes.items():
-        rest = own - np.take(plane, around)
+        rest = mosaic_around - np.take(plane, around)
         rest -= _own_mean(rest, before == number)
         rest *= rest
         differences = smoothing @ rest @ smoothing.T
@@ -48,10 +48,10 @@ def to_the_pixel(
         else:
             np.copyto(nearest, np.uint8(number), where=differences < least)
             np.minimum(least, differences, out=least)
-    found = labels.copy()
+    moved = labels.copy()
     beside = np.take(near, pixels)
-    np.put(found, pixels[beside], nearest[beside])
-    return found
+    np.put(moved, pixels[beside], nearest[beside])
+    return moved
 
 
 def _own_mean(rest: np.ndarray, own: np.ndarray) -> np.ndarray:
@@ -69,12 +69,12 @@ def smooth_border(labels: np.ndarray) -> np.ndarray:
         return labels
     counts = (box_counts(labels == number, _SMOOTH_PX) for number in numbers)
     first, most = numbers[0], next(counts)
-    found = np.full(labels.shape, first, np.uint8)
+    smooth = np.full(labels.shape, first, np.uint8)
     for number, count in zip(numbers[1:], counts):
-        np.copyto(found, np.uint8(number), where=count > most)
+        np.copyto(smooth, np.uint8(number), where=count > most)
         np.maximum(most, count, out=most)
-    np.copyto(found, np.uint8(UNKNOWN), where=labels == UNKNOWN)
-    return found
+    np.copyto(smooth, np.uint8(UNKNOWN), where=labels == UNKNOWN)
+    return smooth
 
 
 def _tiles_with(near: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -16,8 +16,8 @@ def square_sums(a: np.ndarray, b: np.ndarray, side: int) -> np.ndarray:
     whole, piece = slice(columns * side), PIECE_PX // side
     sums = np.empty((rows, columns), np.float32)
     for start in range(0, rows, piece):
-        own = slice(start * side, min(start + piece, rows) * side)
-        sums[start : start + piece] = _summed(a[own, whole] * b[own, whole], side)
+        part = slice(start * side, min(start + piece, rows) * side)
+        sums[start : start + piece] = _summed(a[part, whole] * b[part, whole], side)
     return sums
 
 
@@ -42,13 +42,13 @@ def box_means(values: np.ndarray, sides: Sequence[int], mirrored: bool = False) 
     mirrored."""
     reach = max(sides) // 2
     padded = _padded(values.astype(np.float32, copy=False), reach, mirrored)
-    found = []
+    means = []
     for side in sides:
         cut = reach - side // 2
         inner = padded[cut : len(padded) - cut, cut : padded.shape[1] - cut]
         sums = runs(runs(inner, side, 0, np.add), side, 1, np.add)
-        found.append(sums * np.float32(1 / side**2))
-    return found
+        means.append(sums * np.float32(1 / side**2))
+    return means
 
 
 def box_counts(mask: np.ndarray, side: int) -> np.ndarray:
@@ -58,7 +58,7 @@ def box_counts(mask: np.ndarray, side: int) -> np.ndarray:
 
 
 def _padded(values: np.ndarray, reach: int, mirrored: bool) -> np.ndarray:
-    """As numpy's ``pad``, in a fifth of the time for small arrays."""
+    """Values padded as by numpy's ``pad``, in a fifth of the time for small arrays."""
     rows, columns = values.shape
     if not reach:
         return values
@@ -99,10 +99,10 @@ def opened(mask: np.ndarray, side: int) -> np.ndarray:
 def enlarged(samples: np.ndarray, times: int, shape: tuple[int, ...] | None = None) -> np.ndarray:
     """Each sample (rows, columns) as a square of as many along both sides; with a ``shape``, what sticks out of whole
     squares as those beside it."""
-    found = samples.repeat(times, axis=1).repeat(times, axis=0)  # whole rows last are faster
-    if shape is None or found.shape == shape:
-        return found
-    return np.pad(found, [(0, length - have) for length, have in zip(shape, found.shape)], mode="edge")
+    squares = samples.repeat(times, axis=1).repeat(times, axis=0)  # whole rows last are faster
+    if shape is None or squares.shape == shape:
+        return squares
+    return np.pad(squares, [(0, length - have) for length, have in zip(shape, squares.shape)], mode="edge")
 
 
 def in_squares(values: np.ndarray, side: int) -> np.ndarray:
@@ -112,21 +112,21 @@ def in_squares(values: np.ndarray, side: int) -> np.ndarray:
 
 
 def runs(values: np.ndarray, length: int, axis: int, together: np.ufunc) -> np.ndarray:
-    """Of ``length`` samples along an axis, those that are wholly inside, put together."""
+    """Runs of ``length`` samples along an axis, those that are wholly inside, each put together."""
     count = values.shape[axis] - length + 1
-    found, taken, part, width = None, 0, values, 1
+    combined, taken, part, width = None, 0, values, 1
     while True:
         if length & width:
             piece = _along(part, axis, taken, taken + count)
-            found = piece if found is None else together(found, piece)
+            combined = piece if combined is None else together(combined, piece)
             taken += width
         if 2 * width > length:
             break
         held = part.shape[axis] - width
         part = together(_along(part, axis, 0, held), _along(part, axis, width, width + held))
         width *= 2
-    assert found is not None
-    return found
+    assert combined is not None
+    return combined
 
 
 def _along(values: np.ndarray, axis: int, start: int, stop: int) -> np.ndarray:

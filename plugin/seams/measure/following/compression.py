@@ -29,7 +29,7 @@ def was_compressed(plane: np.ndarray) -> bool:
 
 
 def vanished_share(plane: np.ndarray) -> float:
-    """By which share more of the fine waves vanish on the best of the 64 grids of squares than on the others.
+    """Share of the fine waves that vanish on the best of the 64 grids of squares, less that on the others.
 
     Parameters
     ----------

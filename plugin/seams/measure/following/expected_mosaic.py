@@ -53,16 +53,16 @@ class ExpectedMosaic:
     plane: np.ndarray
     """(rows, columns) float32; the mosaic itself where no source explains it."""
     unfiltered: np.ndarray
-    """The same before anything came over the whole mosaic: in its tones, as sharp as its sources."""
+    """The cut before anything came over the whole mosaic: in its tones, as sharp as its sources."""
     labels: np.ndarray
     """(rows, columns) uint8: the source of every pixel, ``UNKNOWN`` where none explains it."""
     shown: Mapping[int, np.ndarray]
     """(rows, columns) float32: each source that is followed, everywhere as this mosaic would show it."""
     toned: Mapping[int, np.ndarray]
-    """The same before anything came over the whole mosaic; the very same where nothing did."""
+    """(rows, columns) float32: each source before anything came over the whole mosaic; ``shown`` where nothing did."""
     shares: Mapping[int, np.ndarray] | None = None
-    """Of each source in squares of 8 px, (rows / 8, columns / 8) float32, where more than two are mixed; 0 elsewhere.
-    None where that is nowhere."""
+    """Share of each source in squares of 8 px, (rows / 8, columns / 8) float32, where more than two are mixed; 0
+    elsewhere. None where that is nowhere."""
     filters: Filters = field(default_factory=lambda: Filters({}, False))
     """What makes ``shown`` of ``toned``; the numbers are those of planes, of which several may be of one source."""
 
@@ -72,16 +72,16 @@ class ExpectedMosaic:
         return any(self.toned[i] is not plane for i, plane in self.shown.items())
 
     def of_sources(self, source_of: Sequence[int]) -> ExpectedMosaic:
-        """With the numbers of sources for those of planes, several of which may be of one source."""
+        """The cut with the numbers of sources for those of planes, several of which may be of one source."""
         numbers = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
         numbers[: len(source_of)] = source_of
         most_first = sorted(self.shown, key=lambda plane: -np.count_nonzero(self.labels == plane))
         shown: dict[int, np.ndarray] = {}
         toned: dict[int, np.ndarray] = {}
         for plane in most_first:
-            for pixels, found in ((self.shown[plane], shown), (self.toned[plane], toned)):
-                before = found.get(source_of[plane])
-                found[source_of[plane]] = pixels if before is None else np.where(self.labels == plane, pixels, before)
+            for pixels, held in ((self.shown[plane], shown), (self.toned[plane], toned)):
+                before = held.get(source_of[plane])
+                held[source_of[plane]] = pixels if before is None else np.where(self.labels == plane, pixels, before)
         shares: dict[int, np.ndarray] = {}
         for plane, share in (self.shares or {}).items():
             shares[source_of[plane]] = shares.get(source_of[plane], 0) + share
@@ -116,12 +116,12 @@ def expected_mosaic(
     """
     window = _Window(mosaic, planes, fine, following, valid, known, sampling, patch_px, has_warped, interpolated)
     if filters is None:
-        found, labels, in_tone = window.learned()
+        learned, labels, in_tone = window.learned()
     else:
-        found, labels = filters, window.labels(window.likely(filters))
+        learned, labels = filters, window.labels(window.likely(filters))
         in_tone = window.in_tone(labels)
     toned = {i: one.plane for i, one in in_tone.items()}
-    shown = {i: found.applied(i, plane) for i, plane in toned.items()}
+    shown = {i: learned.applied(i, plane) for i, plane in toned.items()}
     is_found = known is None and len(toned) > 1
     if is_found:
         labels = to_the_pixel(mosaic, shown, labels, valid)
@@ -138,13 +138,13 @@ def expected_mosaic(
     if given is not None:  # to be moved by parts of a pixel costs detail as well
         unmoved = {i: one.plane + one.gain * (given[i] - planes[i]) for i, one in in_tone.items()}
         unfiltered = cut_of(mosaic, unmoved, labels)
-    if not found.taps:
-        return ExpectedMosaic(cut, unfiltered, labels, shown, shown, shares, found)
-    if not found.came_over_cuts:
-        placed = {i: found.placed(i, plane) for i, plane in toned.items()}
-        return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed, shares, found)
-    plane = filtered(cut, next(iter(found.taps.values())))
-    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned, shares, found)
+    if not learned.taps:
+        return ExpectedMosaic(cut, unfiltered, labels, shown, shown, shares, learned)
+    if not learned.came_over_cuts:
+        placed = {i: learned.placed(i, plane) for i, plane in toned.items()}
+        return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed, shares, learned)
+    plane = filtered(cut, next(iter(learned.taps.values())))
+    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned, shares, learned)
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,7 +163,7 @@ class _Window:
     interpolated: Collection[int]
 
     def likely(self, filters: Filters | None, left_out: Collection[int] = ()) -> LikelySource:
-        """Of the sources that are followed at first."""
+        """The most likely source of every pixel, of those that are followed at first."""
         sources = {i: self.fine[1 + i] for i in sorted(self.following.followed) if i not in left_out}
         return _likely(self.fine[0], sources, self.following, self.valid, filters, self.sampling,
                        self.is_compressed, self.interpolated)
@@ -183,8 +183,8 @@ class _Window:
     def labels(self, likely: LikelySource, strange: np.ndarray | bool = True) -> np.ndarray:
         """(rows, columns) uint8; ``strange``: where no source may explain the mosaic."""
         unexplained = np.logical_and(likely.unexplained, strange & (not self.has_warped))
-        found = likely.labels | (unexplained * np.uint8(UNKNOWN))
-        return found if self.known is None else np.where(self.known == UNKNOWN, found, self.known)
+        followed = likely.labels | (unexplained * np.uint8(UNKNOWN))
+        return followed if self.known is None else np.where(self.known == UNKNOWN, followed, self.known)
 
     def in_tone(self, labels: np.ndarray) -> dict[int, Levelled]:
         """The sources that any pixel follows, in the mosaic's grey values."""
@@ -198,26 +198,26 @@ class _Window:
         labels = self.labels(likely)
         in_tone, unmixed = self.in_tone(labels), _sure_unmixed(labels, self.following)
         anywhere = _sure(labels, unmixed)
-        own, fine = self.fine[0], dict(enumerate(self.fine[1:]))
-        found = find_filters(own, fine, in_tone, labels, anywhere)
-        made = self._made(in_tone, found, labels)
+        mosaic_fine, fine = self.fine[0], dict(enumerate(self.fine[1:]))
+        filters = find_filters(mosaic_fine, fine, in_tone, labels, anywhere)
+        made = self._made(in_tone, filters, labels)
         pair, few = self._mixable(made, labels)
-        ground = self._ground(in_tone, found, made, labels, pair, few) if len(pair) == 2 else None
-        mixed = None if ground is None else self._mixed(likely, labels, found, pair, few, *ground)
+        ground = self._ground(in_tone, filters, made, labels, pair, few) if len(pair) == 2 else None
+        mixed = None if ground is None else self._mixed(likely, labels, filters, pair, few, *ground)
         if mixed is not None:
             return mixed
         # A filter that was learned of a mixture takes what that took.
         is_doubtful = np.count_nonzero(anywhere) > np.count_nonzero(unmixed)
-        if is_doubtful and share_left(own, made, labels, present(labels)) > MOST_LEFT_MIXED:
-            found = find_filters(own, fine, in_tone, labels, unmixed)
-        return found, labels, in_tone
+        if is_doubtful and share_left(mosaic_fine, made, labels, present(labels)) > MOST_LEFT_MIXED:
+            filters = find_filters(mosaic_fine, fine, in_tone, labels, unmixed)
+        return filters, labels, in_tone
 
     def _mixed(
         self, alone: LikelySource, labels: np.ndarray, found: Filters, pair: Sequence[int], few: Sequence[int],
         ground: MixedGround, gains: Mapping[int, np.ndarray],
     ) -> tuple[Filters, np.ndarray, dict[int, Levelled]] | None:
-        """The same where two sources are mixed nearly everywhere; None where one by one, ``alone``, they explain far
-        more than with what the mixture says came over them."""
+        """What ``learned`` tells where two sources are mixed nearly everywhere; None where one by one, ``alone``, they
+        explain far more than with what the mixture says came over them."""
         found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
         # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
         made = ground.mosaic[SAMPLE]
@@ -235,8 +235,8 @@ class _Window:
         return found, labels, {**self.in_tone(labels), **again}
 
     def _mixable(self, made: np.ndarray, labels: np.ndarray) -> tuple[list[int], list[int]]:
-        """Of the sources that leave something over where they are followed the two that most pixels follow, or did at
-        first, and those that few do."""
+        """The two sources that most pixels follow, or did at first, and those that few do, all of those that leave
+        something over where they are followed."""
         most_first = sorted(present(labels), key=lambda i: -np.count_nonzero(labels == i))
         alone = {i for i in most_first if share_left(self.fine[0], made, labels, [i]) < MIN_LEFT_UNMIXED}
         followed = [*most_first, *(i for i in self.following.followed if i not in most_first)]
@@ -256,8 +256,8 @@ class _Window:
         for i in pair:
             where &= self.valid.get(i, True)
         inside = np.where(where, labels, np.uint8(UNKNOWN))
-        left = share_left(self.fine[0], made, inside, pair)
-        if left < MIN_LEFT_UNMIXED:
+        left_alone = share_left(self.fine[0], made, inside, pair)
+        if left_alone < MIN_LEFT_UNMIXED:
             return None
         gains = [in_tone[i].gain if i in in_tone else np.float32(1) for i in pair]
         gains = evened_gains([self.planes[i] for i in pair], gains, where)
@@ -265,7 +265,7 @@ class _Window:
         shown = [found.placed(i, one) if i in found.taps else one for i, one in zip(pair, images)]
 
         def left_of_that(made: np.ndarray) -> float:
-            return share_left(self.fine[0], made[SAMPLE], inside, pair) / left
+            return share_left(self.fine[0], made[SAMPLE], inside, pair) / left_alone
 
         ground = mixed_ground(
             self.fine[0], images, shown, where, lambda made: left_of_that(made) > HOPELESS_LEFT_OF_THAT
@@ -335,16 +335,16 @@ def mosaic_of(
     within: np.ndarray,
     patch_px: int,
 ) -> tuple[np.ndarray, Filters]:
-    """The same where labels are known for sure and no seam is near, ``UNKNOWN`` elsewhere: (rows, columns) float32;
-    and what came over the mosaic.
+    """The expected mosaic where labels are known for sure and no seam is near, ``UNKNOWN`` elsewhere: (rows, columns)
+    float32; and what came over the mosaic.
 
     ``own``, ``fine``: the fine detail of the mosaic and of the sources. ``within``: pixels a filter may be taken from.
     ``patch_px``: side of the patches that all of them consist of.
     """
     sure = labels != UNKNOWN
     in_tone = _in_tone(mosaic, planes, labels, sure, patch_px)
-    found = find_filters(own, fine, in_tone, labels, sure & within)
-    return cut_of(mosaic, {i: found.applied(i, one.plane) for i, one in in_tone.items()}, labels), found
+    filters = find_filters(own, fine, in_tone, labels, sure & within)
+    return cut_of(mosaic, {i: filters.applied(i, one.plane) for i, one in in_tone.items()}, labels), filters
 
 
 def _in_tone(

@@ -29,19 +29,19 @@ LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values l
 
 
 def local_correlation(own: np.ndarray, energy: np.ndarray, shared: np.ndarray) -> np.ndarray:
-    """Of the mosaic with a source; energies above zero."""
+    """Correlation of the mosaic with a source; energies above zero."""
     return np.asarray(shared / np.sqrt(own * energy))
 
 
 def highest(values: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     """Index of the highest of several arrays, and its lead over the next; of one alone the value itself."""
     first, *others = values
-    found, second = np.zeros(first.shape, np.intp), np.zeros_like(first) if not others else np.full_like(first, -np.inf)
+    index, second = np.zeros(first.shape, np.intp), np.zeros_like(first) if not others else np.full_like(first, -np.inf)
     for number, other in enumerate(others, 1):
-        np.copyto(found, number, where=other > first)
+        np.copyto(index, number, where=other > first)
         second = np.maximum(second, np.minimum(first, other))
         first = np.maximum(first, other)
-    return found, first - second
+    return index, first - second
 
 
 def is_sure(correlation: np.ndarray, lead: np.ndarray) -> np.ndarray:
@@ -125,8 +125,8 @@ class FollowedSource:
         return tuple(int(i) for i in order if self.shares[i] >= MIN_FOLLOWED_SHARE)
 
     def with_known(self, known: np.ndarray) -> FollowedSource:
-        """The same where labels are known, (rows, columns) uint8, else ``UNKNOWN``: they decide what is followed, and
-        that sources are mixed along the borders between them alone."""
+        """Followed sources where labels are known, (rows, columns) uint8, else ``UNKNOWN``: they decide what is
+        followed, and that sources are mixed along the borders between them alone."""
         is_known = known != UNKNOWN
         parts, _ = ndimage.label(self.mixed[::CELL_PX, ::CELL_PX])
         meeting = np.unique(parts[near_border(known, CELL_PX)[::CELL_PX, ::CELL_PX]])
@@ -147,13 +147,13 @@ HIGH_PASS_PX = 3
 def high_pass(band: np.ndarray) -> np.ndarray:
     """A band (rows, columns) less its smoothed self, in float32: what is finer than a Gaussian of about 2 px."""
     fine = np.empty(band.shape, np.float32)
-    for own, around, inner in _strips(len(band), PIECE_PX, HIGH_PASS_PX):
+    for rows, around, inner in _strips(len(band), PIECE_PX, HIGH_PASS_PX):
         smooth = part = band[around].astype(np.float32, copy=False)
         for spacing in (1, 2):  # binomials with holes: variance 1/2 and 2 px squared along each axis
             for axis in (0, 1):
                 smooth = _binomial(smooth, spacing, axis)
-        np.multiply(smooth[inner], np.float32(-1 / 256), out=fine[own])
-        fine[own] += part[inner]
+        np.multiply(smooth[inner], np.float32(-1 / 256), out=fine[rows])
+        fine[rows] += part[inner]
     return fine
 
 
@@ -185,13 +185,13 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
 
 
 def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
-    """The same of planes that are held, the mosaic's first."""
+    """Which source the mosaic follows, of planes that are held, the mosaic's first."""
     rows, columns = fine[0].shape
     return follow(lambda start, stop: [plane[start:stop] for plane in fine], (rows, columns), len(fine) - 1)
 
 
 def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
-    """By cells: winner, whether it is clear, mixture, fit, energy of the mosaic and of the winner."""
+    """Winner by cells, whether it is clear, mixture, fit, energy of the mosaic and of the winner."""
     own = square_sums(mosaic, mosaic, CELL_PX)
     energies = [square_sums(source, source, CELL_PX) for source in sources]
     shared = [square_sums(mosaic, source, CELL_PX) for source in sources]
@@ -234,11 +234,11 @@ def _correlations(
     """Local correlation of the mosaic with each source, (cell rows, cell columns), near and wide."""
     least = np.float32(LEAST_ENERGY * CELL_PX**2)
     of_mosaic = [one + least for one in _around(own)]
-    found = []
+    correlations = []
     for energy, product in zip(energies, shared):
         for mosaic, of_source, both in zip(of_mosaic, _around(energy), _around(product)):
-            found.append(local_correlation(mosaic, of_source + least, both))
-    return found[0::2], found[1::2]
+            correlations.append(local_correlation(mosaic, of_source + least, both))
+    return correlations[0::2], correlations[1::2]
 
 
 def _around(products: np.ndarray) -> list[np.ndarray]:
@@ -247,10 +247,10 @@ def _around(products: np.ndarray) -> list[np.ndarray]:
 
 
 def _of_winner(values: Sequence[np.ndarray], winner: np.ndarray) -> np.ndarray:
-    found = values[0].copy()
+    chosen = values[0].copy()
     for number, other in enumerate(values[1:], 1):
-        np.copyto(found, other, where=winner == number)
-    return found
+        np.copyto(chosen, other, where=winner == number)
+    return chosen
 
 
 def _without_specks(winner: np.ndarray, count: int) -> np.ndarray:

@@ -5,8 +5,9 @@
 n is what compression, on either side, noise, resampling and rounding leave over. Its share of a source's detail is
 learned source by source as a function of how strong the detail is, from the better explained part of its ground. The
 correlation of what is explained has a scatter that is nearly even on Fisher's scale, z = artanh(rho) (Fisher 1921), so
-ground is foreign where squares of 56 or 104 px are explained less than chance allows in a window, and nearer to what
-another image of the same ground explains than to what is expected.
+ground is foreign where squares are explained less than chance allows in a window: in squares of 216 px by chance alone,
+which tells images that resemble each other as well; in those of 56 and 104 px, where something may have moved, nearer
+to what another image of the same ground explains than to what is expected besides.
 """
 from __future__ import annotations
 
@@ -18,7 +19,8 @@ from statistics import NormalDist
 import numpy as np
 from scipy import ndimage
 
-from ..seam_cells import is_one_of, present
+from ..seam_cells import present
+from .best_ground import MIN_ALIKE_STRANGE
 from .boxes import box_means, narrowed, near_border, opened, widened
 from .followed_source import CELL_PX, LEAST_ENERGY, WIDE_CELLS
 
@@ -27,16 +29,17 @@ NOISE_CELL_PX = 8
 IsCompressed = Callable[["int | None"], bool]
 """Whether the mosaic or a source shows traces of a codec; of None whether any of them does."""
 
-_WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which two images of one ground can be told apart
+_WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which a stranger is told
+_LARGE, _HALF = 27, 13  # the same: 216 px, in which chance alone is asked, and half of that
+_BORDERS, _UNTOLD = (3, 7, 13, 27), 0.1  # the same, by which borders are told; of a part, that need not be told by them
 _FALSE_ALARM = 0.01  # of a window, that chance finds a foreign part in it
 _STRANGER = 0.8  # share that another image of the same ground leaves over, 1 - rho^2
-_MIN_TRUE = 0.35  # share explained of strong detail: a source of which less is explained is a substitute everywhere
+_MIN_TRUE = 0.55  # share explained of strong detail, of which JPEG at quality 60 leaves 0.6: with less a substitute
+_MIN_TRUE_MIXED = 0.35  # the same of ground where two are mixed, each of which brings its noise
 _OF_BEST = 0.6  # of the z of the best source: with less one is a substitute, unless compression took what it lacks
 _MIXED_OF_BEST = 0.75  # the same of ground where two are mixed
 _MIXED, _MIXED_TOTAL = 0.2, 0.75  # the lesser of two weights, of their sum; and that sum, of ground that is mixed
 _OF_MIXED = 254  # number of mixed ground: what is left over there is learned apart
-_ALIKE, _ALIKE_FACTOR = 0.15, 3.0  # on the way to all, and times the expected: foreign, where nothing was compressed
-_EXACT_Z = 2.2  # a source of which 95 % of strong detail is explained
 _MIN_PART = 0.02  # of the ground: smaller parts are not reported
 _LEAST = 0.3  # DN squared a pixel, that rounding leaves
 _FEWEST_CELLS, _FEWEST_PATCHES = 160, 24  # that noise is learned from
@@ -55,11 +58,11 @@ class CellSums:
     """Sums of products of fine detail over cells of 4 px, (rows, columns) each."""
 
     mosaic: np.ndarray
-    """Of the mosaic with itself."""
+    """Products of the mosaic with itself."""
     energies: Mapping[int, np.ndarray]
-    """Of each source with itself."""
+    """Products of each source with itself."""
     shared: Mapping[int, np.ndarray]
-    """Of each source with the mosaic."""
+    """Products of each source with the mosaic."""
     cut: np.ndarray
     """What the sources leave over, pixel by pixel as they are followed."""
     labels: np.ndarray
@@ -67,7 +70,7 @@ class CellSums:
     valid: Mapping[int, np.ndarray]
     """bool: cells that a source has, of those that don't have all."""
     between: Callable[[int, int], np.ndarray]
-    """Of two sources with each other."""
+    """Products of two sources with each other."""
 
 
 def foreign_ground(sums: CellSums, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
@@ -113,10 +116,10 @@ class _Fit:
     """What a source explains where it is followed, on Fisher's scale."""
 
     expected: np.ndarray
-    """By the energy at every place."""
+    """What is explained by the energy at every place."""
     scatter: np.ndarray | float
     strong: float
-    """Of strong detail."""
+    """What is explained of strong detail."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +127,7 @@ class _NoiseCells:
     """Means over cells of 8 px, (rows, columns) each."""
 
     energy: np.ndarray
-    """Of the mosaic."""
+    """Energy of the mosaic, DN squared a pixel."""
     left_over: np.ndarray
     labels: np.ndarray
     """uint8: the source that is followed, or ``_OF_MIXED``."""
@@ -137,7 +140,7 @@ class _NoiseCells:
 
     @classmethod
     def of(cls, sums: CellSums, pairs: Mapping[tuple[int, int], np.ndarray]) -> _NoiseCells:
-        """By the weights of one source in every neighbourhood, or of two where that pays; ``pairs``: their sums."""
+        """Cells by weights of one source in every neighbourhood, or of two where that pays; ``pairs``: their sums."""
         weights = _weights(sums, pairs)
         rest = sums.mosaic.copy()
         used = {i: weight * sums.valid.get(i, np.True_) for i, weight in weights.items()}
@@ -161,10 +164,16 @@ class _NoiseCells:
         return cls(energy, np.minimum(_means(np.maximum(rest, 0)), cut), labels, border, seen, sources)
 
     def foreign(self, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
-        """What squares of any size find, (rows, columns) bool."""
-        sides = [side for side in _WIDE if min(self.energy.shape) >= side]
-        found = [_Squares.of(self, side).foreign(is_compressed, is_window) for side in sides]
-        return np.logical_or.reduce([np.zeros_like(self.border), *found])
+        """What squares of any size find, (rows, columns) bool; parts of the largest of which smaller ones found the
+        most end as those have it."""
+        sides = [side for side in (*_WIDE, _LARGE) if min(self.energy.shape) >= side]
+        each = {side: _Squares.of(self, side).foreign(is_compressed, is_window) for side in sides}
+        parts, _ = ndimage.label(each.pop(_LARGE, np.zeros_like(self.border)))
+        foreign = np.logical_or.reduce([np.zeros_like(self.border), *each.values()])
+        sizes, known = (np.bincount(of.ravel(), minlength=int(parts.max()) + 1) for of in (parts, parts[foreign]))
+        is_new = 2 * known < sizes
+        is_new[0] = False
+        return np.asarray(foreign | is_new[parts])
 
 
 @dataclass(frozen=True, eq=False)
@@ -193,9 +202,10 @@ class _Squares:
     def foreign(self, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
         """Cells of foreign parts, (rows, columns) bool."""
         cells, stranger, nothing = self.cells, _fisher(1 - _STRANGER), np.zeros_like(self.textured)
-        is_exact = not is_compressed(None)
-        highest = _fisher(1 - _ALIKE) if is_exact else (_fisher(1.0) + stranger) / 2
-        if not opened(self.textured & (self.z < highest), self.side).any():
+        is_large, opening = self.side == _LARGE, _HALF if self.side == _LARGE else self.side - 2
+        chance = _normal(1 - _FALSE_ALARM / max(cells.energy.size / self.side**2, 1))
+        highest = _fisher(1.0) - chance * _LEAST_SCATTER if is_large else (_fisher(1.0) + stranger) / 2
+        if not opened(self.textured & (self.z < highest), opening).any():
             return nothing  # whatever is expected
         noise = self._noise()
         fits = {number: self._fit(number, noise, ()) for number in noise}
@@ -205,16 +215,10 @@ class _Squares:
         if sum(number in noise for number in cells.sources) > 1:
             fits = {number: self._fit(number, noise, true) for number in true}
         expected, scatter = _assigned(cells.labels, fits, true)
-        limit = (expected + stranger) / 2
-        if is_exact:  # images that resemble a true one are told where that leaves next to nothing over
-            left_over = 1 - np.tanh(expected) ** 2
-            alike = np.maximum(left_over + _ALIKE * (1 - left_over), _ALIKE_FACTOR * left_over)
-            best = max(true, key=lambda number: fits[number].strong)
-            exact = [i for i in present(cells.labels) if fits[i if i in true else best].strong >= _EXACT_Z]
-            limit = np.where(is_one_of(cells.labels, exact), np.maximum(limit, _fisher(1 - alike)), limit)
-        chance = _normal(1 - _FALSE_ALARM / max(cells.energy.size / self.side**2, 1))
-        found = opened(self.textured & (self.z < expected - chance * scatter) & (self.z < limit), self.side - 2)
-        return self._to_borders(found, expected)
+        alike = _fisher((1 - MIN_ALIKE_STRANGE) * np.tanh(expected) ** 2)
+        limit = alike if is_large else (expected + stranger) / 2
+        parts = opened(self.textured & (self.z < expected - chance * scatter) & (self.z < limit), opening)
+        return self._to_borders(parts, expected)
 
     def _noise(self) -> dict[int, Callable[[np.ndarray], np.ndarray]]:
         """Share that each source leaves over in a cell by its energy there, of those with ground enough."""
@@ -260,17 +264,21 @@ class _Squares:
         return _Fit(expected + middle, float(scatter), float(np.quantile(expected[followed], 0.8)))
 
     def _to_borders(self, found: np.ndarray, expected: np.ndarray) -> np.ndarray:
-        """Parts that wide squares found up to where half of a square of 24 px is within them, by correlation."""
+        """Parts that squares found up to where half of a smaller one is within them, by correlation: the smallest that
+        tells nearly all of what was found from what is explained."""
         if not found.any():
             return found
-        cells = self.cells
-        energy, left_over = _box_means((cells.energy, cells.left_over), 3)
-        least = 1 - np.tanh(expected) ** 2
-        part = (left_over / np.maximum(energy, 1e-3) - least) / np.maximum(1 - least, 0.05)
-        inside = float(np.clip(np.median(part[found]), 0, 1))
-        near = widened(found, self.side) & self.textured & (part > 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2)
+        cells, least = self.cells, 1 - np.tanh(expected) ** 2
+        for side in (one for one in _BORDERS if one <= self.side):
+            energy, left_over = _box_means((cells.energy, cells.left_over), side)
+            part = (left_over / np.maximum(energy, 1e-3) - least) / np.maximum(1 - least, 0.05)
+            low, inside = np.clip(np.quantile(part[found], (_UNTOLD, 0.5)), 0, 1).tolist()
+            half = 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2
+            if low > half:
+                break
+        near = widened(found, self.side) & self.textured & (part > half)
         near = narrowed(widened(near, 1), 1) & self.textured
-        found = opened(ndimage.binary_propagation(found & near, mask=near), 3)
+        found = opened(ndimage.binary_propagation(found & near, mask=near), min(side, _HALF))
         parts, _ = ndimage.label(found)
         sizes = np.bincount(parts.ravel())
         sizes[0] = 0
@@ -347,11 +355,13 @@ def _share_left(energy: np.ndarray, left_over: np.ndarray) -> Callable[[np.ndarr
 def _true_sources(fits: Mapping[int, _Fit], is_compressed: IsCompressed) -> list[int]:
     """Those that are no substitutes for another image wherever they are followed."""
     most = max((fit.strong for fit in fits.values()), default=0.0)
-    return [
+    true = [
         number for number, fit in fits.items()
-        if np.tanh(fit.strong) ** 2 >= _MIN_TRUE
+        if np.tanh(fit.strong) ** 2 >= (_MIN_TRUE_MIXED if number == _OF_MIXED else _MIN_TRUE)
         and (fit.strong >= (_MIXED_OF_BEST if number == _OF_MIXED else _OF_BEST) * most or is_compressed(number))
     ]
+    # What is mixed with a substitute is one.
+    return true if fits.keys() <= {*true, _OF_MIXED} else [number for number in true if number != _OF_MIXED]
 
 
 def _assigned(labels: np.ndarray, fits: Mapping[int, _Fit], true: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:

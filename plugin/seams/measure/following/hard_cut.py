@@ -183,17 +183,17 @@ def judged_ground(
         i for i, of in enumerate(followed.source_of)
         if i in followed.moves or np.hypot(*images[of].offset) >= LEAST_MOVED_PX
     }
-    found = expected_mosaic(
+    expected = expected_mosaic(
         image.plane, followed.planes, followed.fine, following, valid, known, given=given if is_moved else None,
         interpolated=interpolated,
     )
-    found = found.of_sources(followed.source_of)
-    labels = found.labels
+    expected = expected.of_sources(followed.source_of)
+    labels = expected.labels
     if image.valid is not None:
         labels[~image.valid] = UNKNOWN
     if (labels == UNKNOWN).all():
         labels = np.array(followed.source_of, np.uint8)[followed.following.labels]
-    return JudgedGround(image, tuple(images), followed, found, labels)
+    return JudgedGround(image, tuple(images), followed, expected, labels)
 
 
 def cut_hard(
@@ -211,9 +211,9 @@ def cut_hard(
     planes = [one.plane[inside] for one in (own, *others)]
     image, *images = on_common_bands((mosaic, *sources), planes, levels)
     following = _within(around, inside)
-    found = around.labels[inside]
+    cut_labels = around.labels[inside]
     tones = [image.tones_of(other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
-    composite = make_composite(image.bands, [other.bands for other in images], image.names, found, tones)
+    composite = make_composite(image.bands, [other.bands for other in images], image.names, cut_labels, tones)
     return HardCut(image, tuple(images), following, tuple(tones), composite, around, inside)
 
 

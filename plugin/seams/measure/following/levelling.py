@@ -84,14 +84,14 @@ def evened_gains(
 
     What a mosaic of their mean shows of either is less than it has, and nobody knows how much less.
     """
-    own = square_means(where) > _MIN_OWN
-    if np.count_nonzero(own) < _FEWEST_SQUARES:
+    squares = square_means(where) > _MIN_OWN
+    if np.count_nonzero(squares) < _FEWEST_SQUARES:
         return list(gains)
-    weight = _near_means(own.astype(np.float32), 0) + 1e-6
+    weight = _near_means(squares.astype(np.float32), 0) + 1e-6
     contrasts = []
     for plane, gain in zip(planes, gains):
         means = square_means(np.asarray(gain * plane, np.float32))
-        contrasts.append(float((means - _near_means(np.where(own, means, 0), 0) / weight)[own].std()))
+        contrasts.append(float((means - _near_means(np.where(squares, means, 0), 0) / weight)[squares].std()))
     if min(contrasts) <= 0:
         return list(gains)
     mean = float(np.exp(np.mean(np.log(contrasts))))
@@ -114,7 +114,7 @@ def left_over(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> tupl
 
 
 def left_by_curve(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> float:
-    """The first of both."""
+    """Scale of what is left over after one curve of tones for all of the window, as ``left_over`` has it."""
     if np.count_nonzero(where) < _FEWEST_SQUARES:
         return 0.0
     x, y = source[where].astype(np.float64), mosaic[where].astype(np.float64)
@@ -190,7 +190,7 @@ def _places(source: np.ndarray, places: np.ndarray) -> list[np.ndarray]:
 
 
 def _spread_out(bias: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Smoothed where it is known, and carried on from there to where it is not."""
+    """Bias, smoothed where it is known, and carried on from there to where it is not."""
     weight = np.where(share > _MIN_OWN, share, 1e-4 * share)
     total = float(weight.sum())
     mean = float((weight * bias).sum()) / total
@@ -214,7 +214,7 @@ def to_pixels(squares: np.ndarray, shape: tuple[int, ...], side: int = SQUARE_PX
 
 
 def _parts(few: int, side: int) -> Iterator[tuple[slice, slice]]:
-    """Of pixels that are interpolated at a time, and the squares that matter to them."""
+    """Pixels that are interpolated at a time, and the squares that matter to them."""
     for start in range(0, few, _AT_A_TIME):
         end = start + _AT_A_TIME
         yield slice(start * side, end * side), slice(max(start - 1, 0), end + 1)

@@ -60,14 +60,14 @@ class Sampling:
     near: int
     """Squares a side that are looked at together, odd."""
     wide: int
-    """The same where those don't decide, odd."""
+    """Squares a side that decide where those don't, odd."""
 
     def sums(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-        """Of the products over the squares, (rows, columns)."""
+        """Sums of the products over the squares, (rows, columns)."""
         return square_sums(a, b, self.grid_px)
 
     def squares(self, pixels: int) -> int:
-        """So many pixels."""
+        """How many squares so many pixels make."""
         return pixels // self.grid_px**2
 
 
@@ -99,7 +99,8 @@ def likely_source(
     is_compressed: IsCompressed = lambda number: False,
     interpolated: Collection[int] = (),
 ) -> LikelySource:
-    """Of ``sources``, high-passed planes as ``mosaic``, (rows, columns), those that it follows by a first estimate.
+    """The most likely source of every pixel, of ``sources`` that ``mosaic`` follows by a first estimate; all are
+    high-passed planes, (rows, columns).
 
     ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure. ``valid``: pixels that a source has, of
     those that don't have all. ``interpolated``: those that lie between the mosaic's pixels, which leave more over than
@@ -130,27 +131,27 @@ def likely_source(
             cost[~valid[i][grid]] = np.inf
         costs.append(cost)
     nearest, cost = _least(list(sources), costs)
-    found = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
+    followed = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
     times = CELL_PX // step
     in_cells = _in_cells(own, times)
     cut = np.zeros_like(own)
     for i in sources:
-        np.copyto(cut, np.maximum(own - 2 * products[i] + energies[i], 0), where=found == i)
+        np.copyto(cut, np.maximum(own - 2 * products[i] + energies[i], 0), where=followed == i)
     place = np.s_[: in_cells.shape[0], : in_cells.shape[1]]
     sums = CellSums(
         in_cells,
         {i: _in_cells(one, times) for i, one in energies.items()},
         {i: _in_cells(one, times) for i, one in products.items()},
         _in_cells(cut, times),
-        found[::times, ::times][place],
+        followed[::times, ::times][place],
         {i: valid[i][grid][::times, ::times][place] for i in sources if i in valid},
         lambda i, j: square_sums(sources[i], sources[j], CELL_PX),
     )
-    unexplained = enlarged(_unexplained(sums, sampling is FINE, is_compressed, interpolated), times, found.shape)
+    unexplained = enlarged(_unexplained(sums, sampling is FINE, is_compressed, interpolated), times, followed.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
     left = float(cost[np.isfinite(cost)].sum()) / max(float(near.sum()), 1e-9)
-    return LikelySource(enlarged(found, step), enlarged(unexplained, step), left)
+    return LikelySource(enlarged(followed, step), enlarged(unexplained, step), left)
 
 
 def _unexplained(
@@ -181,9 +182,9 @@ def _unexplained(
     even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
     sharp = textured & (wide >= _AS_STRONG * energy)  # a seam that was brushed soft is followed all the same
     cells = _Cells(wide, left, textured, sharp, even, labels, is_window)
-    found = cells.strange()
-    if len(energies) == 1 or not found.any():
-        return found
+    strange = cells.strange()
+    if len(energies) == 1 or not strange.any():
+        return strange
     near, *with_mosaic = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *products.values()))
     shared = dict(zip(products, with_mosaic))
     common = {
@@ -197,7 +198,7 @@ def _unexplained(
             by_some = _left_by(near, [shared[i] for i in some], [common[pair] for pair in pairs])
             np.minimum(mixed, by_some, out=mixed)
     if _is_explained(wide, mixed, textured):
-        return np.zeros_like(found)
+        return np.zeros_like(strange)
     # What weights that change within a square leave over of a mixture is as much as of one that stands in.
     cells = replace(cells, left=mixed, sharp=sharp & (mixed > _MIXED_LEFT * left))
     return cells.strange(interpolated)
@@ -225,40 +226,40 @@ class _Cells:
     def strange(self, interpolated: Collection[int] = ()) -> np.ndarray:
         """Parts that no source explains, (cell rows, cell columns) bool; those that lie between the mosaic's pixels are
         judged by their own ground."""
-        stand_ins, found = self._stand_ins(), np.zeros_like(self.textured)
+        stand_ins, parts = self._stand_ins(), np.zeros_like(self.textured)
         numbers = frozenset(present(self.labels))
         for group in filter(None, (numbers.difference(interpolated), numbers.intersection(interpolated))):
-            found |= self._strange_parts(is_one_of(self.labels, group), stand_ins)
-        return found
+            parts |= self._strange_parts(is_one_of(self.labels, group), stand_ins)
+        return parts
 
     def _stand_ins(self) -> np.ndarray:
         """Where a source stands in for one of the same ground, (cell rows, cell columns) bool: it leaves over many
         times as much as it does on its own best ground, or all over its part as much more than the others do on theirs,
         and unevenly. One that was resampled leaves over evenly what is finest."""
-        found = np.zeros_like(self.sharp)
+        stand_ins = np.zeros_like(self.sharp)
         sharp, wide, left = self.sharp, self.wide, self.left
         if not opened(sharp & self.even & (left > MIN_STAND_IN_STRANGE * wide), _ALIKE_CELLS).any():
-            return found
-        own = {number: sharp & (self.labels == number) for number in present(self.labels)}
-        grounds = {number: learn_best_ground(wide[its], left[its]) for number, its in own.items()}
+            return stand_ins
+        parts = {number: sharp & (self.labels == number) for number in present(self.labels)}
+        grounds = {number: learn_best_ground(wide[its], left[its]) for number, its in parts.items()}
         for number, ground in grounds.items():
             if ground is None:
                 continue
-            its = own[number]
-            found |= its & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
+            part = parts[number]
+            stand_ins |= part & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
             # A seam leaves something over along itself.
-            inside = its & narrowed(self.labels == number, WIDE_CELLS // 2 + 1)
+            inside = part & narrowed(self.labels == number, WIDE_CELLS // 2 + 1)
             if inside.any() and np.median(expected := ground.response(wide[inside])) >= MIN_STAND_IN_STRANGE:
-                others = [one for one in own if one != number]
+                others = [one for one in parts if one != number]
                 rest = sharp & (self.labels != number)
                 best = grounds[others[0]] if len(others) == 1 else learn_best_ground(wide[rest], left[rest])
                 if best is not None and _is_nowhere_true(expected, best, wide[inside], left[inside]):
-                    found |= its & (left > MIN_STAND_IN_STRANGE * wide)
-        return found
+                    stand_ins |= part & (left > MIN_STAND_IN_STRANGE * wide)
+        return stand_ins
 
     def _strange_parts(self, of: np.ndarray, stand_ins: np.ndarray) -> np.ndarray:
-        """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool,
-        and evenly. Images that resemble the true one are told as well, ``stand_ins`` are such."""
+        """Parts of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns)
+        bool, and evenly. Images that resemble the true one are told as well, ``stand_ins`` are such."""
         textured, wide, left = self.textured & of, self.wide, self.left
         seen = textured & self.even
         certain = seen & stand_ins
@@ -273,13 +274,13 @@ class _Cells:
         if self.is_window and ground.is_of_none():
             return textured
         strange, alike = ground.strangeness(wide, left)
-        found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
+        parts = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
         inside = ndimage.binary_propagation(opened(certain, _ALIKE_CELLS), mask=certain)
-        found |= opened(seen & alike, _ALIKE_CELLS) | inside
-        if not found.any():
-            return found
-        found = _to_borders(found, strange) | narrowed(inside, WIDE_CELLS // 2 + 1)
-        return without_islands(found.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
+        parts |= opened(seen & alike, _ALIKE_CELLS) | inside
+        if not parts.any():
+            return parts
+        parts = _to_borders(parts, strange) | narrowed(inside, WIDE_CELLS // 2 + 1)
+        return without_islands(parts.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
 
 
 def _is_nowhere_true(expected: np.ndarray, others: BestGround, own: np.ndarray, left: np.ndarray) -> bool:
@@ -395,11 +396,11 @@ def _left_over(
 
 def _least(numbers: list[int], costs: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     """The source of least cost, uint8, and that; (rows, columns) each."""
-    found, cost = np.full(costs[0].shape, numbers[0], np.uint8), costs[0]
+    source, cost = np.full(costs[0].shape, numbers[0], np.uint8), costs[0]
     for number, other in zip(numbers[1:], costs[1:]):
-        np.copyto(found, np.uint8(number), where=other < cost)
+        np.copyto(source, np.uint8(number), where=other < cost)
         cost = np.minimum(cost, other)
-    return found, cost
+    return source, cost
 
 
 def without_islands(labels: np.ndarray, least: int) -> np.ndarray:
@@ -421,11 +422,11 @@ def filled_in(labels: np.ndarray, open_to: np.ndarray) -> np.ndarray:
     """What is ``open_to`` what surrounds it goes with what is nearest, (rows, columns); labels if all or nothing is."""
     if not open_to.any() or open_to.all():
         return labels
-    found, small = labels.copy(), open_to
+    filled, small = labels.copy(), open_to
     islands, _ = ndimage.label(small, np.ones((3, 3)))
     for number, place in enumerate(ndimage.find_objects(islands), 1):
         # What is nearest to an island touches it.
         around = tuple(slice(max(part.start - 1, 0), part.stop + 1) for part in place)
         nearest = ndimage.distance_transform_edt(small[around], return_distances=False, return_indices=True)
-        np.copyto(found[around], labels[around][tuple(nearest)], where=islands[around] == number)
-    return found
+        np.copyto(filled[around], labels[around][tuple(nearest)], where=islands[around] == number)
+    return filled

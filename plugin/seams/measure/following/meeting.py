@@ -31,9 +31,9 @@ def where_several_meet(
     middles = np.s_[SQUARE_PX // 2 :: SQUARE_PX, SQUARE_PX // 2 :: SQUARE_PX]
     squares = labels[middles][:rows, :columns]
     near = np.stack([widened(squares == number, REACH_PX // SQUARE_PX) for number in numbers])
-    for one, number in zip(near, numbers):
+    for mask, number in zip(near, numbers):
         if number in valid:
-            one &= in_squares(valid[number], SQUARE_PX).all(axis=(1, 3))
+            mask &= in_squares(valid[number], SQUARE_PX).all(axis=(1, 3))
     return near if (np.count_nonzero(near, axis=0) > 2).any() else None
 
 
@@ -80,15 +80,15 @@ def _around(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def _weights(normal: np.ndarray, right: np.ndarray, near: np.ndarray) -> np.ndarray:
-    """None below 0, (n, sources), by their products (n, sources, sources) and those with the mosaic (n, sources);
-    ``near``, (n, sources) bool: the others weigh nothing."""
-    one = np.eye(right.shape[1])
+    """Weights of the sources, none below 0, (n, sources), by their products (n, sources, sources) and those with the
+    mosaic (n, sources); ``near``, (n, sources) bool: the others weigh nothing."""
+    identity = np.eye(right.shape[1])
     ridge = _LEAST_ENERGY + _RIDGE * np.einsum("nii->n", normal)
-    normal = normal + ridge[:, np.newaxis, np.newaxis] * one
+    normal = normal + ridge[:, np.newaxis, np.newaxis] * identity
     active = near.copy()
     for _ in range(right.shape[1]):
         both = active[:, :, np.newaxis] & active[:, np.newaxis, :]
-        weights = np.linalg.solve(np.where(both, normal, one), np.where(active, right, 0)[..., np.newaxis])[..., 0]
+        weights = np.linalg.solve(np.where(both, normal, identity), np.where(active, right, 0)[..., np.newaxis])[..., 0]
         if not (weights < 0).any():
             break
         active &= weights > 0

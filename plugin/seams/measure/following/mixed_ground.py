@@ -30,7 +30,7 @@ class MixedGround:
     """What two images were multiplied by and filtered with."""
 
     gain: float
-    """Of both, beyond what they were multiplied by already."""
+    """Gain of both, beyond what they were multiplied by already."""
     taps: tuple[np.ndarray, np.ndarray]
     """(5, 5) each."""
     mosaic: np.ndarray
@@ -41,16 +41,17 @@ def mixed_ground(
     mosaic: np.ndarray, fine: Sequence[np.ndarray], shown: Sequence[np.ndarray], where: np.ndarray,
     is_hopeless: Callable[[np.ndarray], bool] = lambda made: False,
 ) -> MixedGround | None:
-    """Of two high-passed planes in the mosaic's tones, (rows, columns) float32, and the pixels that take part, bool.
+    """The mixture of two high-passed planes ``fine`` in the mosaic's tones, (rows, columns) float32; ``where``, bool:
+    the pixels that take part.
 
     ``shown``: the same as the mosaic shows them, as far as that is known. ``is_hopeless``: asked what a later round
     makes of them, whether more are in vain. None where they are, or there is too little.
     """
     held = square_sums(where.astype(np.float32), where.astype(np.float32), BLOCK_PX) >= _MIN_BLOCK * BLOCK_PX**2
-    own = np.where(where, mosaic, np.float32(0))
+    masked = np.where(where, mosaic, np.float32(0))
     gain, weights, lesser, taps = 1.0, [], 0.0, None
     for number in range(_ROUNDS):
-        first = _first_weights(own, [np.where(where, one, np.float32(0)) for one in shown], held)
+        first = _first_weights(masked, [np.where(where, one, np.float32(0)) for one in shown], held)
         if first is None:
             return None
         before, lesser = lesser, float(np.minimum(first[held], 1 - first[held]).mean())

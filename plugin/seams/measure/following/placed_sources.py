@@ -38,7 +38,7 @@ class PlacedSources:
     source_of: tuple[int, ...]
     """Number of the source that each plane is of."""
     moves: Mapping[int, Shift] = field(default_factory=dict)
-    """By how much those planes were moved that were."""
+    """Shifts of those planes that were moved."""
 
 
 def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> PlacedSources:
@@ -72,32 +72,32 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
         follow_planes((*fine, *fine_placed)), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved),
         moves=dict(enumerate(moved.values(), count)),
     )
-    found = _without_idle_planes(both, shape)
-    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.following.unexplained.mean() <= unexplained / 2
-    is_clearer = unclear >= MIN_UNCLEAR_SHARE and found.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
-    finds_idle = may_lie_elsewhere and 1 - found.following.fit <= MAX_IDLE_LEFT * (1 - plain.fit)
-    is_better = found.following.fit >= plain.fit + MIN_FIT_GAIN
-    return found if explains_part or is_clearer or finds_idle or is_better else first
+    with_moved = _without_idle_planes(both, shape)
+    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and with_moved.following.unexplained.mean() <= unexplained / 2
+    is_clearer = unclear >= MIN_UNCLEAR_SHARE and with_moved.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
+    finds_idle = may_lie_elsewhere and 1 - with_moved.following.fit <= MAX_IDLE_LEFT * (1 - plain.fit)
+    is_better = with_moved.following.fit >= plain.fit + MIN_FIT_GAIN
+    return with_moved if explains_part or is_clearer or finds_idle or is_better else first
 
 
 def _clearer(
     plain: FollowedSource, fine: Sequence[np.ndarray], images: Sequence[ComparedImage], shape: tuple[int, int]
 ) -> FollowedSource:
-    """The same, or what is followed through filters if that is clearer: images of one scene that lie on other pixels
+    """``plain``, or what is followed through filters if that is clearer: images of one scene that lie on other pixels
     than the mosaic are more like each other than like it. A filter is learned of the whole window, of which a part
     follows its source."""
     if plain.unclear_share < MIN_UNCLEAR_SHARE or len(images) < 2:
         return plain
     everywhere = np.ones(shape, bool)
     shown = [fine[0]]
-    for one, image in zip(fine[1:], images):
-        shown.append(_through_filter(fine[0], one, everywhere if image.valid is None else image.valid))
-    found = follow_planes(shown)
-    return found if found.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share else plain
+    for source, image in zip(fine[1:], images):
+        shown.append(_through_filter(fine[0], source, everywhere if image.valid is None else image.valid))
+    by_filters = follow_planes(shown)
+    return by_filters if by_filters.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share else plain
 
 
 def clearer_by_parts(found: PlacedSources, parts: np.ndarray) -> PlacedSources:
-    """The same, or what is followed through filters if that is clearer, where seams are known: ``parts``, (rows,
+    """``found``, or with what is followed through filters if that is clearer, where seams are known: ``parts``, (rows,
     columns) int, each of one source, whichever explains most of it, -1 elsewhere. A filter is learned where its source
     is followed."""
     own, *fine = found.fine
@@ -127,7 +127,7 @@ def _is_of_all(shifts: Sequence[Shift | None]) -> bool:
 
 
 def _without_idle_planes(both: PlacedSources, shape: tuple[int, int]) -> PlacedSources:
-    """Without the planes that hardly won: an image mixed with itself a bit farther on is no mixture of two images."""
+    """Sources without the planes that hardly won: an image mixed with itself a bit farther on is no mixture of two."""
     shares = both.following.shares
     of_source = {i: max(shares[k] for k, of in enumerate(both.source_of) if of == i) for i in both.source_of}
     kept = [k for k, of in enumerate(both.source_of) if shares[k] == of_source[of] or shares[k] >= MIN_BOTH_SHARE]
@@ -141,5 +141,5 @@ def _without_idle_planes(both: PlacedSources, shape: tuple[int, int]) -> PlacedS
 
 
 def _shift_where(image: Spectra, reference: Spectra, where: np.ndarray) -> Shift | None:
-    """In the part where it matters; in the whole window where that part is too small or shows nothing."""
+    """Shift in the part where it matters; in the whole window where that part is too small or shows nothing."""
     return (find_shift(image, reference, where) if where.any() else None) or find_shift(image, reference)

@@ -23,7 +23,7 @@ REACH_PX = 2
 UNTOUCHED = np.pad(np.ones((1, 1), np.float32), REACH_PX)
 """The filter that leaves an image as it is."""
 FEWEST_PIXELS = 2000
-"""That a filter is learned from."""
+"""Fewest pixels that a filter is learned from."""
 
 _SIDE = 2 * REACH_PX + 1
 _MOST_PIXELS = 12000
@@ -40,14 +40,14 @@ def fit_filter(
     ``where``, (rows, columns) bool: pixels that count. ``gain``: what the taps add up to, where that is known. None
     where too few pixels count.
     """
-    found = fit_filters(image, [reference], where, gain)
-    return None if found is None else found[0]
+    taps = fit_filters(image, [reference], where, gain)
+    return None if taps is None else taps[0]
 
 
 def fit_filters(
     image: np.ndarray, references: Sequence[np.ndarray], where: np.ndarray, gain: float | None = None
 ) -> np.ndarray | None:
-    """The same of several images that are added up, (references, 5, 5); ``gain`` of each."""
+    """Taps (references, 5, 5) as ``fit_filter`` has them, of several images that are added up; ``gain`` of each."""
     inside = np.flatnonzero(where[_MARGIN_PX:-_MARGIN_PX, _MARGIN_PX:-_MARGIN_PX])
     if len(inside) < FEWEST_PIXELS:
         return None
@@ -89,7 +89,7 @@ _EVERY = 4  # rows and columns apart are looked at to see whether a filter expla
 _ROUNDS = 3
 _SQUARE_PX = 32  # of which whole ones are of one image or another
 SAMPLE = np.s_[::_EVERY, ::_EVERY]
-"""Of the rows and columns of a plane."""
+"""Index of the sampled rows and columns of a plane, every fourth."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,18 +97,18 @@ class Filters:
     """What makes of the sources what the mosaic shows of them."""
 
     taps: Mapping[int, np.ndarray]
-    """Of each source that is followed, (5, 5); empty where nothing was done to them."""
+    """Taps (5, 5) of each source that is followed; empty where nothing was done to them."""
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
 
     def with_own(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
-        """With those of some sources, each its own; ``present``: all that are followed."""
+        """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
         own = {i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}
         return replace(self, taps=own, came_over_cuts=False)
 
     def placed(self, source: int, plane: np.ndarray) -> np.ndarray:
-        """The same as sharp as it was, only moved: what came over a whole mosaic can't be told from what came over its
-        sources, but where they lie in it is what they were mixed by."""
+        """A source's plane as sharp as it was, only moved: what came over a whole mosaic can't be told from what came
+        over its sources, but where they lie in it is what they were mixed by."""
         if not self.taps or self.came_over_cuts:
             return plane
         taps = self.taps[source]
@@ -157,15 +157,15 @@ def share_left(own: np.ndarray, made: np.ndarray, labels: np.ndarray, of: Sequen
 
 def through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:
     """A source's fine detail as the mosaic shows it."""
-    own = where[SAMPLE]
-    if _is_a_multiple(mosaic[SAMPLE], source[SAMPLE], own.astype(np.uint8), own, MAX_LEFT_UNFILTERED):
+    sample = where[SAMPLE]
+    if _is_a_multiple(mosaic[SAMPLE], source[SAMPLE], sample.astype(np.uint8), sample, MAX_LEFT_UNFILTERED):
         return source
     taps = fit_filter(mosaic, source, where)
     if taps is None:
         return source
     made = filtered(source, taps)
-    found = made if _explains_more(mosaic, source, made, where) else source
-    return _of_best_ground(mosaic, source, found, where)
+    shown = made if _explains_more(mosaic, source, made, where) else source
+    return _of_best_ground(mosaic, source, shown, where)
 
 
 def _of_best_ground(mosaic: np.ndarray, source: np.ndarray, shown: np.ndarray, where: np.ndarray) -> np.ndarray:
@@ -276,12 +276,12 @@ def filter_power(taps: Iterable[np.ndarray]) -> float | None:
     """The power p with which filters leave r^p of waves of 5 px where they leave r of those of 2.5 px, the least of
     all, in any direction; 0 where one takes nothing, or nearly all; None without any. Gaussian blur has 0.25,
     interpolation less; contrast that is taken evenly has 1."""
-    found = []
-    for one in taps:
-        longer, shorter = (_response(one, wave) for wave in _WAVES_PX)
-        told = bool(((shorter >= _LEAST_RESPONSE) & (shorter < 1)).all())
-        found.append(float((np.log(np.minimum(longer, 1)) / np.log(shorter)).min()) if told else 0.0)
-    return min(found, default=None)
+    powers = []
+    for kernel in taps:
+        longer, shorter = (_response(kernel, wave) for wave in _WAVES_PX)
+        is_told = bool(((shorter >= _LEAST_RESPONSE) & (shorter < 1)).all())
+        powers.append(float((np.log(np.minimum(longer, 1)) / np.log(shorter)).min()) if is_told else 0.0)
+    return min(powers, default=None)
 
 
 def _response(taps: np.ndarray, wave_px: float) -> np.ndarray:
@@ -289,5 +289,5 @@ def _response(taps: np.ndarray, wave_px: float) -> np.ndarray:
     at = np.arange(-REACH_PX, REACH_PX + 1)
     angles = np.pi / 8 * np.arange(8)
     down, across = (2 * np.pi / wave_px * np.outer(turn(angles), at) for turn in (np.sin, np.cos))
-    left = np.einsum("di,ij,dj->d", np.exp(1j * down), taps, np.exp(1j * across))
-    return np.asarray(np.abs(left) / abs(taps.sum()))
+    response = np.einsum("di,ij,dj->d", np.exp(1j * down), taps, np.exp(1j * across))
+    return np.asarray(np.abs(response) / abs(taps.sum()))

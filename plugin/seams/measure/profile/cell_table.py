@@ -20,9 +20,9 @@ FARTHEST = len(EDGES_PX) - 1
 MIXED_BINS = EDGES_PX.index(128)
 """Bins in which a mixture of two sources is looked for: half a feather of 256 px."""
 PRODUCTS = ("area", "mm", "ms", "mo", "mk", "ss", "so", "sk", "oo", "ok", "kk", "pp", "pq", "qq")
-"""Of the mosaic m, the source s that is followed, the other one o beyond the nearest seam, and k, what a hard cut has
-beside s: the edge that it makes itself. p and q are s and o before anything came over the whole mosaic. ``area`` in
-pixels, the others in DN squared."""
+"""Products of the mosaic m, the source s that is followed, the other one o beyond the nearest seam, and k, what a hard
+cut has beside s: the edge that it makes itself. p and q are s and o before anything came over the whole mosaic.
+``area`` in pixels, the others in DN squared."""
 
 _Rows = TypeVar("_Rows", bound="Rows")
 
@@ -53,7 +53,7 @@ class Rows:
 
     @classmethod
     def names(cls) -> tuple[str, ...]:
-        """Of the fields."""
+        """Names of the fields."""
         return tuple(one.name for one in fields(cls))
 
     def chosen(self: _Rows, where: np.ndarray) -> _Rows:
@@ -65,7 +65,7 @@ class Rows:
         return type(self)(*(np.take(getattr(self, name), where, axis=-1) for name in self.names()))
 
     def moved(self: _Rows, rows: int, columns: int) -> _Rows:
-        """The same so many cells farther down and to the right."""
+        """All rows so many cells farther down and to the right."""
         return replace(self, row=self.row + np.int32(rows), column=self.column + np.int32(columns))
 
     def within(self: _Rows, place: tuple[slice, slice]) -> _Rows:
@@ -165,7 +165,7 @@ class WholeCells:
         return np.asarray(self.keys & 0xFFFFFFFF)
 
     def energy(self, level: int) -> np.ndarray:
-        """Of the sources' detail, a pixel, (n,)."""
+        """Energy of the sources' detail, a pixel, DN squared, (n,)."""
         return np.asarray(self.cc[level] / np.maximum(self.area[level], 1))
 
 

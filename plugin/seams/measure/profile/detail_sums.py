@@ -47,7 +47,7 @@ def numbers_of(expected: ExpectedMosaic) -> tuple[int, ...]:
 
 
 def energy_of_rounding(plane: np.ndarray) -> float:
-    """At most, a pixel, DN squared, in details of planes as bright as this one, (rows, columns)."""
+    """Most energy of rounding, a pixel, DN squared, in details of planes as bright as this one, (rows, columns)."""
     return float((ROUNDING * np.abs(plane).mean()) ** 2)
 
 
@@ -93,33 +93,33 @@ def detail_sums(
     mixed = np.zeros((len(PRODUCTS), levels, len(of_pair.held)))
     number = np.zeros(UNKNOWN + 1, np.intp)
     number[list(numbers)] = np.arange(FIRST_SOURCE, FIRST_SOURCE + len(numbers))
-    for level, one in enumerate(details):
+    for level, detail in enumerate(details):
         pixels = 2 ** (level + 1)
         step, counted = pixels // _GRID_PX, CELL_PX // pixels
         if not counted:
             break  # coefficients larger than a cell tell nothing of a place
         coarse = np.s_[step // 2 :: step, step // 2 :: step]
-        one = np.ascontiguousarray(one[..., : rows * counted, : columns * counted])
-        own = followed[coarse]
-        planes = one.reshape(3, -1)  # by one number each, and whole rows first: a third of the time
-        m, c = one[:, MOSAIC], one[:, CUT]
-        s = _followed(one, numbers, own) if numbers else c
+        detail = np.ascontiguousarray(detail[..., : rows * counted, : columns * counted])
+        level_labels = followed[coarse]
+        planes = detail.reshape(3, -1)  # by one number each, and whole rows first: a third of the time
+        m, c = detail[:, MOSAIC], detail[:, CUT]
+        s = _followed(detail, numbers, level_labels) if numbers else c
         m, c, s = (of.reshape(3, -1) for of in (m, c, s))
         _add(sums[:, level], of_bin.number[coarse], pixels**2, ((m, m), (s, s), (m, s)))
         if not pairs:
             continue
         index = of_pair.number[coarse].ravel()
         at = np.flatnonzero(index < len(of_pair.held))
-        here, there = (np.take(number[of], at) for of in (own, other[coarse]))
+        here, there = (np.take(number[of], at) for of in (level_labels, other[coarse]))
         m, c, s = (np.take(of, at, axis=1) for of in (m, c, s))
-        o = np.take(planes, there * own.size + at, axis=1)
-        among = others[(slice(None), *coarse)].reshape(len(others), own.size)[:, at]
-        o = _beyond(o, one, at, among, FIRST_SOURCE)
+        o = np.take(planes, there * level_labels.size + at, axis=1)
+        among = others[(slice(None), *coarse)].reshape(len(others), level_labels.size)[:, at]
+        o = _beyond(o, detail, at, among, FIRST_SOURCE)
         k = c - s
         products = [(m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)]
         if is_filtered:
-            p, q = (np.take(planes, (of + len(numbers)) * own.size + at, axis=1) for of in (here, there))
-            q = _beyond(q, one, at, among, FIRST_SOURCE + len(numbers))
+            p, q = (np.take(planes, (of + len(numbers)) * level_labels.size + at, axis=1) for of in (here, there))
+            q = _beyond(q, detail, at, among, FIRST_SOURCE + len(numbers))
             products += [(p, p), (p, q), (q, q)]
         _add(mixed[:, level], np.take(index, at), pixels**2, products)
     if not is_filtered:
@@ -186,25 +186,25 @@ def seam_geometry(labels: np.ndarray) -> SeamGeometry:
 
 
 def seam_samples(labels: np.ndarray) -> np.ndarray:
-    """On the grid of the finest coefficients those beside which another source is followed, (rows / 2, columns / 2)
+    """Samples on the grid of the finest coefficients beside which another source is followed, (rows / 2, columns / 2)
     bool."""
     return _seam_samples(np.ascontiguousarray(labels[::_GRID_PX, ::_GRID_PX]))[0]
 
 
 def explained_samples(labels: np.ndarray) -> np.ndarray:
-    """On the grid of the finest coefficients those that take part, (rows / 2, columns / 2) bool."""
+    """Samples on the grid of the finest coefficients that take part, (rows / 2, columns / 2) bool."""
     return narrowed(labels[::_GRID_PX, ::_GRID_PX] != UNKNOWN, _UNKNOWN_MARGIN_PX // _GRID_PX)
 
 
 def _seam_samples(coarse: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The same, and the other source that each of them meets, uint8."""
+    """Samples beside which another source is followed, bool, and the source that each of them meets, uint8."""
     known = coarse != UNKNOWN
     seam, beyond = np.zeros(coarse.shape, bool), np.full(coarse.shape, UNKNOWN, np.uint8)
     for here, there in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
         meet = (coarse[here] != coarse[there]) & known[here] & known[there]
-        for own, its in ((here, there), (there, here)):
-            seam[own] |= meet
-            np.copyto(beyond[own], coarse[its], where=meet)
+        for side, opposite in ((here, there), (there, here)):
+            seam[side] |= meet
+            np.copyto(beyond[side], coarse[opposite], where=meet)
     return seam, beyond
 
 
@@ -235,21 +235,21 @@ def _pairs(place: SeamGeometry, numbers: Sequence[int], valid: Mapping[int, np.n
 
 def _followed(details: np.ndarray, numbers: Sequence[int], labels: np.ndarray) -> np.ndarray:
     """Each coefficient from the source that is followed there, (3, rows, columns)."""
-    found = details[:, CUT].copy()  # of what no source explains, which takes no part
+    followed = details[:, CUT].copy()  # of what no source explains, which takes no part
     for place, number in enumerate(numbers, FIRST_SOURCE):
-        np.copyto(found, details[:, place], where=labels == number)
-    return found
+        np.copyto(followed, details[:, place], where=labels == number)
+    return followed
 
 
 def _among_others(shares: Mapping[int, np.ndarray], numbers: Sequence[int], labels: np.ndarray) -> np.ndarray:
-    """Of each source among those that are not followed, (sources, rows, columns) on the grid of the labels; 0 where
-    there is one at most. Without sources where none are mixed."""
+    """Share of each source among those that are not followed, (sources, rows, columns) on the grid of the labels; 0
+    where there is one at most. Without sources where none are mixed."""
     if not shares:
         return np.zeros((0, *labels.shape))
     squares = (enlarged(shares[number], SHARES_PX // _GRID_PX, labels.shape) for number in numbers)
-    found = np.stack([np.where(labels == number, 0, one) for number, one in zip(numbers, squares)])
-    found[:, np.count_nonzero(found, axis=0) < 2] = 0
-    return np.asarray(found / np.maximum(found.sum(axis=0), 1e-9))
+    among = np.stack([np.where(labels == number, 0, one) for number, one in zip(numbers, squares)])
+    among[:, np.count_nonzero(among, axis=0) < 2] = 0
+    return np.asarray(among / np.maximum(among.sum(axis=0), 1e-9))
 
 
 def _beyond(found: np.ndarray, details: np.ndarray, at: np.ndarray, among: np.ndarray, first: int) -> np.ndarray:

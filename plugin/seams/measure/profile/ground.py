@@ -43,7 +43,7 @@ class EnergyResponse:
         return self.at(log_energies(energies))
 
     def at(self, logs: np.ndarray) -> np.ndarray:
-        """The same by ``log_energies``, for those who ask more than once."""
+        """The ratio at each energy, by ``log_energies``, for those who ask more than once."""
         logs = np.minimum(np.maximum(logs, self.lowest), self.highest)
         logs -= self.middle
         first, second, third = self.coefficients.tolist()
@@ -62,7 +62,7 @@ def log_energies(energies: np.ndarray) -> np.ndarray:
 
 
 def sampled(values: np.ndarray) -> np.ndarray:
-    """As many of them, evenly spread, as a curve is fitted to."""
+    """Values, evenly spread, as many as a curve is fitted to."""
     return values[:: -(-len(values) // _MOST_POINTS) or 1]
 
 
@@ -104,7 +104,7 @@ def fit_response(energies: np.ndarray, values: np.ndarray, start: EnergyResponse
 
 
 def quantiles(values: np.ndarray, shares: Sequence[float]) -> list[float]:
-    """Of some values (n,), as ``np.quantile`` has them, which takes five times as long for few."""
+    """Quantiles of some values (n,), as ``np.quantile`` has them, which takes five times as long for few."""
     places = [share * (len(values) - 1) for share in shares]
     whole = [int(place) for place in places]
     beside = [min(place + 1, len(values) - 1) for place in whole]
@@ -119,7 +119,7 @@ FARTHER_PX = (128, 96, 64, 48)
 ENOUGH_FAR_CELLS = 300
 FEWEST_FAR_CELLS = 24
 REACH_ERROR = 0.8
-"""Of what is still missing where the ground around begins: a feather reaches into that."""
+"""Error of kept as a share of what is still missing where the ground around begins: a feather reaches into that."""
 
 _BESIDE = 3  # cells of a block of 2 x 2 that have to be there for its scatter to count
 _FEWEST_BLOCKS = 24
@@ -150,16 +150,16 @@ class LevelGround:
 def grounds(
     table: CellTable, whole: WholeCells | None = None, around: Callable[[], CellTable] | None = None
 ) -> list[LevelGround | None]:
-    """Of a window or a block, by level, from its own cells or where these are few from those ``around``, too, which
-    are asked for then only; None where there is too little ground. ``whole``: ``whole_cells`` of the table, where those
+    """Ground of a window or a block, by level, from its own cells or where these are few from those ``around``, too,
+    which are asked for then only; None where there is too little. ``whole``: ``whole_cells`` of the table, where those
     are known."""
-    own = whole_cells(table) if whole is None else whole
-    found = [_level_ground(table, own, level, ENOUGH_FAR_CELLS) for level in range(table.levels)]
-    if all(found):
-        return found
+    cells = whole_cells(table) if whole is None else whole
+    by_level = [_level_ground(table, cells, level, ENOUGH_FAR_CELLS) for level in range(table.levels)]
+    if all(by_level):
+        return by_level
     more = table if around is None else around()
-    everyone = own if around is None else whole_cells(more)
-    return [one or _level_ground(more, everyone, level, FEWEST_FAR_CELLS) for level, one in enumerate(found)]
+    everyone = cells if around is None else whole_cells(more)
+    return [one or _level_ground(more, everyone, level, FEWEST_FAR_CELLS) for level, one in enumerate(by_level)]
 
 
 def _level_ground(table: CellTable, cells: WholeCells, level: int, fewest: int) -> LevelGround | None:

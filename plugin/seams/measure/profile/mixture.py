@@ -3,9 +3,8 @@
     m = w_s s + w_o o + t k        by least squares in every bin of distance
 
 s is the source that is followed, o the one beyond the seam, k what a hard cut has beside s (``cell_table``); the share
-of o is alpha = w_o / (w_s + w_o), and the share of the source of the higher number grows evenly from one side of the
-seam to the other (isotonic regression, Barlow et al. 1972). That is the feather itself. What such a mixture leaves of
-the detail follows from the sources alone,
+of o is alpha = w_o / (w_s + w_o), by distance one ramp from one source to the other (``ramps``). That is the feather
+itself. What such a mixture leaves of the detail follows from the sources alone,
 
     kept = sum |(1 - alpha) p + alpha q|^2 / sum |p|^2
 
@@ -22,7 +21,8 @@ import numpy as np
 from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS, MixtureTable, WholeCells
 from .energy_sums import BLOCK_CELLS
 from .intervals import Kept
-from .seam_profile import STRIP_PX, UNMIXED_SHARE, in_strip, strip_bins
+from .ramps import BEYOND, fit_ramps
+from .seam_profile import UNMIXED_SHARE, in_strip, strip_bins
 
 SLOTS = 2 * MIXED_BINS
 """Bins on either side: first those that follow the source of the lower number, then the others."""
@@ -33,28 +33,21 @@ _ENERGIES = {False: (_SS, _SO, _OO), True: (_PP, _PQ, _QQ)}
 _RIGHT = np.array([_MS, _MO, _MK])
 _RIDGE = 1e-4
 _LEAST_EDGE = 1e-3  # of the energy: less is no edge, and says nothing of t
-_LEAST_COUNT = 1e-6  # of a bin that says nothing, so that means have something to be divided by
 _LEAST_WEIGHT = 0.1  # of both sources together: with less the mosaic has neither
 _EDGE_BINS = EDGES_PX.index(6)  # in which a cut's edge is
 _SOFT, _SHARP = 0.15, 0.5
-"""Of t / (w_s + w_o): with less a seam is so soft that k only takes from the mixture and is left out, with more it is
-needed. A cosine feather of 13 px has 0.45, one of 33 px 0.2."""
-_NO_MIXTURE, _A_MIXTURE = 0.15, 0.25
-"""Of the other source beside the border, where a feather mixes halves: what is no more there, and everywhere alike, is
-what one image resampled takes of another of the same ground."""
+"""Values of t / (w_s + w_o): with less a seam is so soft that k only takes from the mixture and is left out, with more
+it is needed. A cosine feather of 13 px has 0.45, one of 33 px 0.2."""
 _EITHER, _FOLLOWED = 0.4, 0.6
-"""Of a mixture: what has surely more of a source than halves follows that. Of halves nobody knows which is followed."""
+"""Shares of a source in a mixture: what has surely more than half of it follows it; of halves nobody knows which is
+followed."""
 MOST_EVERYWHERE = 0.25
-"""The same far off, of which a width is taken above that."""
-_ALIKE = 0.05
-"""By which shares beyond the strip may differ and are the same everywhere; those of a feather of 200 px by 0.4."""
-_CUT, _FEATHERED = 1.0, 0.6
-"""The same: a cut has 0.9 to 1, and mixes nothing."""
+"""Share of the other source far off, from which on a mixture has no end; a width is taken above one that is less."""
 
 
 @dataclass(frozen=True, eq=False)
 class Mixtures:
-    """Of n seams, (n, SLOTS) each."""
+    """Mixtures of n seams, (n, SLOTS) each."""
 
     other: np.ndarray
     """Share of the other source, 0 to 1: alpha."""
@@ -65,54 +58,79 @@ class Mixtures:
     soft: np.ndarray
     """(n, 1): 1 for a feather so wide that its ramp makes detail of its own out of what the sources differ by, 0 for a
     cut."""
-    everywhere: np.ndarray
-    """Share of the other source as far as is looked, which is no part of ``other``."""
+    unsure: np.ndarray
+    """Standard deviation of ``other`` between the feathers that may be."""
+    blended: np.ndarray
+    """(n, 1): how likely it is that the seam is no cut."""
+    carried: np.ndarray
+    """Weights of both sources together, 0 to 1: less where something else is in their place."""
 
 
-def fit_mixtures(products: np.ndarray) -> Mixtures:
-    """From ``PRODUCTS`` of one level, (n, SLOTS, PRODUCTS)."""
-    with_edge, without = _weights(products, True), _weights(products, False)
-    near = np.zeros(SLOTS, bool)
-    near[np.arange(SLOTS) % MIXED_BINS < _EDGE_BINS] = True
-    edges = products[:, near, _KK]
-    total, t = with_edge[:, near, :2].sum(axis=2), with_edge[:, near, 2]
-    left = (t * edges).sum(axis=1) / np.maximum((np.maximum(total, _LEAST_WEIGHT) * edges).sum(axis=1), 1e-12)
-    sharp = np.clip((left - _SOFT) / (_SHARP - _SOFT), 0, 1)[:, np.newaxis, np.newaxis]
-    weights = sharp * with_edge + (1 - sharp) * without
-    softness = np.clip((_CUT - left) / (_CUT - _FEATHERED), 0, 1)[:, np.newaxis]
+def raw_shares(products: np.ndarray) -> np.ndarray:
+    """Share of the other source in every bin by itself, (n, SLOTS), from ``PRODUCTS`` (n, SLOTS, PRODUCTS); NaN where
+    the mosaic has neither."""
+    weights = _sharp_weights(products)[0]
+    total = weights[..., 0] + weights[..., 1]
+    known = (total > _LEAST_WEIGHT) & (products[..., _AREA] > 0)
+    share = np.divide(weights[..., 1], total, out=np.full_like(total, np.nan), where=known)
+    return np.asarray(np.clip(share, -0.5, 1.5))
+
+
+def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
+    """Mixtures by ``PRODUCTS`` of one level, (n, SLOTS, PRODUCTS), and the standard deviation of shares (n, SLOTS)."""
+    weights, sharp = _sharp_weights(products)
     normal, right = products[..., _NORMAL], products[..., _RIGHT]
     of_edge = np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights, products[..., [_SK, _OK, _KK]])
     of_edge += np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights[..., :2], products[..., [_SK, _OK]])
     fitted = np.einsum("nsi,nsij,nsj->ns", weights, normal, weights) - 2 * np.einsum("nsi,nsi->ns", weights, right)
-    soft, other = 1 - sharp[:, :, 0], _shares(products, weights)
-    everywhere = _everywhere(other)
-    other = np.maximum(other - everywhere, 0) / (1 - everywhere)
-    most = other[:, near].max(axis=1, keepdims=True)
-    softness *= np.clip((most - _NO_MIXTURE) / (_A_MIXTURE - _NO_MIXTURE), 0, 1)
-    return Mixtures(softness * other, of_edge, np.maximum(products[..., _MM] + fitted, 0), soft, everywhere)
+    shares = raw_shares(products)
+    known = ~np.isnan(shares)
+    left = np.maximum(products[..., _MM] + fitted, 0)
+    other, unsure, blended = fit_ramps(
+        np.where(known, shares, 0), np.where(known, spread, np.inf), _most_floor(products, left)
+    )
+    carried = np.clip(weights[..., :2].sum(axis=2), 0, 1)
+    return Mixtures(other, of_edge, left, 1 - sharp, unsure, blended, carried)
 
 
-def _everywhere(other: np.ndarray) -> np.ndarray:
-    """What there is of the other source on all of a side, (n, SLOTS): where compression or a blur made a sharp image
-    like the softer one beside it, some of that explains it as far as is looked, and no seam."""
-    sides = other.reshape(len(other), 2, MIXED_BINS)
-    beyond = sides[:, :, EDGES_PX.index(STRIP_PX) :]
-    least, most = beyond.min(axis=2, keepdims=True), beyond.max(axis=2, keepdims=True)
-    found = np.where((most < MOST_EVERYWHERE) & (most - least <= _ALIKE), least, 0)
-    return np.broadcast_to(found, sides.shape).reshape(other.shape)
+def _most_floor(products: np.ndarray, left: np.ndarray) -> np.ndarray:
+    """Share of the other source that noise of either side's own one can make of pure ground, (n, 2), by what is left
+    over beyond the strip, DN squared.
+
+    With rho the correlation of the sources, the other one explains at most rho^2 of what noise took of the followed
+    one, w_o^2 oo (1 - rho^2), and leaves over (1 - rho^2) / rho^2 times as much. A mixture leaves nothing over.
+    """
+    sides = (len(products), 2, MIXED_BINS)
+    ss, so, oo, rest = (
+        values.reshape(sides)[..., BEYOND:].sum(axis=2)
+        for values in (*(products[..., of] for of in (_SS, _SO, _OO)), left)
+    )
+    rho = np.clip(so / np.sqrt(np.maximum(ss * oo, 1e-12)), 0, 0.99)
+    return np.asarray(rho / (1 - rho**2) * np.sqrt(rest / np.maximum(oo, 1e-12)))
+
+
+def _sharp_weights(products: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """w_s, w_o and t of every bin, (n, SLOTS, 3), and how sharp each seam is, (n, 1)."""
+    with_edge, without = _weights(products, True), _weights(products, False)
+    near = np.arange(SLOTS) % MIXED_BINS < _EDGE_BINS
+    edges = products[:, near, _KK]
+    total, t = with_edge[:, near, :2].sum(axis=2), with_edge[:, near, 2]
+    part = (t * edges).sum(axis=1) / np.maximum((np.maximum(total, _LEAST_WEIGHT) * edges).sum(axis=1), 1e-12)
+    sharp = np.clip((part - _SOFT) / (_SHARP - _SOFT), 0, 1)[:, np.newaxis]
+    return sharp[..., np.newaxis] * with_edge + (1 - sharp[..., np.newaxis]) * without, sharp
 
 
 def mixed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
-    """Of the detail of sources mixed so, DN squared; (..., SLOTS, PRODUCTS) and (..., SLOTS). ``before``: anything came
-    over the whole mosaic."""
-    own, (ss, so, oo) = 1 - other, (products[..., of] for of in _ENERGIES[before])
-    return np.asarray(own**2 * ss + 2 * own * other * so + other**2 * oo)
+    """Energy of the detail of sources mixed so, DN squared; (..., SLOTS, PRODUCTS) and (..., SLOTS). ``before``:
+    anything came over the whole mosaic."""
+    followed, (ss, so, oo) = 1 - other, (products[..., of] for of in _ENERGIES[before])
+    return np.asarray(followed**2 * ss + 2 * followed * other * so + other**2 * oo)
 
 
 def followed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
-    """Of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the wrong place
-    that is the other one, and of halves that do not end it is the mean of both: a border that is drawn through them
-    goes round whatever has more detail."""
+    """Energy of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the
+    wrong place that is the other one, and of halves that do not end it is the mean of both: a border that is drawn
+    through them goes round whatever has more detail."""
     ss, _, oo = (products[..., of] for of in _ENERGIES[before])
     of_other = np.where(other > _FOLLOWED, 1.0, 0.0)
     of_either = np.clip((other - _EITHER) / (_FOLLOWED - _EITHER), 0, 1)
@@ -168,46 +186,21 @@ def _weights(products: np.ndarray, with_edge: bool) -> np.ndarray:
     return np.linalg.solve(normal, right[..., np.newaxis])[..., 0]
 
 
-def _shares(products: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Of the other source in every bin: those of the higher number never fall on the way across the seam."""
-    total = weights[..., 0] + weights[..., 1]
-    known = (total > _LEAST_WEIGHT) & (products[..., _AREA] > 0)
-    other = np.clip(np.divide(weights[..., 1], total, out=np.zeros_like(total), where=known), -0.5, 1.5)
-    difference = np.maximum(products[..., _SS] + products[..., _OO] - 2 * products[..., _SO], 0)
-    counts = np.where(known, difference, 0)
-    counts += _LEAST_COUNT * counts.max(axis=1, keepdims=True) + _LEAST_COUNT
-    lower, higher = slice(MIXED_BINS - 1, None, -1), slice(MIXED_BINS, None)
-    across = np.concatenate([other[:, lower], 1 - other[:, higher]], axis=1)
-    rising = isotonic(across, np.concatenate([counts[:, lower], counts[:, higher]], axis=1)).clip(0, 1)
-    return np.concatenate([rising[:, lower], 1 - rising[:, higher]], axis=1)
-
-
-def isotonic(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """The nearest rows of values that never fall, by weighted least squares, (n, length) each: by the formula of the
-    largest of the smallest means (Barlow et al. 1972), which takes all rows at once."""
-    sums, counts = (
-        np.pad(np.cumsum(one, axis=1), ((0, 0), (1, 0))) for one in (values * weights, weights)
-    )
-    length = values.shape[1]
-    first, last = np.triu_indices(length)
-    means = np.full((len(values), length, length), np.inf)
-    means[:, first, last] = (sums[:, last + 1] - sums[:, first]) / (counts[:, last + 1] - counts[:, first])
-    least = np.minimum.accumulate(means[:, :, ::-1], axis=2)[:, :, ::-1]
-    least[:, np.tril(np.ones((length, length), bool), -1)] = -np.inf  # runs that begin behind a place
-    return np.asarray(least.max(axis=1))
-
-
 GROUPS = 8
-"""Of blocks of 32 px, each left out in turn: the jackknife (Tukey 1958)."""
+"""Groups of blocks of 32 px, each left out in turn: the jackknife (Tukey 1958)."""
+SHARE_ERROR, BORDER_ERROR = 0.003, 0.05
+"""Errors of a share, however much there is in its bin: what rounding leaves; and within 2 px of the border: one that
+is drawn with a standard deviation of a quarter of a pixel gives a twentieth of that bin to the wrong source."""
 LEAST_ERROR = 0.02
-"""Of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's noise."""
+"""Least relative error of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's
+noise."""
 WIDE_ERROR, WIDE_PX = 0.05, 200.0
-"""Of kept, of a feather so wide: there is less unmixed ground to learn tones and filters of."""
-NARROW_ERROR, NARROW_PX = 0.03, 8.0
-"""Of kept, of a feather narrower than that: it may be a cut whose border was drawn in the wrong place."""
+"""Relative error of kept of a feather so wide: there is less unmixed ground to learn tones and filters of."""
+NARROW_ERROR, NARROW_PX = 0.06, 8.0
+"""Relative error of kept of a feather narrower than that: it may be a cut whose border was drawn in the wrong
+place. Cuts along the squares of JPEG 75, and by graph cuts where images are alike, read 0.89 to 0.93 by 6 px."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
-_AT_A_TIME = 32  # seams, whose groups take eight times their memory
 
 
 class MixtureSums:
@@ -231,18 +224,18 @@ class MixtureSums:
         places = [group.astype(np.intp) * SLOTS + slot, *[slot] * (self._levels - 1)]
         sizes = [GROUPS * SLOTS, *[SLOTS] * (self._levels - 1)]
         order = np.argsort(codes, kind="stable")
-        found, firsts = np.unique(codes[order], return_index=True)
-        for code, own in zip(found.tolist(), np.split(order, firsts[1:])):
+        seams, firsts = np.unique(codes[order], return_index=True)
+        for code, rows in zip(seams.tolist(), np.split(order, firsts[1:])):
             key = code >> 32, code >> 16 & 0xFFFF, code & 0xFFFF
             total = self._sums.setdefault(key, np.zeros((len(PRODUCTS), sum(sizes))))
-            for product, target in zip(table.products[..., own], total):
+            for product, target in zip(table.products[..., rows], total):
                 start = 0
                 for values, place, size in zip(product, places, sizes):
-                    target[start : start + size] += np.bincount(place[own], values, size)
+                    target[start : start + size] += np.bincount(place[rows], values, size)
                     start += size
 
     def result(self) -> MixedStrips:
-        """Of all pieces."""
+        """Mixtures of all pieces."""
         keys = sorted(self._sums)
         shape = (len(keys), len(PRODUCTS), GROUPS + self._levels - 1, SLOTS)
         sums = np.stack([self._sums[key] for key in keys]).reshape(shape) if keys else np.zeros(shape)
@@ -257,52 +250,68 @@ class MixedStrips:
         self._piece, self._count = piece, count
         finest = sums[:, :GROUPS]
         whole = np.concatenate([finest.sum(axis=1, keepdims=True), sums[:, GROUPS:]], axis=1)
-        fitted = fit_mixtures(whole.reshape(-1, *whole.shape[2:]))
-        other, edge, left, soft, everywhere = (
+        left_out = finest.sum(axis=1, keepdims=True) - finest
+        shares = raw_shares(left_out.reshape(-1, SLOTS, len(PRODUCTS))).reshape(left_out.shape[:3])
+        deviations = shares - shares.mean(axis=1, keepdims=True)
+        spread = _spread(deviations)
+        by_level = np.stack([spread * 2**level for level in range(whole.shape[1])], axis=1)
+        fitted = fit_mixtures(whole.reshape(-1, *whole.shape[2:]), by_level.reshape(-1, SLOTS))
+        other, edge, left_over, soft, unsure, blended, carried = (
             one.reshape(*whole.shape[:2], *one.shape[1:]) for one in vars(fitted).values()
         )
+        other = other[:, :1]  # all levels are mixed alike, and the finest tells it best
         self._other = other[:, 0]
-        self._area, self._everywhere = whole[:, 0, :, _AREA], everywhere[:, 0]
-        self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left, left * soft[:, :1]))
+        self._area = whole[:, 0, :, _AREA]
+        self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left_over, left_over * soft[:, :1]))
         """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
         the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
-        other = self._other[:, np.newaxis]
         mixed, plain = (self._both_sides(way(whole, other)) for way in (mixed_energy, followed_energy))
         shown, self.plain = (self._both_sides(way(whole, other, False)) for way in (mixed_energy, followed_energy))
         """(levels, MIXED_BINS, count), DN squared: energy of the sources' detail as the mosaic shows it."""
+        self.carried = in_strip(self._both_sides(carried * followed_energy(whole, other, False)))[0] / np.maximum(
+            in_strip(self.plain)[0], 1e-12
+        )
+        """(count,): share of its sources' finest detail that the mosaic has in the strip, of either."""
+        self.is_soft = np.zeros(count)
+        """(count,): how likely it is that a piece is no cut."""
+        np.maximum.at(self.is_soft, piece, blended[:, 0, 0])
+        more, less = (mixed_energy(whole, np.clip(other + way * unsure[:, :1], 0, 1)) for way in (1, -1))
+        self._unsure = np.abs(in_strip(self._both_sides(more - less))[0]) / 2 / np.maximum(in_strip(plain)[0], 1e-12)
         self.bins, self.before = _ratio(mixed, plain), _ratio(mixed * self.plain, plain * shown)
         """(levels, MIXED_BINS, count) each: kept, and that as a multiple of what is kept of the sources as the mosaic
         shows them; NaN where nothing is known."""
-        own, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
-        self.before_in_strip = _ratio(own * source, plain * shown)
+        mixture, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
+        self.before_in_strip = _ratio(mixture * source, plain * shown)
         """(levels, count): the same of the strip."""
         enough = self._both_sides(self._area)[strip_bins(0)].sum(axis=0) >= MIN_BESIDE_PX
-        self.levels = np.where(enough, _ratio(own, plain), np.nan)
+        self.levels = np.where(enough, _ratio(mixture, plain), np.nan)
         """kept_r (levels, count), NaN where nothing can be told."""
-        self.kept = self._kept(finest)
+        self.kept = self._kept(left_out, self._other[:, np.newaxis] + blended[:, :1] * np.nan_to_num(deviations))
 
     @cached_property
     def feather_widths_px(self) -> np.ndarray:
         """(count,): of the seam between two sources that is longest in each piece; NaN where there is none."""
-        found = np.full(self._count, np.nan)
+        widths = np.full(self._count, np.nan)
         longest = np.zeros(self._count)
         for number, piece in enumerate(self._piece.tolist()):
             area = float(self._area[number].sum())
             if area > longest[piece]:
-                found[piece], longest[piece] = feather_width_px(self._other[number]), area
-        return found
+                widths[piece], longest[piece] = feather_width_px(self._other[number]), area
+        return widths
 
     def shares(self) -> np.ndarray:
-        """Of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
+        """Shares of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
         return _ratio(*map(self._both_sides, (self._other * self._area, self._area)))
 
-    def _kept(self, sums: np.ndarray) -> Kept:
-        """``sums``: (n, groups, SLOTS, products) of level 1."""
-        energies = [_left_out(sums[start : start + _AT_A_TIME]) for start in range(0, max(len(sums), 1), _AT_A_TIME)]
-        own, plain = (
-            self._both_sides(np.concatenate(parts))[:, strip_bins(0)].sum(axis=1) for parts in zip(*energies)
+    def _kept(self, left_out: np.ndarray, other: np.ndarray) -> Kept:
+        """kept_1 from sums without each group in turn, (n, groups, SLOTS, products), and the shares of the other source
+        in these (n, groups, SLOTS)."""
+        other = np.clip(other, 0, 1)
+        mixed, plain = (
+            self._both_sides(way(left_out, other))[:, strip_bins(0)].sum(axis=1)
+            for way in (mixed_energy, followed_energy)
         )
-        estimates = own / np.maximum(plain, 1e-12)
+        estimates = mixed / np.maximum(plain, 1e-12)
         deviations = estimates - estimates.mean(axis=0)
         variance = (GROUPS - 1) / GROUPS * (deviations**2).sum(axis=0)
         value = self.levels[0]
@@ -310,29 +319,25 @@ class MixedStrips:
         widths = np.nan_to_num(self.feather_widths_px)
         wide = WIDE_ERROR * np.minimum(widths / WIDE_PX, 1)
         narrow = np.where((widths > 0) & (widths < NARROW_PX), NARROW_ERROR, 0)
-        everywhere, area = (
-            self._both_sides(one)[strip_bins(0)].sum(axis=0) for one in (self._everywhere * self._area, self._area)
-        )
-        unclear = np.nan_to_num(_ratio(everywhere, area))  # which image the detail is of, and so how much of each
-        total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + narrow**2 + unclear**2)
+        total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + narrow**2 + (self._unsure / np.maximum(value, 1e-6)) ** 2)
         # The floor is known, the rest comes of few groups (Welch and Satterthwaite).
         freedom = (GROUPS - 1) * (total / np.maximum(error, 1e-3)) ** 4
         return Kept.of(value, total, freedom)
 
     def _both_sides(self, values: np.ndarray) -> np.ndarray:
-        """Of (n, ..., SLOTS) the sums of both sides and all seams of a piece, (..., MIXED_BINS, count)."""
+        """Sums over both sides and all seams of a piece, (..., MIXED_BINS, count), of values (n, ..., SLOTS)."""
         sides = values.reshape(*values.shape[:-1], 2, MIXED_BINS).sum(axis=-2)
-        found = np.zeros((self._count, *sides.shape[1:]))
-        np.add.at(found, self._piece, sides)
-        return np.moveaxis(found, 0, -1)
+        sums = np.zeros((self._count, *sides.shape[1:]))
+        np.add.at(sums, self._piece, sides)
+        return np.moveaxis(sums, 0, -1)
 
 
-def _left_out(sums: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Energies that are left and those of the sources without each group in turn, (n, groups, SLOTS) each; ``sums`` as
-    ``MixedStrips`` has them of level 1."""
-    left_out = sums.sum(axis=1, keepdims=True) - sums
-    other = fit_mixtures(left_out.reshape(-1, SLOTS, len(PRODUCTS))).other.reshape(left_out.shape[:3])
-    return mixed_energy(left_out, other), followed_energy(left_out, other)
+def _spread(deviations: np.ndarray) -> np.ndarray:
+    """Standard deviation of the raw share of every bin, (n, SLOTS), by the jackknife: from how far the shares without
+    each group in turn, (n, groups, SLOTS), lie from their mean."""
+    variance = (GROUPS - 1) / GROUPS * np.square(deviations).sum(axis=1)
+    known = np.where(np.arange(SLOTS) % MIXED_BINS > 0, SHARE_ERROR, BORDER_ERROR)
+    return np.asarray(np.sqrt(np.where(np.isnan(variance), np.inf, variance) + known**2))
 
 
 def _ratio(own: np.ndarray, plain: np.ndarray) -> np.ndarray:

@@ -14,7 +14,7 @@ STRIP_PX = 8
 UNMIXED_SHARE = 0.1
 """A feather's width is taken from this share of either source to the other: less is what noise makes."""
 WIDEST_FEATHER_PX = 2 * EDGES_PX[MIXED_BINS] / (1 - 2 * UNMIXED_SHARE)
-"""Of a feather that does not end where one is looked for."""
+"""Full width of a feather that does not end where one is looked for."""
 BAND_KEPT = 0.9
 """The band along a seam is where less than this is kept."""
 MIN_STRIP_PX = 1000  # pixels of a strip; a seam of some 60 px
@@ -28,11 +28,11 @@ class Measure(str, Enum):
     ENERGY = "energy"
     """The mosaic has less detail along the seam than the mixture of its sources would leave, or there is none."""
     MIXTURE = "mixture"
-    """Of the sources: there is too little ground to compare energies with, or other detail came along the seam."""
+    """The mixture alone: there is too little ground to compare energies with, or other detail came along the seam."""
 
     @classmethod
     def of(cls, share: float) -> Measure:
-        """By how much of what judged is the energy."""
+        """The measure by how much of what judged is the energy, 0 to 1."""
         return cls.MIXTURE if share <= 0 else cls.ENERGY if share >= 1 else cls.BOTH
 
 
@@ -53,7 +53,8 @@ class ProfileBin:
     high: float
     """Upper end."""
     gain: float
-    """The same by the detail that is the sources' own, so that what was added in the band does not count."""
+    """Amplitude of the detail that is the sources' own, relative to the ground around: what was added in the band does
+    not count."""
     area_px: float
     """How many pixels lie in it."""
     mixture: float | None = None
@@ -61,7 +62,7 @@ class ProfileBin:
 
     @property
     def middle_px(self) -> float:
-        """Of the bin; where it begins for the last one, which has no end."""
+        """Middle of the bin, pixels from the seam; where it begins for the last one, which has no end."""
         return self.near_px if np.isinf(self.far_px) else (self.near_px + self.far_px) / 2
 
 
@@ -70,7 +71,7 @@ class SeamProfile:
     """What a window, or a piece of seam, kept along its seams."""
 
     kept: tuple[float | None, ...]
-    """In the strip beside the seam, levels 1..R; None where there is too little to be measured."""
+    """Shares kept in the strip beside the seam, levels 1..R; None where there is too little to be measured."""
     low: float
     """Lower end of the 95 % interval of kept_1."""
     high: float
@@ -78,9 +79,9 @@ class SeamProfile:
     band_width_px: float
     """Full width of the band in which less than 0.9 is kept; 0 where there is none."""
     added_beside: float
-    """By how much more of the detail in the strip than around is not the sources', as a share."""
+    """Share of the detail in the strip that is not the sources', beyond what there is of such around."""
     bins: tuple[ProfileBin, ...]
-    """By level, then by distance from the seam."""
+    """Bins by level, then by distance from the seam."""
     feather_width_px: float | None = None
     """Full width of the feather, by where the mixture goes from 10 to 90 %; 0 for a cut, None where it was not looked
     for."""
@@ -95,7 +96,7 @@ class SeamProfile:
     lost: float = 0.0
     """Energy of the finest detail that the seams took, DN squared: over all distances."""
     energy: tuple[float, ...] = ()
-    """Of the sources' detail in the strip, a pixel, DN squared, levels 1..R: what there is to be lost."""
+    """Energy of the sources' detail in the strip, a pixel, DN squared, levels 1..R: what there is to be lost."""
 
     @property
     def is_of_the_ground(self) -> bool:
@@ -109,20 +110,20 @@ def strip_bins(level: int) -> slice:
 
 
 def in_strip(sums: np.ndarray) -> np.ndarray:
-    """Of sums by bins, (levels, bins, count), those in the strip, (levels, count)."""
+    """Sums over the strip, (levels, count), of those by bins, (levels, bins, count)."""
     return np.stack([one[strip_bins(level)].sum(axis=0) for level, one in enumerate(sums)])
 
 
 def band_width_px(bins: Sequence[ProfileBin]) -> float:
     """Twice the distance at which BAND_KEPT is reached, linear between the middles of the bins, which have ends."""
     last: tuple[float, float] | None = None
-    for one in bins:
-        middle = one.middle_px
-        if one.kept >= BAND_KEPT and middle > STRIP_PX / 2:
+    for profile_bin in bins:
+        middle = profile_bin.middle_px
+        if profile_bin.kept >= BAND_KEPT and middle > STRIP_PX / 2:
             if last is None:
                 return 0.0
-            share = (BAND_KEPT - last[1]) / (one.kept - last[1])
+            share = (BAND_KEPT - last[1]) / (profile_bin.kept - last[1])
             return 2 * (last[0] + share * (middle - last[0]))
-        if one.kept < BAND_KEPT:
-            last = middle, one.kept
+        if profile_bin.kept < BAND_KEPT:
+            last = middle, profile_bin.kept
     return 0.0 if last is None else 2 * last[0]

@@ -14,7 +14,7 @@ import numpy as np
 from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells
 from .energy_sums import EnergySums
 from .ground import LevelGround
-from .intervals import MOST_KEPT, Kept, together, weighted
+from .intervals import MIN_CARRIED, MOST_KEPT, MOST_UNEXPLAINED, Kept, together, weighted
 from .mixture import MOST_EVERYWHERE, MixedStrips, MixtureSums
 from .seam_profile import (
     BAND_KEPT,
@@ -35,7 +35,7 @@ class StripProfile:
     profile: SeamProfile | None
     """None where there is too little to be measured."""
     area_px: float
-    """Of its strip, level 1."""
+    """Area of the strip, level 1, px."""
     fit: float
     """Share of the mosaic's finest detail in the strip that its sources explain."""
     texture: float
@@ -61,12 +61,13 @@ class SeamSums:
         self._mixture.add(mixture, whole, piece_of)
 
     def profiles(self, levels: int | None = None) -> list[StripProfile]:
-        """Of every piece, in their order; with the bins of so many ``levels``, one at least, all where None."""
+        """Profiles of all pieces, in their order; with the bins of so many ``levels``, one at least, all where None."""
         energy, mixed = self._energy, self._mixture.result()
         # Beyond what the ground leaves over as well. A soft feather's ramp makes that of what the sources differ by.
         left_over = in_strip(mixed.left)
         more_left = np.maximum(left_over - energy.left_by_ground, 0)
-        own = in_strip(energy.own)  # with all that was added
+        mm = in_strip(energy.own)  # with all that was added
+        energy.unexplained = np.clip(left_over[0] / np.maximum(mm[0], 1e-12), 0, 1) * mixed.is_soft
         energy.take_out(mixed.edge + mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
         # Of the sources before anything came over the mosaic, which may have left what they agree in.
@@ -75,21 +76,24 @@ class SeamSums:
         # Where a mixture is told and does not end, the ground around is mixed as well.
         is_mixed = (mixed.shares()[-1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
         by_energy = by_energy.times(np.where(is_mixed, np.nan, 1.0))
-        left = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
-        judged, share = together(by_energy, mixed.kept, left)
+        left_share = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
+        is_replaced = more_left[0] > MOST_UNEXPLAINED * in_strip(energy.expected)[0]
+        is_replaced &= (mixed.carried < MIN_CARRIED) & (in_strip(energy.expected)[0] > 0)
+        is_told = np.where(is_replaced, np.nan, 1.0)
+        judged, share = together(by_energy.times(is_told), mixed.kept.times(is_told), left_share)
         kept = np.where(share > 0, energy_levels, mixed.levels)
         kept[0] = judged.value
         area, plain, shared = map(in_strip, (energy.area, energy.plain, energy.shared))
         expected, expected_shared = in_strip(energy.expected)[0], in_strip(energy.expected_shared)[0]
-        fit = np.maximum(shared[0], 0) ** 2 / np.maximum(own[0] * plain[0], 1e-12)
-        texture = own[0] / np.maximum(plain[0], 1e-12)
-        gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (own[0], expected)))
+        fit = np.maximum(shared[0], 0) ** 2 / np.maximum(mm[0] * plain[0], 1e-12)
+        texture = mm[0] / np.maximum(plain[0], 1e-12)
+        gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (mm[0], expected)))
         added = np.where(before > 0, np.maximum(1 - gain**2 / np.maximum(before, 1e-12), 0), 0)
         width = mixed.feather_widths_px
         by_bins = [energy.by_bins(level) for level in range(self._levels if levels is None else levels)]
         bins = self._bins(mixed, share, judged, by_bins)
         lost = self._lost(mixed, share, by_bins[0])
-        found = []
+        strips = []
         for number in range(self._count):
             profile = None
             if area[0, number] >= MIN_STRIP_PX and not np.isnan(judged.value[number]):
@@ -99,21 +103,21 @@ class SeamSums:
                     tuple(map(_known, kept[:, number])), float(judged.low[number]), float(judged.high[number]),
                     band_width_px(finest) if kept[0, number] < BAND_KEPT else 0.0, float(added[number]), own_bins,
                     _known(width[number]), Measure.of(float(share[number])),
-                    _known(by_energy.value[number]), _known(mixed.kept.value[number]), float(left[number]),
+                    _known(by_energy.value[number]), _known(mixed.kept.value[number]), float(left_share[number]),
                     float(lost[number]),
                     tuple((plain / np.maximum(area, 1))[:, number].tolist()),
                 )
-            found.append(StripProfile(profile, float(area[0, number]), float(fit[number]), float(texture[number])))
-        return found
+            strips.append(StripProfile(profile, float(area[0, number]), float(fit[number]), float(texture[number])))
+        return strips
 
     def _bins(
         self, mixed: MixedStrips, share: np.ndarray, judged: Kept, by_bins: Sequence[Kept]
     ) -> list[list[ProfileBin | None]]:
-        """By level and distance those of every piece, None where there is nothing."""
+        """Bins of every piece, by level and distance, None where there is nothing."""
         energy, ends = self._energy, [*zip(EDGES_PX, (*EDGES_PX[1:], np.inf))]
         shares = np.full((len(EDGES_PX), self._count), np.nan)
         shares[:MIXED_BINS] = mixed.shares()
-        found = []
+        bins = []
         for level, by_energy in enumerate(by_bins):
             area = energy.area[level]
             before, mixture = np.full((2, *area.shape), np.nan)
@@ -130,12 +134,12 @@ class SeamSums:
             gain = energy.shared[level] / np.maximum(energy.expected_shared[level], 1e-12)
             columns = (kept, low, high, gain, area, shares if not level else np.full(area.shape, np.nan))
             for place, numbers in enumerate(zip(*(column.tolist() for column in columns))):
-                found.append([
+                bins.append([
                     None if number != number or not pixels else
                     ProfileBin(level + 1, *ends[place], number, bottom, top, beside, pixels, _known(other))
                     for number, bottom, top, beside, pixels, other in zip(*numbers)
                 ])
-        return found
+        return bins
 
     def _lost(self, mixed: MixedStrips, share: np.ndarray, by_energy: Kept) -> np.ndarray:
         """Energy of the finest detail that the seams took, DN squared of the sources, (count,)."""

@@ -30,7 +30,7 @@ from .seam_sums import SeamSums
 
 @dataclass(frozen=True, eq=False)
 class WindowDetail:
-    """Of a window and the ground that was read around it."""
+    """Detail of a window and of the ground that was read around it."""
 
     finest: np.ndarray
     """(3, planes, rows / 2, columns / 2): of the mosaic, of its hard cut, and of that unfiltered."""
@@ -39,7 +39,7 @@ class WindowDetail:
     inside: tuple[slice, slice]
     """Rows and columns of the cells that are judged; those around are ground alone."""
     of_rounding: float
-    """As ``energy_of_rounding`` has it."""
+    """Most energy of detail that rounding leaves, a pixel, DN squared (``energy_of_rounding``)."""
 
     @cached_property
     def whole(self) -> WholeCells:
@@ -48,7 +48,7 @@ class WindowDetail:
 
     @cached_property
     def ground(self) -> list[LevelGround | None]:
-        """By level."""
+        """Ground far from any seam, by level; None where there is too little."""
         return grounds(self.cells, self.whole)
 
     @property
@@ -83,15 +83,15 @@ class WindowDetail:
         judged &= (whole.column >= columns.start) & (whole.column < columns.stop)
         sums = SeamSums(1, self.cells.levels)
         sums.add(self.cells, self.mixture, whole, self.ground, np.where(judged, 0, -1))
-        found = sums.profiles()[0].profile if self.has_seam else None
-        return None if found is None or found.energy[0] <= self.of_rounding else found
+        measured = sums.profiles()[0].profile if self.has_seam else None
+        return None if measured is None or measured.energy[0] <= self.of_rounding else measured
 
 
 def window_detail(
     mosaic: np.ndarray, expected: ExpectedMosaic, valid: Mapping[int, np.ndarray], wavelet: str, levels: int,
     inside: tuple[slice, slice] | None = None,
 ) -> WindowDetail:
-    """Of planes (rows, columns) float32, both multiples of 2^R.
+    """Detail of a window, from planes (rows, columns) float32, both multiples of 2^R.
 
     ``valid``: (rows, columns) bool, pixels that a source has, of those that don't have all. ``inside``: rows and
     columns of the pixels that are judged; all where None.
@@ -107,8 +107,8 @@ def window_detail(
     )
     kept = [0, 1, *range(count, len(planes))]
     rows, columns = inside or (slice(0, mosaic.shape[0]), slice(0, mosaic.shape[1]))
-    own = slice(rows.start // CELL_PX, rows.stop // CELL_PX), slice(columns.start // CELL_PX, columns.stop // CELL_PX)
-    return WindowDetail(details[0][:, kept], cells, mixture, own, of_rounding)
+    place = slice(rows.start // CELL_PX, rows.stop // CELL_PX), slice(columns.start // CELL_PX, columns.stop // CELL_PX)
+    return WindowDetail(details[0][:, kept], cells, mixture, place, of_rounding)
 
 
 LOSS_CELL_PX = 8
@@ -140,7 +140,7 @@ class LossPicture:
 def loss_picture(
     detail: WindowDetail, labels: np.ndarray, inside: tuple[slice, slice] | None = None
 ) -> LossPicture | None:
-    """Of a window; None where there is too little ground to compare with.
+    """Picture of a window's losses; None where there is too little ground to compare with.
 
     ``labels``, (rows, columns) uint8: the source of every pixel of the window and what was read around it, ``UNKNOWN``
     where none explains it. ``inside``: rows and columns of the window in that; all where None.
@@ -154,15 +154,15 @@ def loss_picture(
     far[cells.row[is_far], cells.column[is_far]] = True
     explained = explained_samples(labels)
     energies = [np.einsum("dij,dij->ij", one, one) for one in finest.swapaxes(0, 1)]
-    own, reference = (_in_cells(one * explained) for one in energies[:2])
+    mosaic_energy, reference = (_in_cells(one * explained) for one in energies[:2])
     area = _in_cells(explained) * SAMPLE_PX**2
     around = _over_neighbours(reference) / np.maximum(_over_neighbours(area), 1)  # of some CELL_PX, as the fit's is
     expected = reference * ground.amplitude(around)
     is_told = _in_cells(explained) >= _LEAST_EXPLAINED * _in_cells(np.ones_like(explained))
-    ground_cells = _in_small_cells(far, own.shape)
-    kept, scatter = _smooth_kept(own, expected, is_told, ground_cells, _SMOOTH_CELLS)
+    ground_cells = _in_small_cells(far, mosaic_energy.shape)
+    kept, scatter = _smooth_kept(mosaic_energy, expected, is_told, ground_cells, _SMOOTH_CELLS)
     if scatter > _ROUGH:
-        kept, scatter = _smooth_kept(own, expected, is_told, ground_cells, _SMOOTH_ROUGH_CELLS)
+        kept, scatter = _smooth_kept(mosaic_energy, expected, is_told, ground_cells, _SMOOTH_ROUGH_CELLS)
     may_be_all = kept * np.exp(_SURE * scatter) >= 1
     kept[may_be_all] = np.maximum(kept[may_be_all], 1)
     rows, columns = inside or (slice(0, labels.shape[0]), slice(0, labels.shape[1]))
@@ -203,9 +203,9 @@ def _smooth_kept(
     """float32, NaN where nothing is told, and the scatter of its logarithm over the ground around."""
     own, expected = (ndimage.gaussian_filter(one, smooth_cells) for one in (own, expected))
     kept = np.full(own.shape, np.nan, np.float32)
-    told = is_told & (expected > 0)
-    np.divide(own, expected, out=kept, where=told, casting="same_kind")
-    around = kept[ground & told & (own > 0)]
+    known = is_told & (expected > 0)
+    np.divide(own, expected, out=kept, where=known, casting="same_kind")
+    around = kept[ground & known & (own > 0)]
     return kept, float(np.log(around).std()) if around.size else 0.0
 
 

@@ -23,7 +23,7 @@ RNG = np.random.default_rng(4)
 
 @pytest.fixture(scope="module")
 def plane() -> np.ndarray:
-    """Of the sources, with weak and strong detail, (rows, columns) float32 of whole values."""
+    """Plane of the sources, with weak and strong detail, (rows, columns) float32 of whole values."""
     strength = 3 + 14 * (ndimage.gaussian_filter(texture(SHAPE, 3.0, 1), 8, mode="wrap") > 0)
     return np.rint(120 + 20 * texture(SHAPE, 2.5, 2) + strength * texture(SHAPE, 1.0, 3)).astype(np.float32)
 

@@ -89,7 +89,7 @@ def ground(request: pytest.FixtureRequest) -> np.ndarray:
 
 
 def own_detail(ground: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """As strong as the ground's within some pixels, alike in all bands."""
+    """Detail as strong as the ground's within some pixels, alike in all bands."""
     noise = ndimage.gaussian_filter(rng.normal(0, 1, ground.shape[1:]), 0.6)
     noise -= ndimage.gaussian_filter(noise, 2)
     fine = ground - ndimage.gaussian_filter(ground, (0, 2, 2))

@@ -93,7 +93,7 @@ def spoilt(scenes: list[Scene]) -> Found:
 
 
 def smaller_share(scene: Scene) -> float:
-    """Of the window, of the second of its two main images."""
+    """Share of the window that the second of its two main images has."""
     return float(min((scene.labels == number).mean() for number in scene.main))
 
 
@@ -191,7 +191,7 @@ def true_kept(scene: Scene, sigma_px: float) -> float:
 
 
 def sigma_of(truth: Truth) -> float:
-    """Of a feather, px."""
+    """Sigma of a feather, px."""
     return float(truth.name.split()[1]) / 0.03
 
 

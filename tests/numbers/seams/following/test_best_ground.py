@@ -47,7 +47,7 @@ def test_strong_detail_may_all_be_of_another_image() -> None:
 
 @pytest.mark.parametrize(("left", "expected"), [(0.19, True), (0.16, False), (0.12, False)])
 def test_an_image_leaves_plainly_more_than_true_sources(left: float, expected: bool) -> None:
-    """Of 0.1 that true sources leave: 1.9, 1.6 and 1.2 times as much."""
+    """True sources leave 0.1; the image 1.9, 1.6 and 1.2 times as much."""
     found = learned(OWN, np.float32(0.1) * OWN)
     assert found.strangeness(np.array([500.0]), np.array([left * 500]))[1].tolist() == [expected]
 

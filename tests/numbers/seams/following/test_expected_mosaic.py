@@ -41,7 +41,7 @@ def expected_of(
 
 
 def energy(plane: np.ndarray, where: np.ndarray) -> float:
-    """Of fine detail."""
+    """Energy of fine detail."""
     return float(np.square(high_pass(plane)[where], dtype=np.float64).sum())
 
 

@@ -13,7 +13,7 @@ def sure(first: float, second: float) -> bool:
 
 
 def mixed(weight: float, noise: float, alike: float = 0.0, contrast: float = 1.0) -> tuple[bool, float]:
-    """Of two textures that are that much alike, the second of that contrast, with noise; how much the two explain."""
+    """Whether two textures so much alike are mixed, the second of that contrast, with noise; how much both explain."""
     rng = np.random.default_rng(1)
     common, one, two, strange = rng.standard_normal((4, COUNT))
     first, second = (np.sqrt(alike) * common + np.sqrt(1 - alike) * own for own in (one, two))

@@ -26,7 +26,7 @@ def stored(quality: int) -> Stored:
 
 
 def image(seed: int, common: float = 0.5) -> np.ndarray:
-    """Of one ground: a part of the finest detail is each image's own."""
+    """An image of one ground: a part of the finest detail is each image's own."""
     ground, own = texture(SHAPE, 1.2, 1), texture(SHAPE, 1.2, 10 + seed)
     return np.asarray(120 + 18 * (np.sqrt(common) * ground + np.sqrt(1 - common) * own), np.float32)
 
@@ -65,8 +65,17 @@ def test_a_part_of_an_image_that_is_not_given_is_foreign(of_mosaic: int, of_sour
     assert found[:, :370].mean() < 0.03
 
 
-def test_a_source_of_which_all_is_foreign_is_told_where_others_are_true() -> None:
-    images = [image(seed, 0.2) for seed in (1, 2, 3)]
+@pytest.mark.parametrize("of_mosaic", [75, 90])
+def test_an_image_that_resembles_the_given_one_is_told_where_there_is_much_of_it(of_mosaic: int) -> None:
+    first, other = image(1, 0.9), image(2, 0.9)
+    found = unexplained(stored(of_mosaic)(cut(first, first, other)), [first])
+    assert found[:, 370:].mean() > 0.7
+    assert found[:, :310].mean() < 0.03
+
+
+@pytest.mark.parametrize("common", [0.2, 0.65])
+def test_a_source_of_which_all_is_foreign_is_told_where_others_are_true(common: float) -> None:
+    images = [image(seed, common) for seed in (1, 2, 3)]
     found = unexplained(stored(75)(cut(images[0], images[2])), images[:2])
     assert found[:, 270:].mean() > 0.7
     assert found[:, :240].mean() < 0.03

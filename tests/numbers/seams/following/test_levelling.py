@@ -45,7 +45,7 @@ def fine(plane: np.ndarray) -> np.ndarray:
 
 
 def error(found: np.ndarray, mosaic: np.ndarray) -> float:
-    """Of the grey values, in standard deviations of the mosaic's fine detail."""
+    """Error of the grey values, in standard deviations of the mosaic's fine detail."""
     return float((found - mosaic).std() / fine(mosaic).std())
 
 

@@ -41,7 +41,7 @@ def cut_at(border: int, first: np.ndarray, second: np.ndarray) -> np.ndarray:
 
 
 def borders(found: LikelySource) -> np.ndarray:
-    """Of each row, where the first source ends."""
+    """Column of each row where the first source ends."""
     return np.asarray((found.labels == 0).sum(axis=1))
 
 
@@ -155,7 +155,7 @@ def test_a_source_that_stands_in_for_its_neighbour_is_told_by_its_own_ground(sha
 
 @pytest.mark.parametrize("alike", [0.5, 0.8])
 def test_a_source_that_stands_in_is_told_though_it_seems_resampled(alike: float) -> None:
-    """Of its own ground there is none, so what it leaves over is compared with what the other source does."""
+    """There is none of its own ground, so what it leaves over is compared with what the other source does."""
     _, second, missing = alike_planes(alike)
     first = plane(9, 4)
     found = found_in(cut_at(BORDER, first, missing), [first, second], interpolated=[1]).unexplained
@@ -164,7 +164,7 @@ def test_a_source_that_stands_in_is_told_though_it_seems_resampled(alike: float)
 
 
 def test_a_source_that_was_resampled_leaves_more_over_than_others() -> None:
-    """As much everywhere, so it is none that is missing."""
+    """It leaves as much everywhere, so it is none that is missing."""
     first, second, resampled = alike_planes(0.985)
     assert found_in(cut_at(BORDER, first, resampled), [first, second]).unexplained.mean() < 0.01
 

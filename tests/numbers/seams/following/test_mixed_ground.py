@@ -18,7 +18,7 @@ OFF = ((0.4, -0.3), (-0.2, 0.45))
 
 @pytest.fixture(scope="module")
 def images() -> list[np.ndarray]:
-    """Of one ground, each with half of its texture to itself."""
+    """Images of one ground, each with half of its texture to itself."""
     ground = texture((SIDE, SIDE), 1.2, 1)
     return [(120 + 12 * ground + 12 * texture((SIDE, SIDE), 1.2, 2 + i)).astype(np.float32) for i in range(2)]
 

@@ -144,7 +144,7 @@ def test_ground_of_another_image_does_not_spoil_the_filter(plane: np.ndarray, ke
 
 
 def power_of(plane: np.ndarray, shown: np.ndarray) -> float:
-    """Of the filter between two planes, as it is learned."""
+    """Power of the filter between two planes, as it is learned."""
     taps = fit_filter(high_pass(shown.astype(np.float32)), high_pass(plane), EVERYWHERE, 1.0)
     assert taps is not None
     found = filter_power([taps])

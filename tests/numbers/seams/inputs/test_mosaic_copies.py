@@ -359,7 +359,7 @@ def test_the_one_image_of_a_real_mosaic_stays_among_its_neighbours(data_folder: 
 
 
 def test_a_rectangle_without_area_is_covered_by_nothing() -> None:
-    """As that of a mosaic whose pixels are smaller than its coordinates can tell apart."""
+    """The rectangle of a mosaic whose pixels are smaller than its coordinates can tell apart."""
     assert covered_share((5.0, 5.0, 5.0, 6.0), (0.0, 0.0, 10.0, 10.0)) == 0
     assert covered_share((0.0, 0.0, 10.0, 10.0), (5.0, 0.0, 15.0, 10.0)) == pytest.approx(0.5)
 

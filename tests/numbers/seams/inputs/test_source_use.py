@@ -57,7 +57,7 @@ def test_a_source_that_no_window_follows_is_questioned(paths: dict[str, str]) ->
 
 
 def test_it_is_said_why_resampled_sources_took_no_part(paths: dict[str, str], tmp_path: Path) -> None:
-    """As in a mosaic in degrees, where each source was reprojected to pixels of its own size."""
+    """A mosaic in degrees, where each source was reprojected to pixels of its own size."""
     made = {name: str(tmp_path / f"{name}_degrees.tif") for name in ("mosaic", "west", "east")}
     gdal.Warp(made["mosaic"], paths["mosaic"], dstSRS="EPSG:4326", resampleAlg="cubic")
     raster = describe_mosaic(RasterRef(made["mosaic"]))

@@ -17,7 +17,7 @@ INSIDE = np.ones(SHAPE, np.float32)
 def eased(
     first: np.ndarray, second: np.ndarray, weight: np.ndarray, mosaic: np.ndarray, inside: np.ndarray, valid: np.ndarray
 ) -> np.ndarray:
-    """Of one band."""
+    """One band eased."""
     made = dressing.eased(*(one[np.newaxis] for one in (first, second)), weight, mosaic[np.newaxis], inside, valid)
     return np.asarray(made[0])
 

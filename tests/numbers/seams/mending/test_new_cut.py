@@ -12,7 +12,7 @@ WAY = np.column_stack([np.arange(ROWS // CELL_PX), np.full(ROWS // CELL_PX, COLU
 
 
 def images(shift_px: int) -> list[np.ndarray]:
-    """Of one ground, the second one to the right in its lower quarter."""
+    """Images of one ground, the second one to the right in its lower quarter."""
     ground = 120 + 20 * texture((ROWS, COLUMNS), 2.0, 1)
     other = ground.copy()
     other[3 * ROWS // 4 :] = np.roll(ground, shift_px, axis=1)[3 * ROWS // 4 :]

@@ -23,7 +23,7 @@ class Blend:
     planes: tuple[np.ndarray, ...]
     """The sources."""
     weights: np.ndarray
-    """Of each of them in the mosaic, (sources, rows, columns), together 1."""
+    """Weights of each of them in the mosaic, (sources, rows, columns), together 1."""
     labels: np.ndarray
     distance: np.ndarray
     """From the nearest seam, px."""
@@ -42,7 +42,7 @@ class Blend:
         self, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None,
         inside: tuple[slice, slice] | None = None,
     ) -> WindowDetail:
-        """Of the mosaic against its sources, or of another mosaic or by other labels."""
+        """Detail of the mosaic against its sources, or of another mosaic or by other labels."""
         own = self.made if mosaic is None else mosaic
         labels = self.labels if labels is None else labels
         hard = np.where(labels < len(self.planes), np.choose(labels % len(self.planes), self.planes), own)
@@ -52,7 +52,7 @@ class Blend:
         return window_detail(own.astype(np.float32), expected, {}, WAVELET, LEVELS, inside)
 
     def profile(self, mosaic: np.ndarray | None = None) -> SeamProfile:
-        """Of the whole window."""
+        """Profile of the whole window."""
         found = self.detail(mosaic).profile
         assert found is not None
         return found
@@ -70,7 +70,7 @@ class Blend:
         return float(np.square(mixed[:, where]).sum() / np.square(followed[:, where]).sum())
 
     def with_mosaic_of(self, weights: np.ndarray) -> Blend:
-        """The same sources mixed otherwise; ``weights`` of the second one, (rows, columns)."""
+        """A blend of its sources mixed otherwise; ``weights`` of the second one, (rows, columns)."""
         return replace(self, weights=np.stack([1 - weights, weights]))
 
 

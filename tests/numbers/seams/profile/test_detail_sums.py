@@ -43,12 +43,12 @@ def planes() -> np.ndarray:
 
 def sums_of(planes: np.ndarray, labels: np.ndarray, numbers: Sequence[int] = (0, 1), levels: int = LEVELS,
             valid: dict[int, np.ndarray] | None = None) -> tuple[CellTable, MixtureTable]:
-    """Of the mosaic, the cut and the sources of these numbers."""
+    """Sums of the mosaic, the cut and the sources of these numbers."""
     return detail_sums(list(detail_components(planes, WAVELET, levels)), labels.astype(np.uint8), numbers, valid)
 
 
 def coefficients(planes: np.ndarray) -> list[np.ndarray]:
-    """By PyWavelets: level by level (planes, 3, rows, columns)."""
+    """Coefficients by PyWavelets: level by level (planes, 3, rows, columns)."""
     found = [wavedec(plane, WAVELET, LEVELS)[:0:-1] for plane in planes]
     return [np.stack([np.array(one[level]) for one in found]) for level in range(LEVELS)]
 

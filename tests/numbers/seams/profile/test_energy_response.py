@@ -13,7 +13,7 @@ LEAST = 0.01  # DN squared: what is added to every energy
 
 @pytest.fixture(scope="module")
 def energies() -> np.ndarray:
-    """As cells of a window have them: over four orders of magnitude."""
+    """Energies as cells of a window have them: over four orders of magnitude."""
     return np.exp(np.random.default_rng(1).normal(2.0, 1.5, 500))
 
 

@@ -34,7 +34,7 @@ def kept_of(made: Blend, mosaic: np.ndarray | None = None, labels: np.ndarray | 
 
 
 def smoothed(cells: np.ndarray) -> np.ndarray:
-    """By a Gaussian of one cell, cut at four, the cells mirrored at the edge."""
+    """Cells smoothed by a Gaussian of one cell, cut at four, the cells mirrored at the edge."""
     weights = np.exp(-0.5 * np.arange(-4, 5) ** 2)
     weights /= weights.sum()
     padded = np.pad(cells, 4, mode="symmetric")
@@ -46,7 +46,7 @@ def smoothed(cells: np.ndarray) -> np.ndarray:
 
 
 def energies(plane: np.ndarray) -> np.ndarray:
-    """Of PyWavelets' finest details, in cells."""
+    """Energies of PyWavelets' finest details, in cells."""
     finest = np.sum(np.square(placed_wavedec(plane, WAVELET, 1)[1]), axis=0)
     step = LOSS_CELL_PX // 2
     return np.array([

@@ -214,7 +214,7 @@ def test_where_they_agree_the_surer_one_weighs_more(a: float, b: float, narrow: 
 
 
 def test_a_window_without_ground_is_measured_by_its_mixture() -> None:
-    """Of 128 px, and with nothing 32 px from all seams."""
+    """A window of 128 px, with nothing 32 px from all seams."""
     for width in (0, 33):
         made = blend(width, side=128)
         found = made.profile()

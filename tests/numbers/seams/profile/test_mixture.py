@@ -9,14 +9,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX, MIXED_BINS, PRODUCTS
 from seam_inspector.plugin.seams.measure.profile.mixture import (
     SLOTS,
+    Mixtures,
     feather_width_px,
     fit_mixtures,
-    isotonic,
     mixed_energy,
 )
 
@@ -24,36 +23,6 @@ from tests.numbers.seams.profile.blends import Blend, blend
 
 Change = Callable[[np.ndarray], np.ndarray]
 MIDDLES = np.array([(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])])
-
-# --- never falling ----------------------------------------------------------------------------------------------
-
-
-def pooled(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """One row, by pooling adjacent violators one after the other."""
-    blocks: list[tuple[float, float, int]] = []
-    for value, weight in zip(values.tolist(), weights.tolist()):
-        own = (value, weight, 1)
-        while blocks and blocks[-1][0] > own[0]:
-            mean, total, count = blocks.pop()
-            own = (mean * total + own[0] * own[1]) / (total + own[1]), total + own[1], count + own[2]
-        blocks.append(own)
-    return np.concatenate([np.full(count, mean) for mean, _, count in blocks])
-
-
-@given(
-    values=arrays(float, (3, 14), elements=st.floats(-2, 2)),
-    weights=arrays(float, (3, 14), elements=st.floats(0.01, 5)),
-)
-def test_rows_that_never_fall_are_those_of_pooling(values: np.ndarray, weights: np.ndarray) -> None:
-    expected = np.stack([pooled(*one) for one in zip(values, weights)])
-    np.testing.assert_allclose(isotonic(values, weights), expected, atol=1e-9)
-
-
-def test_a_row_that_rises_stays_as_it_is() -> None:
-    rising = np.linspace(-1, 1, 9)[np.newaxis]
-    np.testing.assert_allclose(isotonic(rising, np.ones((1, 9))), rising)
-    np.testing.assert_allclose(isotonic(-rising, np.ones((1, 9))), 0, atol=1e-12)
-
 
 # --- sums of products that are known ------------------------------------------------------------------------------
 
@@ -75,6 +44,11 @@ def products_of(
     return area * np.stack([np.ones(SLOTS), *columns], axis=-1)[np.newaxis]
 
 
+def fitted(products: np.ndarray, spread: float = 0.01) -> Mixtures:
+    """Each share with the same standard deviation."""
+    return fit_mixtures(products, np.full((1, SLOTS), spread))
+
+
 def linear(width: float) -> np.ndarray:
     return np.tile(np.clip(0.5 - MIDDLES / width, 0, 1), 2)
 
@@ -83,14 +57,14 @@ def linear(width: float) -> np.ndarray:
 @pytest.mark.parametrize("noise", [0.0, 30.0])
 def test_shares_are_found_whatever_gain_and_noise_came_after(gain: float, noise: float) -> None:
     expected = linear(60)
-    found = fit_mixtures(products_of(expected, gain=gain, noise=noise))
+    found = fitted(products_of(expected, gain=gain, noise=noise))
     np.testing.assert_allclose(found.other[0], expected, atol=0.01)
     np.testing.assert_allclose(found.left[0], gain**2 * noise * 1000, atol=gain**2 * 10)
 
 
 def test_a_whole_edge_is_a_cut_that_mixes_nothing_and_its_energy_is_taken_out() -> None:
     products = products_of(np.zeros(SLOTS), edge=1.0)
-    found = fit_mixtures(products)
+    found = fitted(products)
     np.testing.assert_allclose(found.other, 0, atol=1e-3)
     np.testing.assert_allclose(products[..., 1] - found.edge, products[..., PRODUCTS.index("ss")], rtol=1e-3)
 
@@ -98,7 +72,7 @@ def test_a_whole_edge_is_a_cut_that_mixes_nothing_and_its_energy_is_taken_out() 
 def test_what_the_mosaic_has_of_neither_source_is_no_mixture() -> None:
     products = products_of(np.zeros(SLOTS))
     products[..., 2:5] = 0  # m is a stranger
-    found = fit_mixtures(products)
+    found = fitted(products)
     np.testing.assert_allclose(found.other, 0, atol=1e-9)
     np.testing.assert_allclose(found.left, products[..., 1], rtol=1e-3)
 
@@ -107,7 +81,7 @@ def test_a_bin_without_pixels_follows_its_neighbours() -> None:
     expected = linear(60)
     products = products_of(expected)
     products[0, 5] = products[0, MIXED_BINS + 2] = 0
-    found = fit_mixtures(products).other[0]
+    found = fitted(products).other[0]
     known = np.delete(np.arange(SLOTS), [5, MIXED_BINS + 2])
     np.testing.assert_allclose(found[known], expected[known], atol=0.01)
     assert found[6] - 0.01 <= found[5] <= found[4] + 0.01
@@ -115,12 +89,12 @@ def test_a_bin_without_pixels_follows_its_neighbours() -> None:
 
 @pytest.mark.parametrize("without", ["s", "o"])
 def test_a_source_without_any_detail_weighs_nothing(without: str) -> None:
-    """As the black border of an image that does not say that it is one."""
+    """The black border of an image that does not say that it is one."""
     products = products_of(np.zeros(SLOTS))
     for number, name in enumerate(PRODUCTS):
         if without in name:
             products[:, :MIXED_BINS, number] = 0
-    found = fit_mixtures(products)
+    found = fitted(products)
     np.testing.assert_allclose(found.other[:, MIXED_BINS:], 0, atol=1e-3)
     assert np.isfinite(found.other).all()
     assert np.isfinite(found.left).all()
@@ -193,7 +167,7 @@ def test_a_narrow_feather_is_told_from_a_cut_whatever_came_after(seed: int, chan
     """How much of the cut's edge is left says how narrow it is, as a share of what the sources have left."""
     made = blend(13, side=256, seed=seed, other_years=5.0 * seed)
     found = made.profile(AFTERWARDS[change](made.made))
-    assert found.by_mixture == pytest.approx(made.truth(), abs=0.035)
+    assert found.by_mixture == pytest.approx(made.truth(), abs=0.05)
     assert 8 < found.feather_width_px < 16
 
 
@@ -229,7 +203,7 @@ def test_the_mean_of_two_images_keeps_what_they_have_in_common(in_common: float)
 
 @pytest.mark.parametrize("level", [2, 3])
 def test_coarser_levels_are_mixed_as_the_finest(level: int) -> None:
-    """By the finest level's shares, in strips twice and four times as wide."""
+    """The finest level's shares, in strips twice and four times as wide."""
     mean = blend(0, side=128).with_mosaic_of(np.full((128, 128), 0.5))
     found = mean.profile()
     assert found.by_energy is None

@@ -92,7 +92,7 @@ def test_three_sources_that_meet_are_one_seam(width: int) -> None:
 @pytest.mark.parametrize(("ramp", "share"), [("cosine", 0.705), ("linear", 0.894)])
 @pytest.mark.parametrize("width", [33, 66, 150])
 def test_the_band_is_where_less_than_nine_tenths_are_kept(width: int, ramp: str, share: float) -> None:
-    """Of strangers w^2 + (1 - w)^2 = 0.9 where w = 0.947."""
+    """Strangers keep w^2 + (1 - w)^2 = 0.9 where w = 0.947."""
     found = profile_of(blend(width, ramp))
     assert found.band_width_px == pytest.approx(share * width, rel=0.12, abs=3)
 
@@ -132,7 +132,7 @@ def rounded(plane: np.ndarray) -> np.ndarray:
 
 
 def without_weak_detail(plane: np.ndarray) -> np.ndarray:
-    """As compression does: differences from the surroundings below 2 DN are dropped."""
+    """A plane as compression leaves it: differences from the surroundings below 2 DN are dropped."""
     around = ndimage.gaussian_filter(plane, 1.5)
     fine = plane - around
     return around + np.where(np.abs(fine) < 2, 0, fine)
@@ -264,7 +264,7 @@ def test_the_bins_beside_the_seam_add_up_to_what_is_kept(width: int) -> None:
 @pytest.mark.parametrize("noise_dn", [4, 8, 12])
 @pytest.mark.parametrize("width", [33, 66])
 def test_noise_over_all_of_a_mosaic_hides_no_loss(width: int, noise_dn: float) -> None:
-    """By the energy alone: it is the same in what a seam left and in the ground around."""
+    """The energy alone tells it: noise is the same in what a seam left and in the ground around."""
     made = blend(width)
     found = profile_of(made, made.made + np.random.default_rng(4).normal(0, noise_dn, made.made.shape))
     assert found.by_energy == pytest.approx(made.truth(0, STRIP_PX), abs=0.06)

@@ -47,7 +47,7 @@ def whole(seams: LoneSeams) -> LoneKept:
 
 
 def strip_energy(plane: np.ndarray, distance: np.ndarray) -> float:
-    """Of the finest detail within 8 px of the seam, by PyWavelets."""
+    """Energy of the finest detail within 8 px of the seam, by PyWavelets."""
     energy = np.sum(np.square(placed_wavedec(plane, WAVELET, 1)[1]), axis=0)
     return float(energy[np.abs(distance[::2, ::2]) < 8].sum())
 
@@ -149,7 +149,7 @@ def test_a_wide_feather_is_compared_with_what_lies_beyond() -> None:
 
 @pytest.mark.slow
 def test_intervals_of_pieces_cover_the_truth() -> None:
-    """Of 8 pieces each on 6 mosaics: hard cuts and feathers."""
+    """8 pieces each on 6 mosaics: hard cuts and feathers."""
     inside = []
     for seed in range(3):
         mosaic = lone_mosaic(256, 10 * seed)

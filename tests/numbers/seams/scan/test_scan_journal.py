@@ -254,7 +254,7 @@ def test_a_journal_that_is_a_link_or_a_pipe_is_refused(path: Path, kind: str) ->
 
 
 def test_of_a_disk_that_is_gone_nothing_is_held_and_saving_says_so(tmp_path: Path) -> None:
-    """As a folder of the network may be while a scan goes on."""
+    """A folder of the network may be gone while a scan goes on."""
     files = BlockFiles(tmp_path / "blocks")
     assert files.names == set()
     with pytest.raises(FileNotFoundError):

@@ -159,7 +159,7 @@ def test_all_that_was_read_is_not_told(files: Path) -> None:
 
 
 def test_a_sheet_of_which_nothing_is_known_leaves_the_decision_open(files: Path) -> None:
-    """As where its scan failed, or measured nothing."""
+    """Its scan failed, or measured nothing."""
     good = [
         {"seam_id": 1, "station": 10.0 * place, "length": 10.0, "kept_1": 0.97, "kept_low": 0.93, "kept_high": 1.02,
          "verdict": "preserved", "geometry": f"LINESTRING ({10 * place} 0, {10 * place + 10} 0)"}

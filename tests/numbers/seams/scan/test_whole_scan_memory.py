@@ -14,7 +14,7 @@ from tests.numbers.synthetic import UTM33, orthoimage, wkt, write_raster
 pytestmark = pytest.mark.slow
 
 SIDE = 2048
-"""Of the tile that is repeated, px: a block."""
+"""Side of the tile that is repeated, px: a block."""
 PROGRAM = """
 import re, sys
 from pathlib import Path
@@ -24,7 +24,7 @@ peak = re.search(r"VmHWM:\\s+(\\d+)", Path("/proc/self/status").read_text())
 print(int(peak.group(1)) // 1024, len(result.pieces))
 """
 MOST_MORE_MB = 30
-"""Of the largest scan compared with the smaller one: what is kept of longer seams, and noise."""
+"""Memory of the largest scan beyond that of the smaller one: what is kept of longer seams, and noise."""
 
 
 def repeated(path: Path, times: int) -> str:

@@ -29,7 +29,7 @@ measured or written, or when all are done and put together."""
 
 
 def request_of(mosaic: str, *sources: str, **settings: object) -> ScanRequest:
-    """By files on one grid."""
+    """Request for files on one grid."""
     made = tuple(Source(RasterRef(path), describe(RasterRef(path)).extent) for path in sources)
     return scan_request(describe_mosaic(RasterRef(mosaic)), made, ScanSettings(**settings))[0]  # type: ignore[arg-type]
 

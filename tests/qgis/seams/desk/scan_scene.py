@@ -86,7 +86,7 @@ class ScanDesk:
         return self.found[0] if self.found else None
 
     def titles(self) -> list[str]:
-        """Of all layers, the topmost first."""
+        """Names of all layers, the topmost first."""
         return [node.name() for node in self.project.layerTreeRoot().findLayers()]
 
     def close(self) -> None:

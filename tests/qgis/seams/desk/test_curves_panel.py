@@ -38,7 +38,7 @@ BANDS = ("luminance", "red", "green", "blue")
 
 
 class Inputs:
-    """Of a session's inputs, what the panel reads."""
+    """What the panel reads of a session's inputs."""
 
     max_ratio = 0.5
     reference = "sources"

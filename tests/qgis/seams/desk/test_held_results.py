@@ -1,4 +1,4 @@
-"""Of thousands of windows only some results are held in memory; whoever asks for another one gets it all the same."""
+"""Results of thousands of windows: only some are held in memory; whoever asks for another one gets it all the same."""
 from __future__ import annotations
 
 import pytest
@@ -16,7 +16,7 @@ HELD = 2
 
 @pytest.fixture
 def results(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> dict[int, WindowResult]:
-    """By feature id, of six windows of which two are held, as they came."""
+    """Results by feature id, of six windows of which two are held, as they came."""
     monkeypatch.setattr(window_results, "MOST_HELD", HELD)
     desk.set(desk.inputs(reference="sources"))  # of such small windows there is too little ground for the seam's
     found: dict[int, WindowResult] = {}

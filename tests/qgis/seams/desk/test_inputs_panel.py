@@ -70,7 +70,7 @@ class Desk:
             QgsProject.instance().addMapLayer(self.rasters[name])
 
     def choose(self, box: str, layer_id: str) -> None:
-        """As the operator does, with the mouse."""
+        """Choose a layer as the operator does, with the mouse."""
         combo = getattr(self.panel, box)
         combo.setLayer(QgsProject.instance().mapLayer(layer_id))
         combo.activated.emit(combo.currentIndex())
@@ -444,7 +444,7 @@ def test_close_lets_go_of_everything(desk: Desk) -> None:
 
 
 def test_names_can_be_read_in_a_theme_of_style_sheets(desk: Desk) -> None:
-    """As Night Mapping is: its colours are not in the palette of widgets of no kind that it knows."""
+    """A theme like Night Mapping: its colours are not in the palette of widgets of no kind that it knows."""
     desk.set_all()
     desk.check("east", False)
     sources = desk.panel.sources

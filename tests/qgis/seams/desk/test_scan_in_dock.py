@@ -37,7 +37,7 @@ def opened(plugin: Any, scene: ScanScene, folder: Path) -> InspectionDock:
 
 
 def scan(dock: InspectionDock) -> None:
-    """By its button, to the end."""
+    """Scan by its button, to the end."""
     dock.scan.trigger()
     wait_until(lambda: not dock.scans.is_at_work, "for the scan")
 

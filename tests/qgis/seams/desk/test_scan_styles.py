@@ -30,7 +30,7 @@ def picture(qgis_app: QgsApplication, tmp_path: Path) -> QgsRasterLayer:
 
 
 def colours(picture: QgsRasterLayer) -> list[QColor]:
-    """As they are drawn, one for each pixel."""
+    """Colours as they are drawn, one for each pixel."""
     settings = QgsMapSettings()
     settings.setLayers([picture])
     settings.setExtent(picture.extent())

@@ -60,7 +60,7 @@ class Operator:
         self.release(end)
 
     def key(self, key: Qt.Key, kind: QEvent.Type = QEvent.Type.KeyPress) -> None:
-        """As the canvas tells it while a button is down."""
+        """A key as the canvas tells it while a button is down."""
         event = QKeyEvent(kind, key, Qt.KeyboardModifier.NoModifier)
         (self.canvas.keyPressed if kind == QEvent.Type.KeyPress else self.canvas.keyReleased).emit(event)
 

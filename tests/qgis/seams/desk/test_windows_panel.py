@@ -29,7 +29,7 @@ def cell(panel: WindowsPanel, fid: int, column: int, role: int = Qt.ItemDataRole
 
 
 def select_row(panel: WindowsPanel, fid: int, *more: int) -> None:
-    """As the operator does, by click and Ctrl+click."""
+    """Select rows as the operator does, by click and Ctrl+click."""
     for number, each in enumerate((fid, *more)):
         keys = Qt.KeyboardModifier.ControlModifier if number else Qt.KeyboardModifier.NoModifier
         QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, keys, place_of(panel, each))

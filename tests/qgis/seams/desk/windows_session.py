@@ -122,7 +122,7 @@ ROWS = [
     window(10, "preserved", (1.04, 1.0, None), "invisible", sources=10, cause="none", kept=(1.02,)),
     window(12, "significant", (0.45, 0.7, 0.9), sources=1, stale=True),
 ]
-"""Of all kinds, as the table of windows shows them."""
+"""Windows of all kinds, as the table of windows shows them."""
 
 Show = Callable[[QWidget], QWidget]
 """Shows a widget until the test is over."""

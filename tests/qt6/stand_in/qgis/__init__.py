@@ -1,1 +1,1 @@
-"""As much of QGIS 4's Python as parts of the plugin that only draw and listen need. Tests alone use it."""
+"""What parts of the plugin that only draw and listen need of QGIS 4's Python. Tests alone use it."""

@@ -1,2 +1,2 @@
-"""As ``qgis.utils``: no interface."""
+"""Stand-in for ``qgis.utils``: no interface."""
 iface = None

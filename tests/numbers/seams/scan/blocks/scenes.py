@@ -32,7 +32,7 @@ class Scene:
     sources: tuple[Source, ...]
 
     def pixels(self, whole: bool = True, margin_px: int = 0) -> BlockPixels:
-        """Of its first block."""
+        """Pixels of its first block."""
         window = BlockGrid(self.mosaic.grid).window((0, 0))
         return BlockPixels(self.mosaic, [one.ref for one in self.sources], window, whole, margin_px)
 
@@ -47,7 +47,7 @@ class Scene:
 
 @lru_cache(maxsize=4)
 def images(shape: tuple[int, int] = SHAPE, count: int = 2, own: float = 9.0) -> tuple[np.ndarray, ...]:
-    """Of one ground, each with fine detail of its own, (rows, columns) 8 bit without the value 0."""
+    """Images of one ground, each with fine detail of its own, (rows, columns) 8 bit without the value 0."""
     contrast = np.exp(0.3 * ndimage.gaussian_filter(texture(shape, 3.0, 7), 12, mode="wrap"))
     ground = 120 + 22 * texture(shape, 3.0, 40)
     return tuple(as_bytes(ground + own * contrast * texture(shape, 0.8, seed)) for seed in range(1, count + 1))
@@ -71,7 +71,7 @@ def blended(first: np.ndarray, second: np.ndarray, weight: np.ndarray) -> np.nda
 
 
 def scene(folder: Path, mosaic: np.ndarray, given: Sequence[np.ndarray], nodata: int | None = NODATA) -> Scene:
-    """As files on one grid."""
+    """A scene as files on one grid."""
     ref = RasterRef(write_raster(folder / "mosaic.tif", mosaic, nodata=nodata))
     refs = [RasterRef(write_raster(folder / f"source_{number}.tif", one, nodata=nodata))
             for number, one in enumerate(given)]
@@ -79,5 +79,5 @@ def scene(folder: Path, mosaic: np.ndarray, given: Sequence[np.ndarray], nodata:
 
 
 def window(left: int, top: int, width: int, height: int) -> PixelWindow:
-    """Of a mosaic."""
+    """A window of a mosaic."""
     return PixelWindow(left, top, width, height)

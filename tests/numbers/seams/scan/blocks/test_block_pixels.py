@@ -30,7 +30,7 @@ def crowd(tmp_path_factory: pytest.TempPathFactory) -> Scene:
 
 
 def arrays_of(crowd: Scene) -> list[np.ndarray]:
-    """Of the sources as they were written."""
+    """Arrays of the sources as they were written."""
     given = [one.copy() for one in images(SHAPE, len(crowd.sources))]
     given[1][:, 200:] = NODATA
     given[MOST_HELD][150:] = NODATA

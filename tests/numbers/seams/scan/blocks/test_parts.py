@@ -57,7 +57,7 @@ def kept(table: CellTable, near: int, far: int) -> float:
 
 
 def true_cells(made: np.ndarray, given: Sequence[np.ndarray], labels: np.ndarray) -> CellTable:
-    """Of the whole mosaic at once, by labels that are known."""
+    """Cells of the whole mosaic at once, by labels that are known."""
     planes = np.stack([made, np.choose(labels, given), *given]).astype(np.float32)
     return detail_sums(list(placed_components(planes, WAVELET, LEVELS)), labels, (0, 1))[0]
 

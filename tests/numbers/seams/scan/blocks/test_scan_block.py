@@ -369,7 +369,7 @@ def test_what_given_seams_call_for_is_measured_beside_what_patches_do(hard: Scen
 
 
 def squares(*rows: str) -> np.ndarray:
-    """Of digits; a dot is unknown."""
+    """Squares of digits; a dot is unknown."""
     return np.array([[UNKNOWN if one == "." else int(one) for one in row] for row in rows], np.uint8)
 
 

@@ -51,7 +51,7 @@ def near(places: list[tuple[float, float]], reach_px: float) -> np.ndarray:
 
 
 def dense_of(squares: SeamSquares, blocks: BlockGrid = BLOCKS) -> np.ndarray:
-    """Of the whole mosaic, (rows, columns) bool."""
+    """Dense units of the whole mosaic, (rows, columns) bool."""
     rows = [np.concatenate([squares.dense_in((row, column)) for column in range(blocks.columns)], axis=1)
             for row in range(blocks.rows)]
     return np.concatenate(rows)

@@ -23,7 +23,7 @@ def tiles_of(labels: np.ndarray, side: int = 512) -> Iterator[tuple[LabelTile, n
 
 
 def chains_of(labels: np.ndarray, side: int = 512) -> list[Chain]:
-    """Of all tiles."""
+    """Chains of all tiles."""
     found = [cleaned_chains(part, tile, LABEL_PX) for tile, part in tiles_of(labels, side)]
     return [chain for chains in found for chain in chains]
 

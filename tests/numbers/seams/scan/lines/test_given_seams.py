@@ -130,7 +130,7 @@ def test_polygons_without_names_have_seams_without() -> None:
 
 
 def test_polygons_with_dates_alone_are_called_by_them() -> None:
-    """As seam polygons of NAIP: parts of one day are different exposures."""
+    """Seam polygons of NAIP: parts of one day are different exposures."""
     given = given_seams(
         [
             box(0, 0, 100, 200, SDATE="2016-07-04"),

@@ -28,7 +28,7 @@ def labels() -> np.ndarray:
 
 
 def seam(*places: tuple[float, float], left: Side = None, right: Side = None) -> SeamPiece:
-    """By columns and rows of pixels."""
+    """A piece of seam by columns and rows of pixels."""
     x, y = np.array(places, dtype=float).T
     return SeamPiece(1, 0, 0, np.column_stack([1000 + x / 2, 2000 - y / 2]), left, right)
 

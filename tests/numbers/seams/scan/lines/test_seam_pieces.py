@@ -194,7 +194,7 @@ def test_stretches_much_longer_than_a_block_are_found() -> None:
 
 
 def test_a_stretch_that_runs_far_beyond_costs_what_is_near_alone() -> None:
-    """As one does where the file says that its pixels are millionths of a metre."""
+    """A stretch on a mosaic whose file says that its pixels are millionths of a metre."""
     index = PieceIndex([seam((0, 100), (5e6, 200))], GRID)
     tracemalloc.start()
     number, distance = index.nearest(np.array([3000.0, 3000, 3000]), np.array([400.0, 480, 1000]), 500)

@@ -183,7 +183,7 @@ def test_the_tiles_that_labels_come_in_do_not_show(side: int) -> None:
 
 
 def borders_of(labels: np.ndarray, side: int) -> list[LabelBorder]:
-    """Of labels as they are, tile by tile."""
+    """Borders of labels as they are, tile by tile."""
     tiles = [tile for tile, _ in tiles_of(labels, side)]
     chains = [chain for tile in tiles for chain in tile_chains(labels[tile.around(1)], tile)]
     return joined_borders(chains, labels.shape[1])
@@ -245,7 +245,7 @@ def test_cleaned_labels_have_the_size_and_the_outline_they_came_with() -> None:
 
 @given(arrays(np.int16, st.tuples(st.integers(1, 30), st.integers(1, 30)), elements=st.sampled_from([-1, -1, -1, 0])))
 def test_gaps_are_closed_that_no_disk_finds_room_in(labels: np.ndarray) -> None:
-    """By Euclid's distances, as scipy takes them."""
+    """Room by Euclid's distances, as scipy takes them."""
     empty = labels == -1
     far = np.zeros(labels.shape, bool)
     if not empty.all():

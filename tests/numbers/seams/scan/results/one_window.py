@@ -20,7 +20,7 @@ WINDOW = PixelWindow(0, 0, SIDE, SIDE)
 
 
 def pieces_of(made: Blend, count: int = 1, grid: Grid = GRID) -> list[SeamPiece]:
-    """Of the seam that runs from top to bottom, of equal numbers of rows."""
+    """Pieces of the seam that runs from top to bottom, of equal numbers of rows."""
     rows = np.arange(SIDE)
     columns = made.labels.argmax(axis=1).astype(float)
     vertices = np.column_stack([grid.left + columns * grid.pixel_width, grid.top - (rows + 0.5) * grid.pixel_height])
@@ -34,12 +34,12 @@ def pieces_of(made: Blend, count: int = 1, grid: Grid = GRID) -> list[SeamPiece]
 
 
 def sums_of(pieces: list[SeamPiece], grid: Grid = GRID) -> PieceSums:
-    """Of all of them."""
+    """Sums of all pieces."""
     return PieceSums(np.arange(len(pieces)), PieceIndex(pieces, grid), LEVELS)
 
 
 def profiles_of(detail: WindowDetail, pieces: list[SeamPiece]) -> list[StripProfile]:
-    """By the window's own ground."""
+    """Profiles by the window's own ground."""
     sums = sums_of(pieces)
     sums.add(detail.cells, detail.mixture, detail.ground, WINDOW)
     return sums.profiles()

@@ -36,7 +36,7 @@ def ground_of(units: np.ndarray, lines: list[list[tuple[float, float]]] | None =
 
 
 def halves(rows: int = 40, columns: int = 40) -> np.ndarray:
-    """Of two sources that meet in the middle."""
+    """Units of two sources that meet in the middle."""
     units = np.zeros((rows, columns), int)
     units[:, columns // 2 :] = 1
     return units

@@ -44,7 +44,7 @@ def result_of(folder: Path, one: Scene, seams: tuple[SidedSeam, ...] = (), **set
 
 
 def picture(folder: Path) -> np.ndarray:
-    """Of losses, (bands, rows, columns)."""
+    """Picture of losses, (bands, rows, columns)."""
     dataset = gdal.Open(str(folder / "loss.tif"))
     return np.asarray(dataset.ReadAsArray())
 
@@ -262,7 +262,7 @@ def test_the_picture_of_given_seams_names_sources_everywhere(tmp_path: Path) -> 
 
 
 def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
-    """Of nothing but what is given."""
+    """A block of nothing but what is given."""
     nothing = BlockScan(
         (0, 0), ("a", "b"), np.full((16, 16), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool),
         np.full((LABELS, LABELS), UNKNOWN, np.uint8) if labels is None else labels,

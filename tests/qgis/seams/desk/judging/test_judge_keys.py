@@ -151,7 +151,7 @@ def test_space_works_on_the_map_and_in_the_table_and_presses_buttons(desk: _Desk
 
 @pytest.mark.parametrize("is_told", [False, True])
 def test_a_held_key_that_repeats_as_pairs_is_held(desk: _Desk, is_told: bool) -> None:
-    """As X has it: releases and presses within 3 ms, which Qt calls repetitions or does not."""
+    """X repeats keys by releases and presses within 3 ms, which Qt calls repetitions or does not."""
     desk.canvas.setFocus()
     for key, taken in ((Qt.Key.Key_Space, ["held"]), (Qt.Key.Key_V, ["V"])):
         desk.taken.clear()

@@ -52,7 +52,7 @@ def loss_of_window() -> LossPicture:
 
 
 def result(explained: Any = None, verdict: Verdict = Verdict.SIGNIFICANT) -> WindowResult:
-    """Of the window."""
+    """Result of the window."""
     judgement = Judgement(verdict, Ratios((0.5, 0.6, 0.7), 1.0))
     found = WindowResult(7, WINDOW, judgement, verdict, explanation=explained, ground_sample_distance=PIXEL)
     return replace(found, explanation=explained if explained is not None else Explained())

@@ -1,4 +1,4 @@
-"""As ``qgis.PyQt.QtCore`` of QGIS 4, but for the old names of flags that it brings back: the plugin needs none."""
+"""``qgis.PyQt.QtCore`` of QGIS 4 without the old names of flags that it brings back: the plugin needs none."""
 from typing import Any
 
 from PyQt6.QtCore import *  # noqa: F403

@@ -1,2 +1,2 @@
-"""As ``qgis.PyQt.QtTest`` of QGIS 4."""
+"""Stand-in for ``qgis.PyQt.QtTest`` of QGIS 4."""
 from PyQt6.QtTest import *  # noqa: F403

@@ -1,4 +1,4 @@
-"""As ``qgis.PyQt.QtWidgets`` of QGIS 4, which brings back three classes that moved (not QUndoStack)."""
+"""Stand-in for ``qgis.PyQt.QtWidgets`` of QGIS 4, which brings back three classes that moved (not QUndoStack)."""
 from PyQt6.QtGui import QAction as QAction
 from PyQt6.QtGui import QActionGroup as QActionGroup
 from PyQt6.QtGui import QShortcut as QShortcut

@@ -1,2 +1,2 @@
-"""As ``qgis.PyQt.sip`` of QGIS 4."""
+"""Stand-in for ``qgis.PyQt.sip`` of QGIS 4."""
 from PyQt6.sip import *  # noqa: F403
