@@ -77,7 +77,7 @@ def judge_by_seam(
     """The verdict by what is kept along the seam and by the sharpness of the whole, and why there is none.
 
     ``significant`` where the best estimate of kept_1 is at most ``min_kept`` and that something is lost is sure (its
-    interval may reach above the limit, half-way to 1), or the square of the sharpness at most its limit, ``reduced``
+    interval may reach above the limit, half-way to 1, unless it is wide), or the square of the sharpness at most its limit, ``reduced``
     where one of them is surely below 1, else ``preserved``; none where the interval says nothing, or holds all that
     there was although so little is kept. A window without a seam is judged by its sharpness alone.
     ``explained``: share of the pixels that the sources explain, ``mixed`` of those that are a mixture of two of them.
@@ -94,7 +94,7 @@ def judge_by_seam(
     is_wide = profile.high > MOST_SPREAD * profile.low
     kept = profile.kept[0]
     if kept is not None and kept <= min_kept and profile.high < 1:
-        if not is_wide and profile.high <= (min_kept + 1) / 2:
+        if profile.high <= (min_kept if is_wide else (min_kept + 1) / 2):
             return Verdict.SIGNIFICANT, None
         return Verdict.REDUCED, messages.MAY_BE_SIGNIFICANT(low=100 * profile.low, high=100 * profile.high)
     if profile.high >= 1 and (is_wide or (kept is not None and kept <= min_kept)):

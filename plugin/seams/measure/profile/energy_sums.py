@@ -29,9 +29,9 @@ _ALL = int(np.flatnonzero(TRIED == 1)[0])
 RESPONSE_ERROR = 0.5
 """Share of what it makes of the logarithm of kept that weaker detail is shown otherwise, taken as its error: where
 tones were evened out place by place, strong and weak detail differ by where they are."""
-NOISE_ERROR = 1.0
-"""Error of the logarithm of kept, per share of the strip's detail that nothing explains: codecs take other shares of
-mixed detail than of the ground's (40 px under JPEG 75: 0.36 where 0.52 was left, with 0.35 unexplained)."""
+SURE_LEFT = 0.5
+"""Share of what a soft feather leaves over that is taken for what its ramp makes of what the sources differ by, and its
+error: as well it may be detail of theirs that a codec changed, or that a part of the piece without a feather kept."""
 BLOCK_CELLS = 2
 """A side of the blocks whose scatter the interval follows from: as much ground as 64 px of strip."""
 
@@ -49,9 +49,7 @@ class EnergySums:
         self._squares = np.zeros(count)  # of what is expected of blocks of 32 px in the strip
         self._noise = np.zeros((3, count))  # scatter, blocks of ground, reach; each times what is expected
         self._left = np.zeros((levels, count))  # that the ground makes one expect in the strip, DN squared
-        self.unexplained = np.zeros(count)
-        """Share of the mosaic's finest detail in the strip that no mixture explains, where there is one: a cut's strip
-        is like the ground."""
+        self._unsure = np.zeros(count)  # share of the mosaic's finest detail in the strip
 
     def add(
         self, table: CellTable, whole: WholeCells, ground: Sequence[LevelGround | None], piece_of: np.ndarray
@@ -84,9 +82,12 @@ class EnergySums:
         """kept of one level, 0 the finest, at every distance, (bins, count)."""
         return self._with_interval(self.own[level], self.area[level], self._by_kept[:, level])
 
-    def take_out(self, edge: np.ndarray) -> None:
-        """What the mosaic's detail has of the cut's own edge, energy by (levels, some bins, count), DN squared."""
-        self.own[:, : edge.shape[1]] -= edge
+    def take_out(self, edge: np.ndarray, left: np.ndarray) -> None:
+        """Take out what no source has, energy by (levels, some bins, count), DN squared: what the mosaic's detail has
+        of the cut's own edge, and what soft feathers leave over."""
+        unsure = SURE_LEFT * left
+        self._unsure = in_strip(unsure)[0] / np.maximum(in_strip(self.own)[0], 1e-12)
+        self.own[:, : edge.shape[1]] -= edge + unsure
 
     def _with_interval(self, own: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:
         """What is kept of areas, (..., count) each, by their energies and those ``by_kept``: as sure as the scatter of
@@ -99,7 +100,7 @@ class EnergySums:
         own_blocks = np.maximum(density * area_px, 1)
         error = np.sqrt(
             scatter * (1 / own_blocks + 1 / blocks) + LABEL_ERROR**2 * (BLOCK_CELLS * CELL_PX) ** 2 / area_px
-            + reach + LEAST_ERROR**2 + (NOISE_ERROR * self.unexplained) ** 2
+            + reach + LEAST_ERROR**2 + self._unsure**2
         )
         kept = _kept(own, by_kept)
         with np.errstate(divide="ignore", invalid="ignore"):

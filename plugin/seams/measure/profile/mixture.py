@@ -272,9 +272,6 @@ class MixedStrips:
             in_strip(self.plain)[0], 1e-12
         )
         """(count,): share of its sources' finest detail that the mosaic has in the strip, of either."""
-        self.is_soft = np.zeros(count)
-        """(count,): how likely it is that a piece is no cut."""
-        np.maximum.at(self.is_soft, piece, blended[:, 0, 0])
         more, less = (mixed_energy(whole, np.clip(other + way * unsure[:, :1], 0, 1)) for way in (1, -1))
         self._unsure = np.abs(in_strip(self._both_sides(more - less))[0]) / 2 / np.maximum(in_strip(plain)[0], 1e-12)
         self.bins, self.before = _ratio(mixed, plain), _ratio(mixed * self.plain, plain * shown)

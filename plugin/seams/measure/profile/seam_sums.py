@@ -63,12 +63,11 @@ class SeamSums:
     def profiles(self, levels: int | None = None) -> list[StripProfile]:
         """Profiles of all pieces, in their order; with the bins of so many ``levels``, one at least, all where None."""
         energy, mixed = self._energy, self._mixture.result()
-        # Beyond what the ground leaves over as well. A soft feather's ramp makes that of what the sources differ by.
+        # Beyond what the ground leaves over as well.
         left_over = in_strip(mixed.left)
         more_left = np.maximum(left_over - energy.left_by_ground, 0)
         mm = in_strip(energy.own)  # with all that was added
-        energy.unexplained = np.clip(left_over[0] / np.maximum(mm[0], 1e-12), 0, 1) * mixed.is_soft
-        energy.take_out(mixed.edge + mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
+        energy.take_out(mixed.edge, mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
         # Of the sources before anything came over the mosaic, which may have left what they agree in.
         by_energy = by_energy.times(np.nan_to_num(mixed.before_in_strip[0], nan=1.0))
@@ -80,7 +79,8 @@ class SeamSums:
         is_replaced = more_left[0] > MOST_UNEXPLAINED * in_strip(energy.expected)[0]
         is_replaced &= (mixed.carried < MIN_CARRIED) & (in_strip(energy.expected)[0] > 0)
         is_told = np.where(is_replaced, np.nan, 1.0)
-        judged, share = together(by_energy.times(is_told), mixed.kept.times(is_told), left_share)
+        is_mixture = np.where(mixed.carried >= MIN_CARRIED, is_told, np.nan)
+        judged, share = together(by_energy.times(is_told), mixed.kept.times(is_mixture), left_share)
         kept = np.where(share > 0, energy_levels, mixed.levels)
         kept[0] = judged.value
         area, plain, shared = map(in_strip, (energy.area, energy.plain, energy.shared))
