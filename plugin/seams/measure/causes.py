@@ -11,7 +11,6 @@ from enum import Enum
 from math import log
 
 from . import limits
-from .profile.intervals import MOST_LEFT
 from .profile.mixture import NARROW_PX
 from .profile.seam_profile import Measure, SeamProfile
 
@@ -33,6 +32,7 @@ MAX_FEATHERED_KEPT = 0.97  # of the finest detail in the strip along the seam, a
 SURE_FEATHER_PX = 15.0  # wider than compression or a wrong border make a cut
 MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it mixed half and half; made ones kept 0.27
 MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
+MOST_LEFT = 0.15  # of the sources' energy in the strip, left over by weights: more than so is another mixture
 MIN_MIXED_LOSS = 1 / 3  # of what a seam lost: a mixture that would take less of it is not what took it
 MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
 MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources

@@ -77,9 +77,9 @@ def judge_by_seam(
     """The verdict by what is kept along the seam and by the sharpness of the whole, and why there is none.
 
     ``significant`` where the best estimate of kept_1 is at most ``min_kept`` and that something is lost is sure (its
-    interval may reach above the limit, half-way to 1, unless it is wide), or the square of the sharpness at most its limit, ``reduced``
-    where one of them is surely below 1, else ``preserved``; none where the interval says nothing, or holds all that
-    there was although so little is kept. A window without a seam is judged by its sharpness alone.
+    interval ends below the limit, or half-way to 1 unless it is wide), or the square of the sharpness at most its
+    limit, ``reduced`` where one of them is surely below 1, else ``preserved``; none where the interval says nothing, or
+    holds all that there was although so little is kept. A window without a seam is judged by its sharpness alone.
     ``explained``: share of the pixels that the sources explain, ``mixed`` of those that are a mixture of two of them.
     """
     if sharpness is None:

@@ -80,11 +80,18 @@ def test_significant_is_said_only_where_the_interval_ends_half_way_to_all(limit:
 
 def test_significant_is_said_only_where_the_interval_spans_no_more_than_a_factor_of_two() -> None:
     assert MOST_SPREAD == 2
-    assert judge_by_seam(profile(0.4, 0.3, 0.6), True, 1.0) == (Verdict.SIGNIFICANT, None)
-    verdict, reason = judge_by_seam(profile(0.4, 0.3, 0.6 + LITTLE), True, 1.0)
+    assert judge_by_seam(profile(0.5, 0.4, 0.8), True, 1.0) == (Verdict.SIGNIFICANT, None)
+    verdict, reason = judge_by_seam(profile(0.5, 0.4, 0.8 + LITTLE), True, 1.0)
     assert verdict is Verdict.REDUCED
     assert reason is not None
     assert reason.template == seams_messages.MAY_BE_SIGNIFICANT.template
+
+
+@pytest.mark.parametrize(("kept", "low"), [(0.01, 0.0), (0.3, 0.1)])
+def test_significant_is_said_of_any_interval_below_the_limit(kept: float, low: float) -> None:
+    limit = limits.MAX_SIGNIFICANT_KEPT
+    assert verdict_of(profile(kept, low, limit)) is Verdict.SIGNIFICANT
+    assert verdict_of(profile(kept, low, limit + LITTLE)) is Verdict.REDUCED
 
 
 @pytest.mark.parametrize(("kept", "low", "high"), [(0.59, 0.35, 0.94), (0.68, 0.49, 0.88), (0.7, 0.49, 0.92)])

@@ -63,7 +63,7 @@ class Mixtures:
     blended: np.ndarray
     """(n, 1): how likely it is that the seam is no cut."""
     carried: np.ndarray
-    """Weights of both sources together, 0 to 1: less where something else is in their place."""
+    """Weights of both sources together: less than on the ground where something else is in their place."""
 
 
 def raw_shares(products: np.ndarray) -> np.ndarray:
@@ -89,7 +89,7 @@ def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
     other, unsure, blended = fit_ramps(
         np.where(known, shares, 0), np.where(known, spread, np.inf), _most_floor(products, left)
     )
-    carried = np.clip(weights[..., :2].sum(axis=2), 0, 1)
+    carried = np.maximum(weights[..., :2].sum(axis=2), 0)
     return Mixtures(other, of_edge, left, 1 - sharp, unsure, blended, carried)
 
 

@@ -73,18 +73,18 @@ class SeamSums:
         by_energy = by_energy.times(np.nan_to_num(mixed.before_in_strip[0], nan=1.0))
         energy_levels *= np.nan_to_num(mixed.before_in_strip, nan=1.0)
         # Where a mixture is told and does not end, the ground around is mixed as well.
-        is_mixed = (mixed.shares()[-1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
-        by_energy = by_energy.times(np.where(is_mixed, np.nan, 1.0))
+        is_endless = (mixed.shares()[-1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
+        by_energy = by_energy.times(np.where(is_endless, np.nan, 1.0))
         left_share = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
-        is_replaced = more_left[0] > MOST_UNEXPLAINED * in_strip(energy.expected)[0]
-        is_replaced &= (mixed.carried < MIN_CARRIED) & (in_strip(energy.expected)[0] > 0)
-        is_told = np.where(is_replaced, np.nan, 1.0)
-        is_mixture = np.where(mixed.carried >= MIN_CARRIED, is_told, np.nan)
-        judged, share = together(by_energy.times(is_told), mixed.kept.times(is_mixture), left_share)
-        kept = np.where(share > 0, energy_levels, mixed.levels)
-        kept[0] = judged.value
         area, plain, shared = map(in_strip, (energy.area, energy.plain, energy.shared))
         expected, expected_shared = in_strip(energy.expected)[0], in_strip(energy.expected_shared)[0]
+        # As much as the ground has of it, where there is ground.
+        is_mixed = mixed.carried * plain[0] >= MIN_CARRIED * expected_shared
+        is_replaced = ~is_mixed & (more_left[0] > MOST_UNEXPLAINED * expected)
+        is_told, is_mixture = (np.where(which, 1.0, np.nan) for which in (~is_replaced, is_mixed))
+        judged, share = together(by_energy.times(is_told), mixed.kept.times(is_mixture))
+        kept = np.where(share > 0, energy_levels, mixed.levels)
+        kept[0] = judged.value
         fit = np.maximum(shared[0], 0) ** 2 / np.maximum(mm[0] * plain[0], 1e-12)
         texture = mm[0] / np.maximum(plain[0], 1e-12)
         gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (mm[0], expected)))

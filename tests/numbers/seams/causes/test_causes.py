@@ -22,7 +22,6 @@ from seam_inspector.plugin.seams.measure.causes import (
     causes_taken,
     find_causes,
 )
-from seam_inspector.plugin.seams.measure.profile.intervals import MOST_LEFT
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure, SeamProfile
 
 SOUND_TEXTURE = Texture(
@@ -122,7 +121,7 @@ def test_a_feather_is_blamed_where_it_takes_a_good_part_of_the_loss() -> None:
 
 
 def test_images_mixed_by_no_weights_are_another_mixture() -> None:
-    most, least = MOST_LEFT, rules.NARROW_PX
+    most, least = rules.MOST_LEFT, rules.NARROW_PX
     other = evidence(**{**FEATHERED, "feather_width_px": least}, left_by_mixture=most + LITTLE)
     assert find_causes(other) == (Cause.OTHER_MIXTURE,)
     assert find_causes(evidence(**FEATHERED, left_by_mixture=most)) == (Cause.FEATHERING,)
@@ -457,7 +456,7 @@ def percent(share: float) -> str:
 IN_GUIDE = {
     Cause.MISSING_SOURCE: (percent(rules.MIN_MISSING_SHARE),),
     Cause.FEATHERING: (f"at most {rules.MAX_FEATHERED_KEPT} of", percent(rules.MIN_MIXED)),
-    Cause.OTHER_MIXTURE: (percent(MOST_LEFT),),
+    Cause.OTHER_MIXTURE: (percent(rules.MOST_LEFT),),
     Cause.BLUR: (
         f"at most {rules.MAX_BLURRED_TRANSFER} of", f"{rules.MAX_BLURRED_COMPRESSED} of the strongest",
         f"less than {rules.MOST_LIKE_BLUR} of", f"less than {rules.MIN_BLENDED_KEPT} of",

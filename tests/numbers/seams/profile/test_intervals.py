@@ -32,7 +32,8 @@ def energy_of(detail: WindowDetail, mixture: MixedStrips | None = None) -> Kept:
     """Its own edge taken out."""
     sums = EnergySums(1, LEVELS)
     sums.add(detail.cells, detail.whole, detail.ground, np.zeros(len(detail.whole.keys), int))
-    sums.take_out((mixture or mixture_of(detail)).edge)
+    mixture = mixture or mixture_of(detail)
+    sums.take_out(mixture.edge, mixture.soft_left)
     return sums.kept()[0]
 
 
@@ -88,7 +89,7 @@ def test_a_strip_without_detail_keeps_nothing_at_all() -> None:
     detail = blend(0, side=192).detail()
     sums = EnergySums(1, LEVELS)
     sums.add(detail.cells, detail.whole, detail.ground, np.zeros(len(detail.whole.keys), int))
-    sums.take_out(sums.own.copy())
+    sums.take_out(sums.own.copy(), np.zeros_like(sums.own))
     assert sums.kept()[0].value[0] == 0
 
 
@@ -106,7 +107,7 @@ def test_a_long_seam_is_surer_than_a_short_one() -> None:
             sums.add(detail.mixture, detail.whole, piece)
             energy.add(detail.cells, detail.whole, detail.ground, piece)
             mixture = sums.result()
-            energy.take_out(mixture.edge)
+            energy.take_out(mixture.edge, mixture.soft_left)
             widths[place] += np.log(ratio(mixture.kept)), np.log(ratio(energy.kept()[0]))
     assert (widths[0] > 1.2 * widths[1]).all()
 
@@ -123,7 +124,7 @@ def test_an_error_of_many_hundred_per_cent_is_an_interval_that_has_ends() -> Non
     assert (found.low[:3] <= value[:3]).all()
     assert np.isnan(found.high[3])
     sure = Kept.of(np.full(4, 0.9), np.full(4, 0.02), np.full(4, 1e6))
-    both, _ = together(found, sure, nothing)
+    both, _ = together(found, sure)
     assert np.isfinite(both.high).all()
     assert np.log(sure.high / sure.low) == pytest.approx(2 * 1.96 * 0.02, rel=1e-3)
 

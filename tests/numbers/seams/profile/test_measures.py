@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX
-from seam_inspector.plugin.seams.measure.profile.intervals import MOST_KEPT, MOST_LEFT, Kept, together
+from seam_inspector.plugin.seams.measure.profile.intervals import MOST_KEPT, Kept, together
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure, SeamProfile
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
@@ -166,8 +166,8 @@ def kept(value: float, low: float, high: float) -> Kept:
 NOTHING = kept(np.nan, np.nan, np.nan)
 
 
-def judged(energy: Kept, mixture: Kept, left: float = 0.0) -> tuple[float, Measure]:
-    found, share = together(energy, mixture, np.array([left]))
+def judged(energy: Kept, mixture: Kept) -> tuple[float, Measure]:
+    found, share = together(energy, mixture)
     return float(found.value[0]), Measure.of(float(share[0]))
 
 
@@ -175,7 +175,7 @@ def test_where_one_says_nothing_the_other_judges() -> None:
     one = kept(0.7, 0.6, 0.8)
     assert judged(one, NOTHING) == (0.7, Measure.ENERGY)
     assert judged(NOTHING, one) == (0.7, Measure.MIXTURE)
-    assert np.isnan(together(NOTHING, NOTHING, np.zeros(1))[0].value).all()
+    assert np.isnan(together(NOTHING, NOTHING)[0].value).all()
 
 
 def test_where_they_contradict_each_other_the_lower_one_judges() -> None:
@@ -184,10 +184,17 @@ def test_where_they_contradict_each_other_the_lower_one_judges() -> None:
     assert judged(high, low) == (0.5, Measure.MIXTURE)
 
 
-def test_a_mixture_that_does_not_explain_the_mosaic_does_not_judge() -> None:
-    low, high = kept(0.5, 0.45, 0.55), kept(0.9, 0.8, 1.0)
-    assert judged(high, low, MOST_LEFT) == (0.5, Measure.MIXTURE)
-    assert judged(high, low, MOST_LEFT + 1e-9) == (0.9, Measure.ENERGY)
+@pytest.mark.parametrize("sigma", [1.0, 2.0])
+@pytest.mark.parametrize("gain", [0.5, 1.0, 1.7])
+def test_a_soft_brush_is_no_mixture_whatever_the_tones(sigma: float, gain: float) -> None:
+    """A blur along a seam fits a feather of its width, of which only the weights tell that it has too little."""
+    made = blend(0)
+    found = beside(made, ndimage.gaussian_filter(made.made, sigma))
+    toned = made.profile(gain * np.where(made.distance < BAND_PX, ndimage.gaussian_filter(made.made, sigma), made.made))
+    for one in (found, toned):
+        assert one.measure is Measure.ENERGY
+        assert one.high < 0.2
+    assert toned.kept[0] == pytest.approx(found.kept[0], abs=0.01)
 
 
 def test_energies_that_no_seam_has_do_not_judge() -> None:
