@@ -16,6 +16,7 @@ from .errors import Exceeding, NotCoveredError, RasterError, WindowError
 from .gdal_calls import gdal_call, gdal_pixels
 from .grids import Extent, Grid, NumberedWindow, PixelWindow, snap_window
 from .open_raster import OpenRaster, PixelBlock, damaged, placed
+from .pads import may_have_pads, pads
 from .rasters import Raster
 from .reference_systems import extent_on, same_coordinates
 
@@ -171,7 +172,8 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly
     for i in range(dataset.RasterCount):  # GDAL keeps no roles when it adds alpha
         warped.GetRasterBand(i + 1).SetColorInterpretation(dataset.GetRasterBand(i + 1).GetColorInterpretation())
     made = OpenRaster(source.ref, warped)
-    bands, invalid_share, valid = _read_valid(made, PixelWindow(0, 0, window.width, window.height), partly, holes)
+    own = PixelWindow(0, 0, window.width, window.height)
+    bands, invalid_share, valid = _read_valid(made, own, partly, holes, source)
     return Clip(raster, bands, invalid_share, resampled=True, valid=valid)
 
 
@@ -188,9 +190,10 @@ def _palette_expanded(dataset: gdal.Dataset) -> gdal.Dataset | None:
 
 
 def _read_valid(
-    source: OpenRaster, window: PixelWindow, partly: bool, holes: bool
+    source: OpenRaster, window: PixelWindow, partly: bool, holes: bool, padded: OpenRaster | None = None
 ) -> tuple[np.ndarray, float, np.ndarray | None]:
-    """The bands of a pixel window, invalid pixels filled, the share of those, and where it is valid if only partly.
+    """The bands of a pixel window, invalid pixels filled, the share of those, and where it is valid if only partly;
+    ``padded``: the raster whose corners tell of pads, where that is another one.
 
     Raises NotCoveredError when there are too many, RasterError when the file ends before its pixels do.
     """
@@ -200,6 +203,9 @@ def _read_valid(
     if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * pixels:
         raise NotCoveredError(messages.NOT_COVERED(name=name))
     bands, invalid = source.read(inside)
+    if may_have_pads(bands) and (values := (padded or source).pad_values):
+        around = pads(bands, values)
+        invalid = around if invalid is None else invalid | around
     if inside != window:
         margins = window.margins_of(inside)
         bands = np.pad(bands, ((0, 0), *margins))

@@ -18,6 +18,7 @@ from .gdal_calls import gdal_call, gdal_pixels, gdal_silenced, read_metadata, wh
 from .gdal_paths import RASTERS, check_raster_path, open_dataset
 from .grids import PixelWindow
 from .limits import COLOURS
+from .pads import CORNER_PX, pad_values
 from .rasters import Raster, RasterRef
 from .remote_files import persistently, remote_parts, remote_settings, unless_cancelled
 
@@ -167,6 +168,17 @@ class OpenRaster:
     def is_all_valid(self) -> bool:
         """Whether the file says nothing of pixels that are no measurements."""
         return self._mask_flags == gdal.GMF_ALL_VALID
+
+    @cached_property
+    def pad_values(self) -> tuple[int, ...]:
+        """Values of pads around the image that its file doesn't name, or that a codec changed, by its corners. Raises
+        RasterError where those can't be read."""
+        if not (self.is_all_valid or self._is_lossy):
+            return ()
+        side = min(CORNER_PX, self.columns, self.rows)
+        corners = (PixelWindow(column, row, side, side) for column in {0, self.columns - side}
+                   for row in {0, self.rows - side})
+        return pad_values([self.read(corner).bands for corner in corners])
 
     @cached_property
     def _mask_flags(self) -> int:
