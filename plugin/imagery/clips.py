@@ -15,8 +15,7 @@ from . import limits, messages
 from .errors import Exceeding, NotCoveredError, RasterError, WindowError
 from .gdal_calls import gdal_call, gdal_pixels
 from .grids import Extent, Grid, NumberedWindow, PixelWindow, snap_window
-from .open_raster import OpenRaster, PixelBlock, damaged, placed
-from .pads import may_have_pads, pads
+from .open_raster import OpenRaster, PixelBlock, damaged, may_have_pads, pads, placed
 from .rasters import Raster
 from .reference_systems import extent_on, same_coordinates
 

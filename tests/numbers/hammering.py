@@ -74,6 +74,7 @@ HAMMERED: dict[str, Callable[[], object]] = {
                                            for place in box],
     "scipy.ndimage.gaussian_filter": lambda: ndimage.gaussian_filter(PIXELS, 1.5),
     "scipy.ndimage.gaussian_filter1d": lambda: ndimage.gaussian_filter1d(PIXELS, 1.5, mode="wrap"),
+    "scipy.ndimage.grey_opening": lambda: ndimage.grey_opening(PIXELS, 5),
     "scipy.ndimage.label": lambda: ndimage.label(MASK)[0],
     "scipy.ndimage.laplace": lambda: ndimage.laplace(PIXELS),
     "scipy.ndimage.map_coordinates": lambda: ndimage.map_coordinates(PIXELS, POINTS.T * 24, order=3),

@@ -1,7 +1,7 @@
 """Parts of a block: pixel by pixel along its seams, and all of the ground between them, whose source patches tell."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -114,20 +114,23 @@ def measure_part(
         mixed,
         clear,
         grey,
-        _grain(followed.fine[1:], known)[place],
+        _grain(followed.fine[1:], valid, known)[place],
         cells.within(place).moved(*first),
         beside.within(place).moved(*first),
         np.count_nonzero((labels[own] == UNKNOWN) & known[own]) / np.count_nonzero(known[own]),
     )
 
 
-def _grain(fine: Sequence[np.ndarray], known: np.ndarray) -> np.ndarray:
-    """Largest rms of the sources' finest detail in every cell, NaN where the mosaic has no pixels: what fills it there
-    makes a step. (rows, columns) of cells."""
-    inner = narrowed(known, HIGH_PASS_PX)
-    seen = square_shares(inner, CELL_PX) * CELL_PX**2
-    total = np.max([square_sums(one, one if inner.all() else one * inner, CELL_PX) for one in fine], axis=0)
-    return np.sqrt(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))
+def _grain(fine: Sequence[np.ndarray], valid: Mapping[int, np.ndarray], known: np.ndarray) -> np.ndarray:
+    """Largest rms of the sources' finest detail in every cell, (rows, columns) of cells; NaN where the mosaic has no
+    pixels, ``known``, since what fills it there makes a step, and where no source has, which says nothing of detail."""
+    squares = []
+    for number, plane in enumerate(fine):
+        inner = narrowed(known & valid.get(number, np.True_), HIGH_PASS_PX)
+        seen = square_shares(inner, CELL_PX) * CELL_PX**2
+        total = square_sums(plane, plane if inner.all() else plane * inner, CELL_PX)
+        squares.append(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))
+    return np.sqrt(np.fmax.reduce(squares))
 
 
 def guesses(labels: np.ndarray, told: np.ndarray) -> np.ndarray:
