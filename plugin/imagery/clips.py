@@ -5,17 +5,19 @@ Drawn windows are rectangles on the map, laid on the pixels of images in any ref
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 from osgeo import gdal
+from scipy import ndimage
 
 from . import limits, messages
 from .errors import Exceeding, NotCoveredError, RasterError, WindowError
 from .gdal_calls import gdal_call, gdal_pixels
 from .grids import Extent, Grid, NumberedWindow, PixelWindow, snap_window
-from .open_raster import OpenRaster, PixelBlock, damaged, may_have_pads, pads, placed
+from .open_raster import OpenRaster, PixelBlock, damaged, placed
 from .rasters import Raster
 from .reference_systems import extent_on, same_coordinates
 
@@ -69,6 +71,12 @@ def shared_extent(a: Extent, b: Extent) -> Extent | None:
 MAX_SYSTEM_SHIFT_PX = 0.01  # two reference systems whose coordinates agree this closely are one
 MAX_MISSING_SHARE = 0.995  # of the window: a source that covers less of it can't be told from others there
 HOLE_PX = 8  # side of a square without pixels that is a hole
+PAD_PX = 64
+"""Side of a square that is wholly of a pad, px: 6 m at 0.1 m, more than shadows without any light. At the edge of what
+was read, beyond which it goes on, half of it."""
+BESIDE_PX = 8
+"""Pixels beside a pad that a square of JPEG may share with it."""
+_MOST_OFF = 3  # DN of 8 bit, off black or white: what JPEG 60 leaves of pads
 MANY_PIXELS = 4096 * 512  # of a window: more than any that is inspected by itself
 MAX_OVERVIEW_PIXELS = 64_000_000  # that may have to be decoded for the sketch's background: about a second
 
@@ -171,8 +179,8 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly
     for i in range(dataset.RasterCount):  # GDAL keeps no roles when it adds alpha
         warped.GetRasterBand(i + 1).SetColorInterpretation(dataset.GetRasterBand(i + 1).GetColorInterpretation())
     made = OpenRaster(source.ref, warped)
-    own = PixelWindow(0, 0, window.width, window.height)
-    bands, invalid_share, valid = _read_valid(made, own, partly, holes, source)
+    whole = PixelWindow(0, 0, window.width, window.height)
+    bands, invalid_share, valid = _read_valid(made, whole, partly, holes, source)
     return Clip(raster, bands, invalid_share, resampled=True, valid=valid)
 
 
@@ -202,9 +210,9 @@ def _read_valid(
     if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * pixels:
         raise NotCoveredError(messages.NOT_COVERED(name=name))
     bands, invalid = source.read(inside)
-    if may_have_pads(bands) and (values := (padded or source).pad_values):
-        around = pads(bands, values)
-        invalid = around if invalid is None else invalid | around
+    if _may_have_pads(bands) and (values := _pad_values(padded or source)):
+        beside = _pads(bands, values)
+        invalid = beside if invalid is None else invalid | beside
     if inside != window:
         margins = window.margins_of(inside)
         bands = np.pad(bands, ((0, 0), *margins))
@@ -225,6 +233,45 @@ def _read_valid(
         np.copyto(band, mean if bands.dtype.kind == "f" else np.rint(mean), where=invalid, casting="unsafe")
     is_told = share > limits.MAX_INVALID_SHARE or (holes and _has_hole(invalid))
     return bands, share, valid if is_told else None
+
+
+def _may_have_pads(bands: np.ndarray) -> bool:
+    """Whether any of the places that a pad in these bands, (bands, rows, columns), can't miss is black or white."""
+    if bands.dtype.kind != "u":
+        return False
+    few = bands[:, :: PAD_PX // 2, :: PAD_PX // 2]
+    return bool(_is_of(few, 0).any() or _is_of(few, int(np.iinfo(bands.dtype).max)).any())
+
+
+def _pad_values(source: OpenRaster) -> tuple[int, ...]:
+    """Values of pads around an image that its file doesn't name, or that a codec changed: black or white, where one of
+    its corners is wholly of that."""
+    if not (source.is_all_valid or source.raster.is_lossy) or source.corners[0].dtype.kind != "u":
+        return ()
+    values = 0, int(np.iinfo(source.corners[0].dtype).max)
+    return tuple(value for value in values if any(_is_of(corner, value).all() for corner in source.corners))
+
+
+def _pads(bands: np.ndarray, values: Sequence[int]) -> np.ndarray:
+    """Pads of these values that reach the edge of the bands (bands, rows, columns), with what JPEG's squares share with
+    them, (rows, columns) bool."""
+    padded = np.zeros(bands.shape[1:], bool)
+    for value in values:
+        alike = _is_of(bands, value)
+        large = ndimage.grey_opening(alike.view(np.uint8), size=PAD_PX) > 0
+        if not large.any():
+            continue
+        parts, _ = ndimage.label(alike)
+        at_edge = np.concatenate([parts[[0, -1]].ravel(), parts[:, [0, -1]].ravel()])
+        pad = np.isin(parts, np.intersect1d(parts[large], at_edge))
+        is_exact = (bands[:, pad] == value).all()
+        padded |= pad if is_exact else ndimage.maximum_filter(pad, size=2 * BESIDE_PX + 1)
+    return padded
+
+
+def _is_of(bands: np.ndarray, value: int) -> np.ndarray:
+    off = _MOST_OFF if bands.dtype == np.uint8 else 0
+    return np.asarray((bands <= off if value == 0 else bands >= value - off).all(axis=0))
 
 
 def _has_hole(invalid: np.ndarray) -> bool:

@@ -11,7 +11,6 @@ from typing import Any, Callable, NamedTuple, TypeVar
 
 import numpy as np
 from osgeo import gdal, gdal_array
-from scipy import ndimage
 
 from . import limits, messages
 from .errors import Message, RasterError
@@ -65,16 +64,8 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
 
 LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 """Compressions that are lossy unless the file says otherwise."""
-
-
 CORNER_PX = 16
-"""Side of the squares at an image's corners, one of which is wholly of its pads."""
-PAD_PX = 64
-"""Side of a square that is wholly of a pad, px: 6 m at 0.1 m, more than shadows without any light. At the edge of what
-was read, beyond which it goes on, half of it."""
-BESIDE_PX = 8
-"""Pixels beside a pad that a square of JPEG may share with it."""
-_MOST_OFF = 3  # DN of 8 bit, off black or white: what JPEG 60 leaves of pads
+"""Side of the squares at an image's corners, one of which is wholly of the pads around it."""
 _MOST_OF_A_TILE = 1 << 24  # pixels that are worked on at once: what is made of them takes several times their room
 
 
@@ -178,15 +169,12 @@ class OpenRaster:
         return self._mask_flags == gdal.GMF_ALL_VALID
 
     @cached_property
-    def pad_values(self) -> tuple[int, ...]:
-        """Values of pads around the image that its file doesn't name, or that a codec changed, by its corners. Raises
-        RasterError where those can't be read."""
-        if not (self.is_all_valid or self._is_lossy):
-            return ()
+    def corners(self) -> list[np.ndarray]:
+        """Squares of ``CORNER_PX`` at the corners, (bands, rows, columns) each. Raises RasterError where they can't be
+        read."""
         side = min(CORNER_PX, self.columns, self.rows)
-        corners = (PixelWindow(column, row, side, side) for column in {0, self.columns - side}
-                   for row in {0, self.rows - side})
-        return pad_values([self.read(corner).bands for corner in corners])
+        return [self.read(PixelWindow(column, row, side, side)).bands
+                for column in {0, self.columns - side} for row in {0, self.rows - side}]
 
     @cached_property
     def _mask_flags(self) -> int:
@@ -326,43 +314,6 @@ class OpenRaster:
             if not invalid.any():
                 return None
         return invalid
-
-
-# --- pads of black or white around an image whose file names no value for them ---------------------------------------
-
-
-def pad_values(corners: Sequence[np.ndarray]) -> tuple[int, ...]:
-    """The values of pads by squares at an image's corners, (bands, rows, columns) of integers each: 0 for black, the
-    largest one of the data type for white; none where no square is wholly of either."""
-    values = (0, int(np.iinfo(corners[0].dtype).max)) if corners and corners[0].dtype.kind == "u" else ()
-    return tuple(value for value in values if any(_is_of(corner, value).all() for corner in corners))
-
-
-def may_have_pads(bands: np.ndarray) -> bool:
-    """Whether any of the places that a pad in these bands, (bands, rows, columns), can't miss is black or white."""
-    if bands.dtype.kind != "u":
-        return False
-    few = bands[:, :: PAD_PX // 2, :: PAD_PX // 2]
-    return bool(_is_of(few, 0).any() or _is_of(few, int(np.iinfo(bands.dtype).max)).any())
-
-
-def pads(bands: np.ndarray, values: Sequence[int]) -> np.ndarray:
-    """Pads of these values that reach the edge of the bands (bands, rows, columns), with what JPEG's squares share with
-    them, (rows, columns) bool."""
-    padded = np.zeros(bands.shape[1:], bool)
-    for value in values:
-        parts, _ = ndimage.label(_is_of(bands, value))
-        large = ndimage.grey_opening((parts > 0).view(np.uint8), size=PAD_PX) > 0
-        at_edge = np.concatenate([parts[[0, -1]].ravel(), parts[:, [0, -1]].ravel()])
-        pad = np.isin(parts, np.intersect1d(parts[large], at_edge))
-        is_exact = (bands[:, pad] == value).all()
-        padded |= pad if is_exact else ndimage.maximum_filter(pad, size=2 * BESIDE_PX + 1)
-    return padded
-
-
-def _is_of(bands: np.ndarray, value: int) -> np.ndarray:
-    off = _MOST_OFF if bands.dtype == np.uint8 else 0
-    return np.asarray((bands <= off if value == 0 else bands >= value - off).all(axis=0))
 
 
 def _with_metadata(dataset: gdal.Dataset) -> gdal.Dataset:

@@ -31,10 +31,10 @@ def padded(value: float, kind: type = np.uint8) -> np.ndarray:
 
 @pytest.mark.parametrize(("kind", "value"), [(np.uint8, 0), (np.uint8, 255), (np.uint16, 0), (np.uint16, 65535)])
 def test_a_pad_is_no_ground(make_raster: MakeRaster, mosaic: Raster, kind: type, value: int) -> None:
-    found = clip(make_raster("padded.tif", padded(value, kind)), mosaic)
-    assert found.valid is not None
-    assert not found.valid[:, :PAD].any()
-    assert found.valid[:, PAD:].all()
+    shown = clip(make_raster("padded.tif", padded(value, kind)), mosaic)
+    assert shown.valid is not None
+    assert not shown.valid[:, :PAD].any()
+    assert shown.valid[:, PAD:].all()
 
 
 @pytest.mark.parametrize("quality", [60, 75, 90])
@@ -48,18 +48,18 @@ def test_of_a_pad_under_jpeg_what_shares_its_squares_is_no_ground(
     path = str(tmp_path / "jpeg.tif")
     plain = make_raster("padded.tif", padded(value))
     gdal.Translate(path, plain, creationOptions=options, noData=nodata)
-    found = clip(path, mosaic)
-    assert found.valid is not None
-    assert not found.valid[:, :PAD].any()
-    assert found.valid[:, PAD + 16 :].all()
+    shown = clip(path, mosaic)
+    assert shown.valid is not None
+    assert not shown.valid[:, :PAD].any()
+    assert shown.valid[:, PAD + 16 :].all()
 
 
 def test_a_value_that_the_file_names_is_taken_at_its_word(make_raster: MakeRaster, mosaic: Raster) -> None:
     image = padded(0)
     image[:, :, PAD : PAD + 64] = 255
-    found = clip(make_raster("named.tif", image, nodata=0), mosaic)
-    assert found.valid is not None
-    np.testing.assert_array_equal(found.valid, np.arange(SIZE[1])[np.newaxis] >= np.full((SIZE[0], 1), PAD))
+    shown = clip(make_raster("named.tif", image, nodata=0), mosaic)
+    assert shown.valid is not None
+    np.testing.assert_array_equal(shown.valid, np.arange(SIZE[1])[np.newaxis] >= np.full((SIZE[0], 1), PAD))
 
 
 @pytest.mark.parametrize("value", [0, 255])
@@ -68,18 +68,18 @@ def test_a_bright_roof_and_deep_shadow_are_ground(make_raster: MakeRaster, mosai
     image = np.clip(orthoimage(SIZE), 10, 245)
     image[:, 60:160, :100] = value
     image[:, 180:190, 100:110] = value
-    found = clip(make_raster("roof.tif", image), mosaic)
-    assert found.valid is None
-    assert found.invalid_share == 0
+    shown = clip(make_raster("roof.tif", image), mosaic)
+    assert shown.valid is None
+    assert shown.invalid_share == 0
 
 
 def test_what_lies_within_a_padded_image_is_ground(make_raster: MakeRaster, mosaic: Raster) -> None:
-    """Of the pad's value, and as large as one, but reaching no edge."""
+    """A pond of the pad's value, as large as a pad, that reaches no edge."""
     image = padded(0)
     image[:, 100:180, 150:230] = 0
-    found = clip(make_raster("pond.tif", image), mosaic)
-    assert found.valid is not None
-    assert found.valid[:, PAD:].all()
+    shown = clip(make_raster("pond.tif", image), mosaic)
+    assert shown.valid is not None
+    assert shown.valid[:, PAD:].all()
 
 
 def test_a_small_black_corner_is_ground(make_raster: MakeRaster, mosaic: Raster) -> None:

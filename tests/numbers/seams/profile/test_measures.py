@@ -189,12 +189,12 @@ def test_where_they_contradict_each_other_the_lower_one_judges() -> None:
 def test_a_soft_brush_is_no_mixture_whatever_the_tones(sigma: float, gain: float) -> None:
     """A blur along a seam fits a feather of its width, of which only the weights tell that it has too little."""
     made = blend(0)
-    found = beside(made, ndimage.gaussian_filter(made.made, sigma))
+    plain = beside(made, ndimage.gaussian_filter(made.made, sigma))
     toned = made.profile(gain * np.where(made.distance < BAND_PX, ndimage.gaussian_filter(made.made, sigma), made.made))
-    for one in (found, toned):
-        assert one.measure is Measure.ENERGY
-        assert one.high < 0.2
-    assert toned.kept[0] == pytest.approx(found.kept[0], abs=0.01)
+    for profile in (plain, toned):
+        assert profile.measure is Measure.ENERGY
+        assert profile.high < 0.2
+    assert toned.kept[0] == pytest.approx(plain.kept[0], abs=0.01)
 
 
 def test_energies_that_no_seam_has_do_not_judge() -> None:

@@ -124,9 +124,9 @@ def measure_part(
 def _grain(fine: Sequence[np.ndarray], valid: Mapping[int, np.ndarray], known: np.ndarray) -> np.ndarray:
     """Largest rms of the sources' finest detail in every cell, (rows, columns) of cells; NaN where the mosaic has no
     pixels, ``known``, since what fills it there makes a step, and where no source has, which says nothing of detail."""
-    squares = []
+    squares, everywhere = [], narrowed(known, HIGH_PASS_PX)
     for number, plane in enumerate(fine):
-        inner = narrowed(known & valid.get(number, np.True_), HIGH_PASS_PX)
+        inner = narrowed(known & valid[number], HIGH_PASS_PX) if number in valid else everywhere
         seen = square_shares(inner, CELL_PX) * CELL_PX**2
         total = square_sums(plane, plane if inner.all() else plane * inner, CELL_PX)
         squares.append(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))
