@@ -27,14 +27,12 @@ MIN_SHARPENED_TRANSFER = 1.07  # as far above 1 as the limit of a blur is below
 BENT_TRANSFER = 0.25  # power of a power function's exponent that comes over at most: 1.6 made 1.1, 0.6 left 0.93
 MAX_BLURRED_COMPRESSED = 0.4  # of strong detail: compression at quality 65 left 0.43 or more, a Gaussian of 0.8 px 0.36
 MAX_FEATHERED_KEPT = 0.97  # of the finest detail in the strip along the seam, and certainly less than all of it
-SURE_FEATHER_PX = 15.0  # wider than compression or a wrong border make a cut
 MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it mixed half and half; made ones kept 0.27
 MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
 MOST_LEFT = 0.15  # of the sources' energy in the strip, left over by weights: more than so is another mixture
 MIN_MIXED_LOSS = 1 / 3  # of what a seam lost: a mixture that would take less of it is not what took it
 MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
 MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
-MOSTLY_MIXED_PX = 300.0  # of a feather: it does not end where it is looked for
 MIN_CUT_MISFIT_SHARE = 0.35  # the same where images were cut, and the misfit took nothing
 MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
 MIN_RESAMPLED_PX = 0.08  # off the pixels of the source
@@ -162,18 +160,16 @@ class CauseEvidence:
 
     @property
     def is_mostly_mixed(self) -> bool:
-        """Whether its tones lie between those of two sources, so that small differences say nothing."""
-        return self.mixed >= MIN_MOSTLY_MIXED or self.feather_width_px >= MOSTLY_MIXED_PX
+        """Whether tones lie between those of two sources, so that small differences say nothing."""
+        return self.mixed >= MIN_MOSTLY_MIXED
 
     @property
     def has_seam_loss(self) -> bool:
-        """Whether less than all is kept along a seam, and that for sure or because of a feather that is plain to see;
-        without a profile, whether much is a mixture."""
+        """Whether less than all is kept along a seam for sure; without a profile, whether much is a mixture."""
         if self.profile is None:
             return self.mixed >= MIN_MIXED
         kept = self.profile.kept[0]
-        is_sure = self.profile.high < 1 or self.feather_width_px >= SURE_FEATHER_PX
-        return kept is not None and kept <= MAX_FEATHERED_KEPT and is_sure
+        return kept is not None and kept <= MAX_FEATHERED_KEPT and self.profile.high < 1
 
     @property
     def is_smoothed_seam(self) -> bool:
@@ -189,18 +185,12 @@ class CauseEvidence:
 
     @property
     def mixed_loss(self) -> float:
-        """Share of what a seam lost that mixing its images took: all where nothing says otherwise, none where the
-        mixture explains little and is as narrow as a wrong border makes a cut."""
+        """Share of what a seam lost that mixing its images took: all where nothing says otherwise."""
         profile = self.profile
-        if profile is None or profile.measure is not Measure.ENERGY:
+        if profile is None or profile.measure is not Measure.ENERGY or profile.by_mixture is None:
             return 1.0
-        kept = profile.kept[0]
-        if profile.by_mixture is None or kept is None:
-            return 1.0
-        share = max(1 - profile.by_mixture, 0.0) / max(1 - kept, 1e-6)
-        if share >= MIN_MIXED_LOSS:
-            return 1.0
-        return share if self.feather_width_px >= NARROW_PX else 0.0
+        share = max(1 - profile.by_mixture, 0.0) / max(1 - (profile.kept[0] or 0.0), 1e-6)
+        return 1.0 if share >= MIN_MIXED_LOSS else share
 
     @property
     def is_other_mixture(self) -> bool:
