@@ -47,7 +47,7 @@ def measure_texture(
     noise, loud = (float(np.sqrt(left[where].mean())) for where in (cc <= weak, cc >= strong))
     of_sources = [sums[:, followed == i] for i in np.unique(followed)]
     of_sources = [one for one in of_sources if one.shape[1] >= _FEWEST_BLOCKS] or [sums]
-    transfers, held = ([amplitude(one) for one in of_sources] for amplitude in (_transfer, _held))
+    transfers = [_transfer(one) for one in of_sources]
     # What the sources' own compression left in them is none of the mosaic's.
     traces = quantised = 0.0
     if noise >= MIN_COMPRESSED_DN * unit_dn:
@@ -55,7 +55,7 @@ def measure_texture(
         quantised = vanished_share(mosaic / unit_dn) - traces
     return Texture(
         _transfer(sums), min(transfers), max(transfers), _transfer(sums[:, uu >= np.quantile(uu, _STRONGEST)]), noise,
-        loud / max(noise, 1e-6), quantised, traces, min(held), max(held),
+        loud / max(noise, 1e-6), quantised, traces, min(map(_held, of_sources)),
     )
 
 

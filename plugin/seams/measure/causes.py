@@ -31,12 +31,10 @@ MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it 
 MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
 MOST_LEFT = 0.15  # of the sources' energy in the strip, left over by weights: more than so is another mixture
 MIN_MIXED_LOSS = 1 / 3  # of what a seam lost: a mixture that would take less of it is not what took it
-MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
-MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
-MIN_CUT_MISFIT_SHARE = 0.35  # the same where images were cut, and the misfit took nothing
-MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
-MIN_RESAMPLED_PX = 0.08  # off the pixels of the source
-WIDE_FEATHER_PX, MIN_MIXED_RESAMPLED_PX = 100.0, 0.22  # within such a feather, whose images' parallax made up to 0.2
+MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by, and its tones and
+# pixels are those between two sources
+MIN_MISFIT_SHARE = 0.35  # of what images differ by, that lies in their misfit: ground seen from two sides has less
+MIN_RESAMPLED_PX = 0.15  # off the pixels of the source: parallax in wide feathers made up to 0.15
 MIN_NOISE_DN = 1.0  # rounding to whole values leaves 0.3 to 0.8
 MIN_COMPRESSED_DN = 0.5  # rounding alone leaves 0.3
 MAX_NOISE_RISE = 1.7  # from weak to strong detail: noise does not ask, a power function or a wrong place do
@@ -80,8 +78,6 @@ class Texture:
     least_held: float = 1.0
     """Amplitude of the mosaic's detail over that of the source of which it holds least, by the mosaic's detail: what a
     source lost since the mosaic was made does not lower it."""
-    most_held: float = 1.0
-    """Amplitude over that of the source of which it holds most."""
 
 
 @dataclass(frozen=True)
@@ -159,15 +155,15 @@ class CauseEvidence:
         return (self.profile.feather_width_px if self.profile else None) or 0.0
 
     @property
-    def is_mostly_mixed(self) -> bool:
-        """Whether tones lie between those of two sources, so that small differences say nothing."""
-        return self.mixed >= MIN_MOSTLY_MIXED
+    def is_mixed(self) -> bool:
+        """Whether much lies between two sources, so that small differences from either say nothing."""
+        return self.mixed >= MIN_MIXED
 
     @property
     def has_seam_loss(self) -> bool:
         """Whether less than all is kept along a seam for sure; without a profile, whether much is a mixture."""
         if self.profile is None:
-            return self.mixed >= MIN_MIXED
+            return self.is_mixed
         kept = self.profile.kept[0]
         return kept is not None and kept <= MAX_FEATHERED_KEPT and self.profile.high < 1
 
@@ -212,10 +208,10 @@ class CauseEvidence:
     def least_transfer(self) -> float:
         """Share of fine detail that comes over of the source of which least does; by the whole window where none is
         unmixed. A codec's noise is taken to be on the side that shows its traces."""
-        if self.texture is not None and not self.is_mostly_mixed:
+        if self.texture is not None and not self.is_mixed:
             return self.texture.least_held if self.has_compressed_sources else self.texture.least_transfer
-        is_mixed_all_over = self.mixed >= MIN_MIXED or self.feather_width_px > 0
-        return 1.0 if self.sharpness is None or is_mixed_all_over else self.sharpness
+        is_unmixed = not self.is_mixed and not self.feather_width_px
+        return self.sharpness if is_unmixed and self.sharpness is not None else 1.0
 
     @property
     def bends(self) -> tuple[float, float]:
@@ -235,10 +231,9 @@ class CauseEvidence:
     def is_evened(self) -> bool:
         """Whether contrast was taken of fine and less fine detail alike and from all sources, as by a dodger that
         evens out a coarse overview. Blur and resampling take far more of what is finest."""
-        if self.texture is None or self.is_mostly_mixed:
+        if self.texture is None or self.is_mixed:
             return False
-        most = self.texture.most_held if self.has_compressed_sources else self.texture.most_transfer
-        if most > MAX_BLURRED_TRANSFER * self.bends[0]:
+        if self.texture.most_transfer > MAX_BLURRED_TRANSFER * self.bends[0]:
             return False
         if self.has_seam_loss and self.off_seam_lost <= self.lost:
             return False
@@ -248,10 +243,8 @@ class CauseEvidence:
 
     @property
     def is_resampled(self) -> bool:
-        """Told by ground that is not mixed where there is such: a mixture lies between its two images."""
-        is_wide = self.mixed >= MIN_MIXED or self.feather_width_px >= WIDE_FEATHER_PX
-        least = MIN_MIXED_RESAMPLED_PX if is_wide else MIN_RESAMPLED_PX
-        return self.mixed < MIN_MOSTLY_MIXED and self.off_pixel >= least
+        """Told by ground that is not mixed: a mixture lies between its two images."""
+        return not self.is_mixed and self.off_pixel >= MIN_RESAMPLED_PX
 
     @property
     def is_blurred(self) -> bool:
@@ -319,8 +312,9 @@ def find_causes(evidence: CauseEvidence) -> tuple[Cause, ...]:
 def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:
     """What a seam lost: to a filter, to another mixture, or to weights, of which a misfit has its share."""
     misfit = evidence.misfit.share if evidence.misfit else 0.0
+    misfit = misfit if misfit >= MIN_MISFIT_SHARE else 0.0
     # A cut of images that do not fit breaks lines and loses nothing.
-    taken = {Cause.MISREGISTRATION: 0.0} if misfit >= MIN_CUT_MISFIT_SHARE else {}
+    taken = {Cause.MISREGISTRATION: 0.0} if misfit else {}
     if not evidence.has_seam_loss:
         return taken
     if evidence.is_smoothed_seam:
@@ -329,8 +323,7 @@ def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:
         return {**taken, Cause.OTHER_MIXTURE: evidence.lost}
     mixed = evidence.mixed_loss
     if mixed:
-        misfit = misfit if misfit >= MIN_MISFIT_SHARE else 0.0
-        taken = {Cause.MISREGISTRATION: misfit * mixed * evidence.lost} if misfit else {}
+        taken = dict.fromkeys(taken, misfit * mixed * evidence.lost)
         taken[Cause.FEATHERING] = (1 - misfit) * mixed * evidence.lost
     if mixed < 1:
         taken[Cause.UNCLEAR] = (1 - mixed) * evidence.lost
@@ -357,7 +350,7 @@ def _of_grey_values(evidence: CauseEvidence) -> dict[Cause, float]:
     shifts = [tone.colour_shift for tone in tones if tone.colour_shift is not None]
     bends = [abs(log(tone.gamma)) for tone in tones]
     is_uneven = evidence.unevenness >= MIN_UNEVENNESS
-    has_own_tones = not is_uneven and not evidence.is_mostly_mixed
+    has_own_tones = not is_uneven and not evidence.is_mixed
     is_bent = has_own_tones and max(bends, default=0.0) >= log(MIN_GAMMA_CHANGE)
     gain_ratio, offset = evidence.spread
     holds = {
@@ -365,7 +358,7 @@ def _of_grey_values(evidence: CauseEvidence) -> dict[Cause, float]:
         Cause.SHARPENED: texture is not None
         and texture.most_transfer * min(evidence.mid_scale_gain, 1) >= MIN_SHARPENED_TRANSFER * evidence.bends[1],
         Cause.NOISE_ADDED: evidence.is_noisy,
-        Cause.DODGING: is_uneven and not evidence.is_mostly_mixed,
+        Cause.DODGING: is_uneven and not evidence.is_mixed,
         Cause.GAMMA: is_bent,
         Cause.NARROWED_HISTOGRAM: max(gains, default=1.0) <= MAX_NARROWED_GAIN and not is_bent,
         Cause.COLOUR_SHIFT: has_own_tones and min(shifts, default=1.0) >= MIN_GAIN_RATIO,

@@ -18,8 +18,7 @@ MIN_GAMMA, MAX_GAMMA = 0.2, 5.0  # that are looked for
 MIN_GAMMA_GAIN = 0.1  # a power function has to leave residuals smaller by this share
 
 _GAMMA_STEP = 0.01  # share of an exponent that it is told to, a tenth of what is called a gamma
-_MOST_POINTS = 1024  # means that a line is fitted to, picked evenly: all of a large window take their time
-_GAMMA_POINTS = 384  # of them, that exponents are tried on: each takes all of its pixels
+_MOST_POINTS = 512  # means that are fitted to, picked evenly: an exponent takes all pixels of each
 _FEWEST_POINTS = 16  # means: fewer are no base for a robust line
 _EVEN = 1e-9  # grey values: what varies less is even, but for rounding
 
@@ -78,8 +77,7 @@ def fit_tones(
         if gain > 0 and _spread(rest) > MIN_TONE_RESIDUAL:
             bent = _spread(robust_fit(np.stack([*line, scaled**2]), y)[1])
             if bent <= (1 - MIN_GAMMA_GAIN / 2) * _spread(rest):
-                every = max(1, len(places) // _GAMMA_POINTS)
-                gamma = _gamma(_squares_at(bands, source.shape[1:], places[::every]), weights, y[::every])
+                gamma = _gamma(_squares_at(bands, source.shape[1:], places), weights, y)
         tones.append(Tone(gain, float(middle - gain * x.mean()), gamma))
     return tones
 

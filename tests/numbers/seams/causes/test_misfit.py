@@ -15,7 +15,6 @@ from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.seams.measure.cause_evidence import misfit_of, placed_misfit
 from seam_inspector.plugin.seams.measure.causes import (
     ALONG_THE_SEAM,
-    MIN_CUT_MISFIT_SHARE,
     MIN_MISFIT_SHARE,
     Cause,
     causes_taken,
@@ -131,9 +130,8 @@ def test_what_counts_is_how_images_are_placed(
     assert Cause.MISSING_SOURCE not in found.causes  # of images that fit well once they are moved as well
     assert found.misfit == pytest.approx(true, abs=0.1)
     misfit = found.evidence.misfit
-    # Where images were cut it is told of those that would agree much better if they fitted.
-    least = MIN_CUT_MISFIT_SHARE if feather == "hard" else MIN_MISFIT_SHARE
-    assert (Cause.MISREGISTRATION in found.causes) is (true >= 1 and misfit is not None and misfit.share >= least)
+    is_told = true >= 1 and misfit is not None and misfit.share >= MIN_MISFIT_SHARE
+    assert (Cause.MISREGISTRATION in found.causes) is is_told
     taken = dict(causes_taken(found.evidence))
     if feather == "hard":
         assert not any(taken.get(cause) for cause in ALONG_THE_SEAM)
