@@ -354,7 +354,7 @@ def _of_grey_values(evidence: CauseEvidence) -> dict[Cause, float]:
     is_bent = has_own_tones and max(bends, default=0.0) >= log(MIN_GAMMA_CHANGE)
     gain_ratio, offset = evidence.spread
     holds = {
-        # What took less of fine detail than of coarser one sharpened nothing; evened tones at large say nothing.
+        # Where coarser detail lost more, fine detail only seems to be more; beyond 1 tones at large were evened out.
         Cause.SHARPENED: texture is not None
         and texture.most_transfer * min(evidence.mid_scale_gain, 1) >= MIN_SHARPENED_TRANSFER * evidence.bends[1],
         Cause.NOISE_ADDED: evidence.is_noisy,
