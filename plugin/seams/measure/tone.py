@@ -11,8 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from ...imagery.robust_fits import robust_fit
-
 MIN_TONE_RESIDUAL = 0.05  # grey values: a line that fits the coarse means this well is one
 MIN_GAMMA, MAX_GAMMA = 0.2, 5.0  # that are looked for
 MIN_GAMMA_GAIN = 0.1  # a power function has to leave residuals smaller by this share
@@ -21,6 +19,8 @@ _GAMMA_STEP = 0.01  # share of an exponent that it is told to, a tenth of what i
 _MOST_POINTS = 512  # means that are fitted to, picked evenly: an exponent takes all pixels of each
 _FEWEST_POINTS = 16  # means: fewer are no base for a robust line
 _EVEN = 1e-9  # grey values: what varies less is even, but for rounding
+_TUKEY_SCALES = 4.685  # where Tukey's weights vanish: those of 95 % efficiency
+_SIGMA_OF_MEDIAN = 1.4826  # standard deviation over the median of absolute values, of a normal distribution
 
 
 @dataclass(frozen=True)
@@ -33,6 +33,24 @@ class Tone:
     """B, grey values."""
     gamma: float = 1.0
     """Exponent of a x g^gamma + b where that fits clearly better, else 1."""
+
+
+def tukey_weights(residuals: np.ndarray) -> np.ndarray:
+    """Weight of each residual: 1 where it is 0, 0 far beyond their scale."""
+    scale = max(_SIGMA_OF_MEDIAN * float(np.median(np.abs(residuals))), _EVEN)
+    return np.asarray(np.clip(1 - (residuals / (_TUKEY_SCALES * scale)) ** 2, 0, None) ** 2)
+
+
+def robust_fit(terms: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Coefficients of terms (k, points) that make values (points,) of them, and what they leave over: least squares,
+    reweighted (Holland and Welsch 1977)."""
+    weights = np.ones_like(values)
+    for _ in range(6):  # it settles in two to five
+        weighted = terms * weights
+        coefficients = np.linalg.lstsq(weighted @ terms.T, weighted @ values, rcond=None)[0]
+        residuals = values - coefficients @ terms
+        weights = tukey_weights(residuals)
+    return coefficients, residuals
 
 
 def coarse_means(band: np.ndarray, levels: int) -> np.ndarray:

@@ -14,8 +14,7 @@ import numpy as np
 from scipy import ndimage
 
 from ....imagery.filters import multiply
-from ....imagery.robust_fits import tukey_weights
-from ..tone import coarse_means
+from ..tone import coarse_means, tukey_weights
 from .boxes import enlarged
 
 LEVELS = 3
