@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.translation import filled, percent, shown_number, tr
-from .measure.causes import MIN_BALANCED_GAIN, Cause
+from .measure.causes import MIN_GAIN_RATIO, Cause
 from .measure.limits import MIN_MISREGISTRATION_PX
 
 if TYPE_CHECKING:
@@ -248,7 +248,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("The sources were brought to each other's tones, each by its gain and bias; nothing is lost."),
         (QT_TR_NOOP("the sources' tones were balanced"),),
         (QT_TR_NOOP("the sources' tones were balanced, gains a factor of {value} apart"),),
-        lambda found: found.evidence.spread[0] if found.evidence.spread[0] >= MIN_BALANCED_GAIN else None,
+        lambda found: found.evidence.spread[0] if found.evidence.spread[0] >= MIN_GAIN_RATIO else None,
     ),
     Cause.NONE.value: ShownCause(
         QT_TR_NOOP("none"),

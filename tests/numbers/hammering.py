@@ -11,7 +11,7 @@ from threading import Thread
 import numpy as np
 import pywt
 import scipy
-from scipy import fft, interpolate, ndimage, signal, sparse, spatial, special, stats
+from scipy import fft, interpolate, ndimage, optimize, signal, sparse, spatial, special, stats
 from scipy.linalg import blas
 from scipy.sparse import csgraph
 from scipy.sparse.linalg import spsolve
@@ -86,6 +86,8 @@ HAMMERED: dict[str, Callable[[], object]] = {
     "scipy.ndimage.spline_filter1d": lambda: ndimage.spline_filter1d(PIXELS, 3, 0, mode="mirror"),
     "scipy.ndimage.uniform_filter": lambda: ndimage.uniform_filter(PIXELS, 5),
     "scipy.ndimage.zoom": lambda: ndimage.zoom(PIXELS, 2, order=1, mode="nearest", grid_mode=True),
+    "scipy.optimize.minimize_scalar": lambda: optimize.minimize_scalar(
+        lambda x: float(np.abs(VALUES - x).sum()), bounds=(-3, 3), method="bounded").x,
     "scipy.signal.find_peaks": lambda: signal.find_peaks(VALUES, prominence=0.5)[0],
     "scipy.sparse.coo_matrix": lambda: sparse.coo_matrix((POINTS[:, 0], (ENDS[0][:60], ENDS[1][:60]))).tocsr().data,
     "scipy.sparse.csc_matrix": lambda: GRAPH.tocsc() @ POINTS,

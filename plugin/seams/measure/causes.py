@@ -5,21 +5,19 @@ each of them took. What takes none of it (tones, noise, sharpening) comes after 
 """
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from math import log
 
-from . import limits
+from .following.compression import MIN_VANISHED
 from .profile.mixture import NARROW_PX
 from .profile.seam_profile import Measure, SeamProfile
 
 MIN_MISSING_SHARE = 0.03  # of the pixels, lying together, that no given source explains; noise alone has made 0.02
 MIN_CLIPPED_SHARE = 0.005  # of the pixels: the share that JRC's specification allows in one tail of the histogram
-MIN_COLOUR_SHIFT = 1.05  # gains of the colours 5 % apart
+MIN_GAIN_RATIO = 1.05  # gains of two colours, or of two sources, 5 % apart
 MIN_GAMMA_CHANGE = 1.1  # as a factor, either way
 MAX_NARROWED_GAIN = 0.9  # a tenth of the contrast
-MIN_BALANCED_GAIN = 1.05  # gains of two sources 5 % apart
 MIN_BALANCED_OFFSET = 0.03  # of the mosaic's range of values: what one source was raised by against another
 MIN_EVENED_POWER = 0.37  # of what a filter leaves of waves of 2.5 px, that it leaves of those of 5 px
 MIN_EVENED_FIT = 0.95  # of the mosaic's fine detail, that is its sources' at a lower contrast
@@ -29,30 +27,24 @@ MIN_SHARPENED_TRANSFER = 1.07  # as far above 1 as the limit of a blur is below
 BENT_TRANSFER = 0.25  # power of a power function's exponent that comes over at most: 1.6 made 1.1, 0.6 left 0.93
 MAX_BLURRED_COMPRESSED = 0.4  # of strong detail: compression at quality 65 left 0.43 or more, a Gaussian of 0.8 px 0.36
 MAX_FEATHERED_KEPT = 0.97  # of the finest detail in the strip along the seam, and certainly less than all of it
-SURE_FEATHER_PX = 15.0  # wider than compression or a wrong border make a cut
 MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it mixed half and half; made ones kept 0.27
 MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
 MOST_LEFT = 0.15  # of the sources' energy in the strip, left over by weights: more than so is another mixture
 MIN_MIXED_LOSS = 1 / 3  # of what a seam lost: a mixture that would take less of it is not what took it
-MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
-MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
-MOSTLY_MIXED_PX = 300.0  # of a feather: it does not end where it is looked for
-MIN_CUT_MISFIT_SHARE = 0.35  # the same where images were cut, and the misfit took nothing
-MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
-MIN_RESAMPLED_PX = 0.08  # off the pixels of the source
-WIDE_FEATHER_PX, MIN_MIXED_RESAMPLED_PX = 100.0, 0.22  # within such a feather, whose images' parallax made up to 0.2
+MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by, and its tones and
+# pixels are those between two sources
+MIN_MISFIT_SHARE = 0.35  # of what images differ by, that lies in their misfit: ground seen from two sides has less
+MIN_RESAMPLED_PX = 0.15  # off the pixels of the source: parallax in wide feathers made up to 0.15
 MIN_NOISE_DN = 1.0  # rounding to whole values leaves 0.3 to 0.8
 MIN_COMPRESSED_DN = 0.5  # rounding alone leaves 0.3
 MAX_NOISE_RISE = 1.7  # from weak to strong detail: noise does not ask, a power function or a wrong place do
-MIN_QUANTISED, MIN_LOSSY_QUANTISED = 0.05, 0.025  # of coefficients; the second in files that say it themselves
+MIN_LOSSY_VANISHED = 0.025  # of the waves, in files that say themselves that they are compressed with loss
 
 
 @dataclass(frozen=True)
 class SourceTone:
     """What became of one source's grey values, in the mosaic's range of values over the source's."""
 
-    share: float
-    """Share of the window's pixels that follow it."""
     gain: float | None
     """None where the ranges can't be compared."""
     offset: float
@@ -86,8 +78,6 @@ class Texture:
     least_held: float = 1.0
     """Amplitude of the mosaic's detail over that of the source of which it holds least, by the mosaic's detail: what a
     source lost since the mosaic was made does not lower it."""
-    most_held: float = 1.0
-    """Amplitude over that of the source of which it holds most."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +86,8 @@ class Misfit:
 
     px: float
     share: float
-    """Share of what the finest detail of the two differs by beside the seam that would go if they fitted."""
+    """Share of what the finest detail of the two differs by beside the seam that would go if they fitted; 0 where they
+    do."""
 
 
 @dataclass(frozen=True)
@@ -136,23 +127,22 @@ class CauseEvidence:
     5 px, the least of any source; None where no filter explains more than a lower contrast."""
     fit: float = 1.0
     """Share of the mosaic's fine detail that its sources explain as they are, the mean over the window."""
+    mid_scale_gain: float = 1.0
+    """Gain of tones over some tens of pixels, which fine detail is compared at, over that of tones at large."""
     unit_dn: float = 1.0
     """How many grey values of the mosaic are one of 8 bit."""
 
     @property
     def is_compressed(self) -> bool:
-        found = self.texture
-        if found is None or found.noise_dn < MIN_COMPRESSED_DN * self.unit_dn:
-            return False
-        return found.quantised >= (MIN_LOSSY_QUANTISED if self.lossy_file else MIN_QUANTISED)
+        least = MIN_LOSSY_VANISHED if self.lossy_file else MIN_VANISHED
+        return self.texture is not None and self.texture.quantised >= least
 
     @property
     def has_compressed_sources(self) -> bool:
         """Whether noise of a codec in the sources is among what is not from them, by its traces or by their files."""
-        found = self.texture
-        if found is None or found.noise_dn < MIN_COMPRESSED_DN * self.unit_dn:
+        if self.texture is None or self.texture.noise_dn < MIN_COMPRESSED_DN * self.unit_dn:
             return False
-        return self.lossy_sources or found.source_traces >= MIN_QUANTISED
+        return self.lossy_sources or self.texture.source_traces >= MIN_VANISHED
 
     @property
     def has_codec_noise(self) -> bool:
@@ -165,77 +155,63 @@ class CauseEvidence:
         return (self.profile.feather_width_px if self.profile else None) or 0.0
 
     @property
-    def is_mostly_mixed(self) -> bool:
-        """Whether its tones lie between those of two sources, so that small differences say nothing."""
-        return self.mixed >= MIN_MOSTLY_MIXED or self.feather_width_px >= MOSTLY_MIXED_PX
+    def is_mixed(self) -> bool:
+        """Whether much lies between two sources, so that small differences from either say nothing."""
+        return self.mixed >= MIN_MIXED
 
     @property
     def has_seam_loss(self) -> bool:
-        """Whether less than all is kept along a seam, and that for sure or because of a feather that is plain to see;
-        without a profile, whether much is a mixture."""
-        found = self.profile
-        if found is None:
-            return self.mixed >= MIN_MIXED
-        kept = found.kept[0]
-        is_sure = found.high < 1 or self.feather_width_px >= SURE_FEATHER_PX
-        return kept is not None and kept <= MAX_FEATHERED_KEPT and is_sure
+        """Whether less than all is kept along a seam for sure; without a profile, whether much is a mixture."""
+        if self.profile is None:
+            return self.is_mixed
+        kept = self.profile.kept[0]
+        return kept is not None and kept <= MAX_FEATHERED_KEPT and self.profile.high < 1
 
     @property
     def is_smoothed_seam(self) -> bool:
         """Whether less is left along the seam than a mixture of its images leaves: somebody softened it."""
-        found = self.profile
-        if found is None or not self.has_seam_loss:
+        profile = self.profile
+        if profile is None or not self.has_seam_loss:
             return False
-        if found.high < MIN_BLENDED_KEPT:
+        if profile.high < MIN_BLENDED_KEPT:
             return True
-        is_less = found.by_energy is not None and found.by_mixture is not None and (
-            found.by_energy < MOST_LIKE_BLUR * found.by_mixture)
-        return found.measure is Measure.ENERGY and is_less
+        if profile.measure is not Measure.ENERGY or profile.by_energy is None or profile.by_mixture is None:
+            return False
+        return profile.by_energy < MOST_LIKE_BLUR * profile.by_mixture
 
     @property
     def mixed_loss(self) -> float:
-        """Share of what a seam lost that mixing its images took: all where nothing says otherwise, none where the
-        mixture explains little and is as narrow as a wrong border makes a cut."""
-        found = self.profile
-        kept = None if found is None else found.kept[0]
-        if found is None or found.measure is not Measure.ENERGY or found.by_mixture is None or kept is None:
+        """Share of what a seam lost that mixing its images took: all where nothing says otherwise."""
+        profile = self.profile
+        if profile is None or profile.measure is not Measure.ENERGY or profile.by_mixture is None:
             return 1.0
-        share = max(1 - found.by_mixture, 0.0) / max(1 - kept, 1e-6)
-        if share >= MIN_MIXED_LOSS:
-            return 1.0
-        return share if self.feather_width_px >= NARROW_PX else 0.0
+        share = max(1 - profile.by_mixture, 0.0) / max(1 - (profile.kept[0] or 0.0), 1e-6)
+        return 1.0 if share >= MIN_MIXED_LOSS else share
 
     @property
     def is_other_mixture(self) -> bool:
         """Whether both images are there along the seam, and no weights explain it. Noise and compression explain
         nothing anywhere, so they must be known not to be there."""
-        found = self.profile
-        if found is None or self.feather_width_px < NARROW_PX:
+        if self.profile is None or self.feather_width_px < NARROW_PX:
             return False
         is_clean = self.texture is not None and not self.has_codec_noise and not self.is_noisy
-        return is_clean and found.left_by_mixture > MOST_LEFT
+        return is_clean and self.profile.left_by_mixture > MOST_LEFT
 
     @property
     def is_noisy(self) -> bool:
-        found = self.texture
-        if found is None or self.has_codec_noise:
+        if self.texture is None or self.has_codec_noise:
             return False
-        least = MIN_NOISE_DN * self.unit_dn * max(found.transfer, 1)
-        return found.noise_dn >= least and found.noise_rise <= MAX_NOISE_RISE
-
-    @property
-    def is_mixed_all_over(self) -> bool:
-        """Whether hardly any ground lies beyond a mixture, so that nothing tells what else came over the mosaic."""
-        return self.mixed >= MIN_MIXED or self.feather_width_px > 0
+        least = MIN_NOISE_DN * self.unit_dn * max(self.texture.transfer, 1)
+        return self.texture.noise_dn >= least and self.texture.noise_rise <= MAX_NOISE_RISE
 
     @property
     def least_transfer(self) -> float:
         """Share of fine detail that comes over of the source of which least does; by the whole window where none is
         unmixed. A codec's noise is taken to be on the side that shows its traces."""
-        found = self.texture
-        if found is not None and not self.is_mostly_mixed:
-            return found.least_held if self.has_compressed_sources else found.least_transfer
-        return 1.0 if self.sharpness is None or self.is_mixed_all_over else self.sharpness
+        if self.texture is not None and not self.is_mixed:
+            return self.texture.least_held if self.has_compressed_sources else self.texture.least_transfer
+        is_unmixed = not self.is_mixed and not self.feather_width_px
+        return self.sharpness if is_unmixed and self.sharpness is not None else 1.0
 
     @property
     def bends(self) -> tuple[float, float]:
@@ -255,11 +231,9 @@ class CauseEvidence:
     def is_evened(self) -> bool:
         """Whether contrast was taken of fine and less fine detail alike and from all sources, as by a dodger that
         evens out a coarse overview. Blur and resampling take far more of what is finest."""
-        found = self.texture
-        if found is None or self.is_mostly_mixed:
+        if self.texture is None or self.is_mixed:
             return False
-        most = found.most_held if self.has_compressed_sources else found.most_transfer
-        if most > MAX_BLURRED_TRANSFER * self.bends[0]:
+        if self.texture.most_transfer > MAX_BLURRED_TRANSFER * self.bends[0]:
             return False
         if self.has_seam_loss and self.off_seam_lost <= self.lost:
             return False
@@ -268,15 +242,9 @@ class CauseEvidence:
         return self.filter_power >= MIN_EVENED_POWER
 
     @property
-    def is_uneven(self) -> bool:
-        return self.unevenness >= MIN_UNEVENNESS
-
-    @property
     def is_resampled(self) -> bool:
-        """Told by ground that is not mixed where there is such: a mixture lies between its two images."""
-        is_wide = self.mixed >= MIN_MIXED or self.feather_width_px >= WIDE_FEATHER_PX
-        least = MIN_MIXED_RESAMPLED_PX if is_wide else MIN_RESAMPLED_PX
-        return self.mixed < MIN_MOSTLY_MIXED and self.off_pixel >= least
+        """Told by ground that is not mixed: a mixture lies between its two images."""
+        return not self.is_mixed and self.off_pixel >= MIN_RESAMPLED_PX
 
     @property
     def is_blurred(self) -> bool:
@@ -297,144 +265,28 @@ class CauseEvidence:
             max(offsets) - min(offsets) if len(offsets) > 1 else 0.0,
         )
 
-    @property
-    def is_balanced(self) -> bool:
-        gains, offsets = self.spread
-        return gains >= MIN_BALANCED_GAIN or offsets >= MIN_BALANCED_OFFSET
-
-    @property
-    def misfit_lost(self) -> float:
-        """Share of what a feather took that it would not have taken of images that fit."""
-        if self.misfit is None or self.misfit.px < limits.MIN_MISREGISTRATION_PX:
-            return 0.0
-        return self.misfit.share if self.misfit.share >= MIN_MISFIT_SHARE else 0.0
-
-
-Took = Callable[[CauseEvidence], "float | None"]
-"""Share of the window's finest detail energy that a cause took, 0 for one that takes none; None where it took no
-part."""
-
-
-def _missing(found: CauseEvidence) -> float | None:
-    return found.missing if found.missing >= MIN_MISSING_SHARE else None
-
-
-def _misregistration(found: CauseEvidence) -> float | None:
-    if found.has_seam_loss and not found.is_smoothed_seam and found.mixed_loss:
-        return found.misfit_lost * found.mixed_loss * found.lost if found.misfit_lost else None
-    # A cut of images that do not fit breaks lines and loses nothing.
-    return 0.0 if found.misfit_lost >= MIN_CUT_MISFIT_SHARE else None
-
-
-def _feathering(found: CauseEvidence) -> float | None:
-    if not found.has_seam_loss or found.is_smoothed_seam or found.is_other_mixture or not found.mixed_loss:
-        return None
-    return (1 - found.misfit_lost) * found.mixed_loss * found.lost
-
-
-def _other_mixture(found: CauseEvidence) -> float | None:
-    return found.lost if found.is_other_mixture and not found.is_smoothed_seam else None
-
-
-def _blur(found: CauseEvidence) -> float | None:
-    if found.is_smoothed_seam:
-        return found.lost
-    return found.off_seam_lost if found.is_blurred and not found.is_resampled else None
-
-
-def _resampled(found: CauseEvidence) -> float | None:
-    if not found.is_resampled:
-        return None
-    return 0.0 if found.is_evened else found.off_seam_lost
-
-
-def _sharpened(found: CauseEvidence) -> float | None:
-    least = MIN_SHARPENED_TRANSFER * found.bends[1]
-    return None if found.texture is None or found.texture.most_transfer < least else 0.0
-
-
-def _compressed(found: CauseEvidence) -> float | None:
-    if found.texture is None or not found.is_compressed:
-        return None
-    is_told = found.is_resampled or found.is_blurred or found.is_evened  # by another cause
-    return 0.0 if is_told else found.off_seam_lost
-
-
-def _noise(found: CauseEvidence) -> float | None:
-    return 0.0 if found.is_noisy else None
-
-
-def _clipping(found: CauseEvidence) -> float | None:
-    return found.clipped_lost if found.clipped >= MIN_CLIPPED_SHARE else None
-
-
-def _dodging(found: CauseEvidence) -> float | None:
-    if found.is_evened:
-        return found.off_seam_lost
-    return 0.0 if found.is_uneven and not found.is_mostly_mixed else None
-
-
-def _gamma(found: CauseEvidence) -> float | None:
-    bent = [abs(log(tone.gamma)) >= log(MIN_GAMMA_CHANGE) for tone in found.tones]
-    return 0.0 if any(bent) and not found.is_uneven and not found.is_mostly_mixed else None
-
-
-def _narrowed(found: CauseEvidence) -> float | None:
-    gains = [abs(tone.gain) for tone in found.tones if tone.gain]
-    if not gains or max(gains) > MAX_NARROWED_GAIN or _gamma(found) is not None:
-        return None
-    return 0.0
-
-
-def _colour_shift(found: CauseEvidence) -> float | None:
-    shifts = [tone.colour_shift for tone in found.tones if tone.colour_shift is not None]
-    holds = bool(shifts) and min(shifts) >= MIN_COLOUR_SHIFT and not found.is_uneven and not found.is_mostly_mixed
-    return 0.0 if holds else None
-
-
-def _balanced(found: CauseEvidence) -> float | None:
-    return 0.0 if found.is_balanced and not found.is_uneven and not found.is_mostly_mixed else None
-
-
-def _nothing(found: CauseEvidence) -> float | None:
-    return None
-
-
-def _unclear(found: CauseEvidence) -> float | None:
-    """What a seam lost, and neither its mixture nor a filter took."""
-    is_told = found.is_smoothed_seam or found.is_other_mixture or found.mixed_loss == 1
-    return (1 - found.mixed_loss) * found.lost if found.has_seam_loss and not is_told else None
-
 
 class Cause(str, Enum):
-    """What took part in making the window what it is: the word that tables hold, and what it took. Those that took
-    nothing are told in this order."""
+    """What took part in making the window what it is, by the word that tables hold. Those that took nothing are told in
+    this order."""
 
-    took: Took
-    """Share of the window's finest detail energy that it took, by the evidence; None where it took no part."""
-
-    def __new__(cls, word: str, took: Took) -> Cause:
-        made = str.__new__(cls, word)
-        made._value_, made.took = word, took
-        return made
-
-    MISSING_SOURCE = "missing source", _missing
-    FEATHERING = "feathering", _feathering
-    OTHER_MIXTURE = "other mixture", _other_mixture
-    BLUR = "blur", _blur
-    RESAMPLED = "resampled", _resampled
-    SHARPENED = "sharpened", _sharpened
-    COMPRESSED = "compressed", _compressed
-    NOISE_ADDED = "noise added", _noise
-    CLIPPING = "clipping", _clipping
-    DODGING = "dodging", _dodging
-    GAMMA = "gamma", _gamma
-    NARROWED_HISTOGRAM = "narrowed histogram", _narrowed
-    COLOUR_SHIFT = "colour shift", _colour_shift
-    MISREGISTRATION = "misregistration", _misregistration
-    BALANCED = "balanced", _balanced
-    NONE = "none", _nothing
-    UNCLEAR = "unclear", _unclear
+    MISSING_SOURCE = "missing source"
+    FEATHERING = "feathering"
+    OTHER_MIXTURE = "other mixture"
+    BLUR = "blur"
+    RESAMPLED = "resampled"
+    SHARPENED = "sharpened"
+    COMPRESSED = "compressed"
+    NOISE_ADDED = "noise added"
+    CLIPPING = "clipping"
+    DODGING = "dodging"
+    GAMMA = "gamma"
+    NARROWED_HISTOGRAM = "narrowed histogram"
+    COLOUR_SHIFT = "colour shift"
+    MISREGISTRATION = "misregistration"
+    BALANCED = "balanced"
+    NONE = "none"
+    UNCLEAR = "unclear"
 
 
 ALONG_THE_SEAM = (Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION)
@@ -442,11 +294,74 @@ ALONG_THE_SEAM = (Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION)
 
 
 def causes_taken(evidence: CauseEvidence) -> tuple[tuple[Cause, float], ...]:
-    """All that took part, and what each took, the most first."""
-    taken = [(cause, share) for cause in Cause if (share := cause.took(evidence)) is not None]
-    return tuple(sorted(taken, key=lambda one: -one[1]))
+    """All that took part, and the share of the window's finest detail energy that each took, the most first."""
+    taken = {**_of_grey_values(evidence), **_all_over(evidence), **_along_the_seam(evidence)}
+    if evidence.missing >= MIN_MISSING_SHARE:
+        taken[Cause.MISSING_SOURCE] = evidence.missing
+    if evidence.clipped >= MIN_CLIPPED_SHARE:
+        taken[Cause.CLIPPING] = evidence.clipped_lost
+    in_order = [(cause, taken[cause]) for cause in Cause if cause in taken]
+    return tuple(sorted(in_order, key=lambda cause_and_share: -cause_and_share[1]))
 
 
 def find_causes(evidence: CauseEvidence) -> tuple[Cause, ...]:
     """All causes that took part, that which took most first; ``none`` alone where nothing did."""
     return tuple(cause for cause, _ in causes_taken(evidence)) or (Cause.NONE,)
+
+
+def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:
+    """What a seam lost: to a filter, to another mixture, or to weights, of which a misfit has its share."""
+    misfit = evidence.misfit.share if evidence.misfit else 0.0
+    misfit = misfit if misfit >= MIN_MISFIT_SHARE else 0.0
+    # A cut of images that do not fit breaks lines and loses nothing.
+    taken = {Cause.MISREGISTRATION: 0.0} if misfit else {}
+    if not evidence.has_seam_loss:
+        return taken
+    if evidence.is_smoothed_seam:
+        return {**taken, Cause.BLUR: evidence.lost}
+    if evidence.is_other_mixture:
+        return {**taken, Cause.OTHER_MIXTURE: evidence.lost}
+    mixed = evidence.mixed_loss
+    if mixed:
+        taken = dict.fromkeys(taken, misfit * mixed * evidence.lost)
+        taken[Cause.FEATHERING] = (1 - misfit) * mixed * evidence.lost
+    if mixed < 1:
+        taken[Cause.UNCLEAR] = (1 - mixed) * evidence.lost
+    return taken
+
+
+def _all_over(evidence: CauseEvidence) -> dict[Cause, float]:
+    """What is missing elsewhere, which the first of these took."""
+    is_resampled = evidence.is_resampled
+    holds = {
+        Cause.DODGING: evidence.is_evened,
+        Cause.RESAMPLED: is_resampled,
+        Cause.BLUR: evidence.is_blurred and not is_resampled,
+        Cause.COMPRESSED: evidence.is_compressed,
+    }
+    named = [cause for cause, is_named in holds.items() if is_named]
+    return {cause: evidence.off_seam_lost if cause is named[0] else 0.0 for cause in named}
+
+
+def _of_grey_values(evidence: CauseEvidence) -> dict[Cause, float]:
+    """What changes grey values and takes no detail."""
+    tones, texture = evidence.tones, evidence.texture
+    gains = [abs(tone.gain) for tone in tones if tone.gain]
+    shifts = [tone.colour_shift for tone in tones if tone.colour_shift is not None]
+    bends = [abs(log(tone.gamma)) for tone in tones]
+    is_uneven = evidence.unevenness >= MIN_UNEVENNESS
+    has_own_tones = not is_uneven and not evidence.is_mixed
+    is_bent = has_own_tones and max(bends, default=0.0) >= log(MIN_GAMMA_CHANGE)
+    gain_ratio, offset = evidence.spread
+    holds = {
+        # Where coarser detail lost more, fine detail only seems to be more; beyond 1 tones at large were evened out.
+        Cause.SHARPENED: texture is not None
+        and texture.most_transfer * min(evidence.mid_scale_gain, 1) >= MIN_SHARPENED_TRANSFER * evidence.bends[1],
+        Cause.NOISE_ADDED: evidence.is_noisy,
+        Cause.DODGING: is_uneven and not evidence.is_mixed,
+        Cause.GAMMA: is_bent,
+        Cause.NARROWED_HISTOGRAM: max(gains, default=1.0) <= MAX_NARROWED_GAIN and not is_bent,
+        Cause.COLOUR_SHIFT: has_own_tones and min(shifts, default=1.0) >= MIN_GAIN_RATIO,
+        Cause.BALANCED: has_own_tones and (gain_ratio >= MIN_GAIN_RATIO or offset >= MIN_BALANCED_OFFSET),
+    }
+    return {cause: 0.0 for cause, is_named in holds.items() if is_named}

@@ -12,21 +12,20 @@ import numpy as np
 
 from ...imagery.shifts import Shift, farthest_apart, find_shift
 from ...imagery.wavelets import Curve, correlation, measure_bands
-from .cause_evidence import grey_unit, measure_texture, measure_tones, misfit_of, placed_misfit, range_factor
-from .causes import Cause, CauseEvidence, Misfit, Texture, find_causes
-from .compared_image import Change, ComparedImage, MeasuredClip, gains_of_colours, measure_changes
+from .cause_evidence import grey_unit, measure_texture, misfit_of, placed_misfit, range_factor, source_tones
+from .causes import Cause, CauseEvidence, Misfit, SourceTone, Texture, find_causes
+from .compared_image import Change, MeasuredClip, gains_of_colours, measure_changes
 from .feather_prediction import expected_ratios, feathers
 from .following.boxes import enlarged, near_border
-from .following.followed_source import FollowedSource
-from .following.hard_cut import Composite, HardCut, cut_hard, follows_at
+from .following.hard_cut import HardCut, cut_hard, follows_at
 from .following.levelling import left_by_curve, left_over
 from .following.source_filters import filter_power
 from .limits import SHARPNESS_TOLERANCE
-from .profile.cell_table import CELL_PX, CellTable
+from .profile.cell_table import CELL_PX
 from .profile.seam_profile import SeamProfile
 from .profile.window_detail import LossPicture, loss_picture
 from .seam_cells import UNKNOWN, is_one_of, present
-from .tone import Tone, whole_squares
+from .tone import whole_squares
 from .verdicts import Ratios, curve_ratios
 from .visibility import window_visibility
 
@@ -34,7 +33,7 @@ MIN_UNMIXED_SQUARES = 64  # of 2^R px that follow one source, for the tone to be
 MIN_PLACED_SHARE = 0.1  # of the pixels: a shift of what is followed in fewer is too rough to tell parts of a pixel
 MIN_TONE_SHARE = 0.03  # of the pixels: a source that is followed in fewer says nothing of tones
 MAX_SAME_SHIFT_PX = 0.02  # between sources: their composite lies where they lie
-_ABOUT_PX, _EVERY = 24, 4  # ground about a seam that images are compared in; rows and columns that are looked at
+_ABOUT_PX = 24  # ground about a seam that images are compared in
 MIN_UNEVEN_RANGE = 0.003  # of the range of values: what differs by less in all bands is no dodging
 
 
@@ -114,52 +113,66 @@ def explain(
     """
     cut = cut_hard(mosaic, sources, levels, labels)
     image, images, following = cut.mosaic, cut.sources, cut.following
-    tones, composite = cut.tones, cut.composite
-    shifts = [_shift(image, other, following, i) for i, other in enumerate(images)]
-    curves, coarse = measure_bands(composite.levelled, image.names, wavelet, levels)
-    is_level = composite.levelled is composite.bands
-    plain = curves if is_level else measure_bands(composite.bands, image.names, wavelet, levels)[0]
-    on_pixels = _on_pixels(shifts, images, following)
-    against_composite = _composite_changes(image, composite, plain, following, _main_shift(on_pixels), levels)
+    judged = next(iter(image.coarse))
+    shifts = [_shift_on_pixels(cut, i) for i in range(len(images))]
+    placed = [
+        shift for i in following.followed
+        if (shift := shifts[i]) is not None and following.shares[i] >= MIN_PLACED_SHARE
+    ]
+    curves, coarse = measure_bands(cut.composite.levelled, image.names, wavelet, levels)
+    is_level = cut.composite.levelled is cut.composite.bands
+    plain = curves if is_level else measure_bands(cut.composite.bands, image.names, wavelet, levels)[0]
+    against_composite = _composite_changes(cut, plain, placed, levels)
     detail = cut.around.detail(wavelet, levels, cut.inside)
+    profile, unit = detail.profile, grey_unit(image.raster, image.coarse[judged])
     finest = detail.finest[(..., *(slice(part.start // 2, part.stop // 2) for part in cut.inside))]
-    profile = detail.profile
-    unmixed = _on_pixels_of(detail.unmixed(), cut.labels)
-    sharpness = _sharpness(finest, cut.labels)
-    unit = grey_unit(image.raster, next(iter(image.coarse.values())))
-    total = float(np.einsum("dij,dij->", finest[:, -1], finest[:, -1], dtype=np.float64))
+    own, of_sources = (np.einsum("dij,dij->ij", one, one) for one in (finest[:, 0], finest[:, -1]))
+    total, known = max(float(of_sources.sum(dtype=np.float64)), 1e-9), cut.labels[::2, ::2] != UNKNOWN
+    explained = float(of_sources[known].sum(dtype=np.float64))
+    sharpness = float(np.sqrt(own[known].sum(dtype=np.float64) / explained)) if explained > 0 else None
+    lost = max(1 - (1.0 if sharpness is None else sharpness) ** 2, 0.0)
     evidence = CauseEvidence(
         missing=1 - cut.explained,
         profile=profile,
-        lost=_seam_loss(profile, sharpness, total),
+        lost=lost if profile is None else min(profile.lost / total, 1.0),
         mixed=following.mixed_share,
         sharpness=sharpness,
-        clipped=next(iter(against_composite.values())).clipped,
-        clipped_lost=_clipped_loss(image, finest, total),
-        tones=_source_tones(image, images, following, tones),
-        unevenness=_unevenness(image, images, following, levels),
+        clipped=against_composite[judged].clipped,
+        clipped_lost=_clipped_energy(image.bands, of_sources - own) / total,
+        tones=_source_tones(cut, judged, unit),
+        unevenness=_unevenness(cut, levels),
         misfit=_misfit(cut, shifts, wavelet),
-        off_pixel=_off_pixel(on_pixels),
-        texture=_texture(finest, cut, unmixed, unit),
+        off_pixel=max((float(np.hypot(one.x - round(one.x), one.y - round(one.y))) for one in placed), default=0.0),
+        texture=_texture(finest, cut, detail.unmixed(), unit),
         fit=following.fit,
+        mid_scale_gain=_amplitude(image.curves[judged], curves[judged]) / sharpness if sharpness else 1.0,
         unit_dn=unit,
         lossy_file=image.raster.is_lossy,
         lossy_sources=any(images[i].raster.is_lossy for i in following.followed),
         filter_power=_filter_power(cut),
     )
-    found = Explanation(
-        causes=_causes(evidence, detail.has_seam and profile is None),
+    causes = find_causes(evidence)
+    if causes == (Cause.NONE,) and detail.has_seam and profile is None:
+        causes = (Cause.UNCLEAR,)  # where nothing could be measured along a seam, finding nothing says nothing
+    factors = {range_factor(image.raster, other.raster) for other in images}
+    factor, contrast = factors.pop() if len(factors) == 1 else None, against_composite[judged].contrast[0]
+    grounds = (replace(shift, x=shift.x + other.offset[0], y=shift.y + other.offset[1]) if shift else None
+               for shift, other in zip(shifts, images))
+    mm, cc, mc = (float(sums[0].sum()) for sums in (detail.judged.mm, detail.judged.cc, detail.judged.mc))
+    explanation = Explanation(
+        causes=causes,
         evidence=evidence,
         profile=profile,
         has_seam=detail.has_seam or len(present(cut.labels)) > 1,  # be it under ground that no source explains
         explained=cut.explained,
-        contrast=_contrast(image, images, next(iter(against_composite.values()))),
+        contrast=None if factor is None or contrast is None else factor * contrast,
         sharpness=sharpness,
-        added=_added(detail.judged),
+        added=1 - mc**2 / (mm * cc) if mm > 0 and cc > 0 else None,
         curves=curves,
         ratios={name: curve_ratios(mosaic.curves[name], curve) for name, curve in curves.items()},
         similarity={name: correlation(mosaic.coarse[name], own) for name, own in coarse.items()},
-        changes=(*(measure_changes(image, *compared) for compared in zip(images, tones, shifts)), against_composite),
+        changes=(*(measure_changes(image, *compared) for compared in zip(images, cut.tones, grounds)),
+                 against_composite),
         expected=expected_ratios(feathers([one.plane for one in images if one.valid is None], wavelet, levels), levels),
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
@@ -167,132 +180,85 @@ def explain(
         visibility=window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster),
         loss=loss_picture(detail, cut.around.expected.labels, cut.inside),
     )
-    return _unclear(found) if cut.is_unclear else found
+    if cut.is_unclear:  # the sources say too little of the mosaic
+        return replace(
+            explanation, causes=(Cause.UNCLEAR,), profile=None, explained=0.0, sharpness=None, added=None,
+            visibility=None, loss=None,
+        )
+    return explanation
 
 
-def _unclear(found: Explanation) -> Explanation:
-    """Without what can't be told of a mosaic that the sources say too little of."""
-    return replace(
-        found, causes=(Cause.UNCLEAR,), profile=None, explained=0.0, sharpness=None, added=None, visibility=None,
-        loss=None,
-    )  # fmt: skip
-
-
-def _shift(image: ComparedImage, other: ComparedImage, following: FollowedSource, source: int) -> Shift | None:
-    """On the ground: where the source's pixel grid lies beside the mosaic's, that is taken into account."""
+def _shift_on_pixels(cut: HardCut, source: int) -> Shift | None:
+    """How the mosaic lies on the pixels of a source, where it follows that."""
+    other, following = cut.sources[source], cut.following
     where = following.labels == source if source in following.followed else other.valid
-    shift = find_shift(image.spectra, other.spectra, where)
-    return shift and replace(shift, x=shift.x + other.offset[0], y=shift.y + other.offset[1])
+    return find_shift(cut.mosaic.spectra, other.spectra, where)
 
 
-def _main_shift(shifts: Sequence[Shift]) -> Shift | None:
-    """Shift of the composite, on the mosaic's own grid: that of its sources on their pixels, if they have the same."""
-    return shifts[0] if shifts and farthest_apart(shifts) <= MAX_SAME_SHIFT_PX else None
+def _amplitude(own: Curve, other: Curve) -> float:
+    """Amplitude of the finest detail over that of another clip."""
+    return float(np.sqrt(own.detail[0] * own.variance / max(other.detail[0] * other.variance, 1e-9)))
 
 
-def _on_pixels_of(cells: np.ndarray, labels: np.ndarray) -> np.ndarray:
-    """What cells say, for the pixels that a source explains, (rows, columns) bool."""
-    found = np.zeros(labels.shape, bool)
-    large = enlarged(cells, CELL_PX)[: labels.shape[0], : labels.shape[1]]
-    found[: large.shape[0], : large.shape[1]] = large
-    return found & (labels != UNKNOWN)
+def _clipped_energy(bands: np.ndarray, gone: np.ndarray) -> float:
+    """Of ``gone``, energy that the mosaic lacks (rows / 2, columns / 2), that which lies where one of its bands (bands,
+    rows, columns) is at an end of its scale."""
+    ends = np.zeros(gone.shape, bool)
+    for band in bands:
+        ends |= ((band == band.min()) | (band == band.max()))[::2, ::2]
+    return max(float(gone[ends].sum(dtype=np.float64)), 0.0)
 
 
 def _texture(finest: np.ndarray, cut: HardCut, unmixed: np.ndarray, unit: float) -> Texture | None:
-    """Where one source is followed for sure; where that is too little, where one is followed at all."""
-    unfiltered = cut.around.expected.unfiltered[cut.inside]
-    found = (
-        measure_texture(finest, cut.labels, sure, cut.mosaic.plane, unfiltered, unit)
-        for sure in (unmixed & cut.following.clear, unmixed)
-    )
+    """Where one source is followed for sure; where that is too little, where one is followed at all. ``unmixed``: cells
+    beyond what seams mix."""
+    rows, columns = cut.labels.shape
+    large = enlarged(unmixed, CELL_PX)[:rows, :columns]
+    labels = np.full(cut.labels.shape, UNKNOWN, np.uint8)
+    np.copyto(labels[: large.shape[0], : large.shape[1]], cut.labels[: large.shape[0], : large.shape[1]], where=large)
+    sure = np.where(cut.following.clear, labels, np.uint8(UNKNOWN))
+    planes = cut.mosaic.plane, cut.around.expected.unfiltered[cut.inside]
+    found = (measure_texture(finest, one, *planes, unit) for one in (sure, labels))
     return next((one for one in found if one is not None), None)
 
 
-def _on_pixels(
-    shifts: Sequence[Shift | None], images: Sequence[ComparedImage], following: FollowedSource
-) -> list[Shift]:
-    """How the mosaic lies on the pixels of the sources that it follows, those with most pixels first."""
-    return [
-        replace(shift, x=shift.x - images[i].offset[0], y=shift.y - images[i].offset[1])
-        for i in following.followed
-        if (shift := shifts[i]) is not None and following.shares[i] >= MIN_PLACED_SHARE
-    ]
+def _source_tones(cut: HardCut, judged: str, unit: float) -> tuple[SourceTone, ...]:
+    """Tones of the sources that are followed."""
+    followed = [i for i in cut.following.followed if cut.following.shares[i] >= MIN_TONE_SHARE]
+    known = [(i, tone) for i in followed if (tone := cut.tones[i][judged]) is not None]
+    middle = float(np.mean([cut.sources[i].coarse[judged].mean() for i, _ in known])) if known else 0.0
+    tones = [(cut.sources[i].raster, tone, gains_of_colours(cut.tones[i])) for i, tone in known]
+    return source_tones(cut.mosaic.raster, tones, middle, unit)
 
 
-def _off_pixel(shifts: Sequence[Shift]) -> float:
-    """How far the mosaic's pixels lie off those of a source that it follows, px."""
-    return max((float(np.hypot(one.x - round(one.x), one.y - round(one.y))) for one in shifts), default=0.0)
-
-
-def _source_tones(
-    image: ComparedImage,
-    images: Sequence[ComparedImage],
-    following: FollowedSource,
-    tones: Sequence[Mapping[str, Tone | None]],
-) -> tuple:
-    judged = next(iter(image.coarse))
-    numbers = [i for i in following.followed if following.shares[i] >= MIN_TONE_SHARE]
-    return measure_tones(
-        image.raster,
-        [
-            (images[i].raster, following.shares[i], float(images[i].coarse[judged].mean()), tones[i][judged],
-             gains_of_colours(tones[i]))
-            for i in numbers
-        ],
-        image.coarse[judged],
-    )
-
-
-def _unevenness(
-    image: ComparedImage, images: Sequence[ComparedImage], following: FollowedSource, levels: int
-) -> float:
+def _unevenness(cut: HardCut, levels: int) -> float:
     """Share of what one curve of tones leaves over that a tone which changes from place to place explains.
 
     The smallest over the bands, since colours that were corrected one by one move the luminance from place to place;
     of the source with most pixels.
     """
-    main = following.followed[:1]
-    if not main:
+    if not cut.following.followed:
         return 0.0
-    where = follows_at(following, main[0], levels)
-    names = image.names[:3]
-    bands = [(image.coarse[name], images[main[0]].coarse[name]) for name in names]
-    least = [MIN_UNEVEN_RANGE * float(np.ptp(own)) + 0.5 for own, _ in bands]
-    if all(left_by_curve(*band, where) <= most for band, most in zip(bands, least)):
+    main, image = cut.following.followed[0], cut.mosaic
+    where = follows_at(cut.following, main, levels)
+    bands = [(image.coarse[name], cut.sources[main].coarse[name]) for name in image.names[:3]]
+    if all(left_by_curve(*band, where) <= MIN_UNEVEN_RANGE * float(np.ptp(band[0])) + 0.5 for band in bands):
         return 0.0
-    found = (left_over(*band, where) for band in bands)
-    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in found)
+    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in (left_over(*band, where) for band in bands))
 
 
 def _composite_changes(
-    image: ComparedImage,
-    composite: Composite,
-    curves: Mapping[str, Curve],
-    following: FollowedSource,
-    shift: Shift | None,
-    levels: int,
+    cut: HardCut, curves: Mapping[str, Curve], placed: Sequence[Shift], levels: int
 ) -> dict[str, Change]:
     """Against the sources' pixels as they are; tones from where one source is followed, if there is enough of that."""
-    reference = image.with_bands(composite.bands, curves, levels)
+    image, following = cut.mosaic, cut.following
+    reference = image.with_bands(cut.composite.bands, curves, levels)
     unmixed = whole_squares(following.clear & (following.labels != UNKNOWN), levels)
     where = unmixed if unmixed.sum() >= MIN_UNMIXED_SQUARES else np.ones_like(unmixed)
-    if shift is None:
-        shift = find_shift(image.spectra, reference.spectra)
+    # It lies where its sources lie, if all lie alike.
+    is_one_place = placed and farthest_apart(placed) <= MAX_SAME_SHIFT_PX
+    shift = placed[0] if is_one_place else find_shift(image.spectra, reference.spectra)
     return measure_changes(image, reference, image.tones_of(reference, where), shift)
-
-
-def _contrast(image: ComparedImage, images: Sequence[ComparedImage], change: Change) -> float | None:
-    factors = {range_factor(image.raster, other.raster) for other in images}
-    factor = next(iter(factors)) if len(factors) == 1 else None
-    return None if factor is None or change.contrast[0] is None else factor * change.contrast[0]
-
-
-def _sharpness(details: np.ndarray, labels: np.ndarray) -> float | None:
-    """Amplitude of the finest detail against that of the hard cut unfiltered, where sources explain the mosaic."""
-    known = labels[::2, ::2] != UNKNOWN
-    own, plain = (float(np.einsum("dij,dij,ij->i", one, one, known, dtype=np.float32).sum(dtype=np.float64))
-                  for one in (details[:, 0], details[:, -1]))
-    return float(np.sqrt(own / plain)) if plain > 0 else None
 
 
 def _filter_power(cut: HardCut) -> float | None:
@@ -304,52 +270,16 @@ def _filter_power(cut: HardCut) -> float | None:
     )
 
 
-def _added(cells: CellTable) -> float | None:
-    mm, cc, mc = (float(sums[0].sum()) for sums in (cells.mm, cells.cc, cells.mc))
-    return 1 - mc**2 / (mm * cc) if mm > 0 and cc > 0 else None
-
-
-def _causes(evidence: CauseEvidence, lacks_profile: bool) -> tuple[Cause, ...]:
-    """Where nothing could be measured along a seam, finding nothing says nothing."""
-    found = find_causes(evidence)
-    return (Cause.UNCLEAR,) if lacks_profile and found == (Cause.NONE,) else found
-
-
-def _seam_loss(profile: SeamProfile | None, sharpness: float | None, total: float) -> float:
-    """Share of the finest detail energy of the window's sources, ``total`` DN squared, that its seams took."""
-    if profile is not None:
-        return min(profile.lost / total, 1.0) if total > 0 else 0.0
-    return max(1 - sharpness**2, 0.0) if sharpness is not None else 0.0
-
-
-def _clipped_loss(image: ComparedImage, finest: np.ndarray, total: float) -> float:
-    """Share of the sources' finest detail energy, ``total``, gone where the mosaic is at an end of its scale."""
-    ends = np.zeros(image.bands.shape[1:], bool)
-    for band in image.bands:
-        ends |= (band == band.min()) | (band == band.max())
-    at = ends[::2, ::2]
-    if not at.any():
-        return 0.0
-    own, plain = (float(np.einsum("dij,dij,ij->", one, one, at)) for one in (finest[:, 0], finest[:, -1]))
-    return max(plain - own, 0.0) / total if total > 0 else 0.0
-
-
 def _misfit(cut: HardCut, shifts: Sequence[Shift | None], wavelet: str) -> Misfit | None:
     """Misfit of the two sources that the mosaic follows most, as they are placed in it."""
-    pair = cut.following.followed[:2]
-    if len(pair) < 2:
+    pair, shown = cut.following.followed[:2], cut.around.expected.shown
+    if len(pair) < 2 or any(i not in shown for i in pair):
         return None
     first, second = (shifts[i] for i in pair)
     between = find_shift(*(cut.sources[i].spectra for i in pair))
     if first is None or second is None or between is None:
         return None
-    offsets = [cut.sources[i].offset for i in pair]
-    first, second = (replace(one, x=one.x - by[0], y=one.y - by[1]) for one, by in zip((first, second), offsets))
-    shown, labels = cut.around.expected.shown, cut.around.expected.labels
-    if any(i not in shown for i in pair):
-        return None
-    coarse = labels[::_EVERY, ::_EVERY]
-    coarse = np.where(is_one_of(coarse, pair), coarse, np.uint8(UNKNOWN))
-    seam = enlarged(near_border(coarse, _ABOUT_PX // _EVERY) & (coarse != UNKNOWN), _EVERY)
-    seam = seam[: labels.shape[0], : labels.shape[1]]
-    return misfit_of(placed_misfit(between, first, second), shown, (pair[0], pair[1]), seam, wavelet)
+    labels = cut.around.expected.labels[::2, ::2]
+    labels = np.where(is_one_of(labels, pair), labels, np.uint8(UNKNOWN))
+    seam = near_border(labels, _ABOUT_PX // 2) & (labels != UNKNOWN)
+    return misfit_of(placed_misfit(between, first, second), shown[pair[0]], shown[pair[1]], seam, wavelet)

@@ -41,7 +41,7 @@ from tests.qgis.seams.desk.windows_session import window
 RATIOS = (0.38, 0.52, 0.88)
 EVIDENCE = CauseEvidence(
     missing=0.17, profile=None, lost=0.1, mixed=0.1, sharpness=0.69, clipped=0.031, clipped_lost=0.03,
-    tones=(SourceTone(0.6, 0.62, 0.41, 0.6, 1.24), SourceTone(0.4, 0.50, 0.4, 1.0, 1.1)), unevenness=0.0,
+    tones=(SourceTone(0.62, 0.41, 0.6, 1.24), SourceTone(0.50, 0.4, 1.0, 1.1)), unevenness=0.0,
     misfit=Misfit(1.4, 0.6), off_pixel=0.31, texture=Texture(0.9, 0.69, 1.42, 0.9, 2.34, 1.1, 0.0),
     lossy_file=False, lossy_sources=False,
 )  # fmt: skip

@@ -14,7 +14,7 @@ import numpy as np
 from scipy import ndimage
 
 from ....imagery.filters import multiply
-from ..tone import coarse_means
+from ..tone import coarse_means, tukey_weights
 from .boxes import enlarged
 
 LEVELS = 3
@@ -32,7 +32,6 @@ _MOST_CHANGE = 3.0  # of the gain within a window
 _RIDGE = 0.01  # so that ground which says nothing of a term leaves it out
 _ROUNDS = 3
 _AT_A_TIME = 8  # squares that pixels are interpolated between at a time: few of them matter to each
-_TUKEY = 4.685
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,9 +158,7 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
             return ones
         normal += np.diag([0.0, *[_RIDGE * normal[0, 0]] * (len(fields) - 1)])
         factors = np.linalg.solve(normal, weighted @ y)
-        residuals = y - factors @ terms
-        scale = max(1.4826 * float(np.median(np.abs(residuals))), 1e-6)
-        weights = np.clip(1 - (residuals / (_TUKEY * scale)) ** 2, 0, None) ** 2
+        weights = tukey_weights(y - factors @ terms)
     gain = sum(factor * field for factor, field in zip(factors, fields))
     middle = float(np.median(np.take(gain, places)))
     return np.clip(gain, *sorted((middle * _MOST_CHANGE, middle / _MOST_CHANGE))).astype(np.float32)

@@ -8,8 +8,9 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.cause_evidence import measure_texture, measure_tones
-from seam_inspector.plugin.seams.measure.causes import MIN_QUANTISED, Texture
+from seam_inspector.plugin.seams.measure.cause_evidence import measure_texture, source_tones
+from seam_inspector.plugin.seams.measure.causes import Texture
+from seam_inspector.plugin.seams.measure.following.compression import MIN_VANISHED
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.tone import Tone
 
@@ -39,7 +40,8 @@ def texture_of(
     planes = [mosaic, expected] if plain is None else [mosaic, expected, plain]
     details = next(iter(detail_components(np.stack(planes).astype(np.float32), "coif3", 1)))
     labels = halves() if labels is None else labels
-    return measure_texture(details, labels, sure, mosaic.astype(np.float32), expected.astype(np.float32), unit_dn)
+    sure_labels = np.where(sure, labels, np.uint8(UNKNOWN))
+    return measure_texture(details, sure_labels, mosaic.astype(np.float32), expected.astype(np.float32), unit_dn)
 
 
 def test_a_mosaic_as_it_is_expected_has_lost_and_gained_nothing(plane: np.ndarray) -> None:
@@ -57,7 +59,7 @@ def test_noise_is_told_in_grey_values_and_does_not_rise_with_detail(plane: np.nd
     assert found.noise_dn == pytest.approx(sigma, rel=0.08)
     assert found.noise_rise == pytest.approx(1, abs=0.15)
     assert found.transfer == pytest.approx(1, abs=0.03)
-    assert found.quantised < MIN_QUANTISED / 2
+    assert found.quantised < MIN_VANISHED / 2
 
 
 def test_what_grows_with_detail_rises(plane: np.ndarray) -> None:
@@ -133,7 +135,7 @@ def test_compression_leaves_its_grid_wherever_that_begins(
     made = aftermaths.jpeg(quality)(large, RNG)[1, corner[0] :, corner[1] :][: SHAPE[0], : SHAPE[1]]
     found = texture_of(made, plane)
     assert found is not None
-    assert found.quantised > MIN_QUANTISED
+    assert found.quantised > MIN_VANISHED
     deep = texture_of(257 * made.astype(np.float32), 257 * plane, unit_dn=257)  # the same in 16 bit
     assert deep is not None
     assert deep.quantised == pytest.approx(found.quantised, abs=0.01)
@@ -148,7 +150,7 @@ def test_nothing_else_leaves_such_a_grid(plane: np.ndarray, change: str) -> None
     }[change]
     found = texture_of(np.rint(made), plane)
     assert found is not None
-    assert found.quantised < MIN_QUANTISED
+    assert found.quantised < MIN_VANISHED
 
 
 def test_what_compressed_the_sources_is_none_of_the_mosaics(plane: np.ndarray) -> None:
@@ -156,7 +158,7 @@ def test_what_compressed_the_sources_is_none_of_the_mosaics(plane: np.ndarray) -
     source = aftermaths.jpeg(60)(bands, RNG)[1].astype(np.float32)
     found = texture_of(source + RNG.normal(0, 2, SHAPE), source)
     assert found is not None
-    assert found.quantised < MIN_QUANTISED
+    assert found.quantised < MIN_VANISHED
 
 
 # --- tones -----------------------------------------------------------------------------------------------------
@@ -182,22 +184,16 @@ def raster(mosaic: Raster, data_type: str, bits: int | None = None) -> Raster:
 def test_gains_are_told_in_the_range_of_values(
     mosaic: Raster, own: tuple[str, int | None], theirs: tuple[str, int | None], gain: float, expected: float | None
 ) -> None:
-    found = measure_tones(
-        raster(mosaic, *own), [(raster(mosaic, *theirs), 0.7, 100.0, Tone(gain, 5.0, 1.3), 1.1)], np.arange(256.0)
+    (found,) = source_tones(
+        raster(mosaic, *own), [(raster(mosaic, *theirs), Tone(gain, 5.0, 1.3), 1.1)], middle=100.0, unit_dn=1.0
     )
-    assert [tone.gain for tone in found] == [expected if expected is None else pytest.approx(expected)]
-    assert (found[0].share, found[0].gamma, found[0].colour_shift) == (0.7, 1.3, 1.1)
+    assert found.gain == (expected if expected is None else pytest.approx(expected))
+    assert (found.gamma, found.colour_shift) == (1.3, 1.1)
 
 
 def test_offsets_tell_how_far_one_source_was_raised_above_another(mosaic: Raster) -> None:
     tones = [Tone(1.0, 0.0), Tone(1.0, 25.5), Tone(0.9, 10.0)]
-    found = measure_tones(mosaic, [(mosaic, 0.3, 100.0, tone, None) for tone in tones], np.arange(256.0))
+    found = source_tones(mosaic, [(mosaic, tone, None) for tone in tones], middle=100.0, unit_dn=1.0)
     offsets = [tone.offset for tone in found]
     assert offsets[1] - offsets[0] == pytest.approx(0.1)  # of 255 grey values
     assert offsets[2] - offsets[0] == pytest.approx(0.0)  # a gain about the middle raises nothing
-
-
-def test_sources_whose_tone_is_not_known_say_nothing(mosaic: Raster) -> None:
-    assert measure_tones(mosaic, [(mosaic, 1.0, 100.0, None, None)], np.arange(9.0)) == ()
-    both = [(mosaic, 0.5, 100.0, None, None), (mosaic, 0.5, 90.0, Tone(0.8, 1.0), None)]
-    assert [tone.gain for tone in measure_tones(mosaic, both, np.arange(9.0))] == [0.8]
