@@ -254,9 +254,8 @@ def _within(around: JudgedGround, inside: tuple[slice, slice]) -> FollowedSource
     """The first estimate with better labels, of the window alone."""
     first, labels = around.followed.following, around.labels[inside]
     shares = tuple(int(np.count_nonzero(labels == i)) / labels.size for i in range(len(around.sources)))
-    mixed = first.mixed[inside]
     return replace(
-        first, labels=labels, shares=shares, clear=first.clear[inside], mixed=mixed, mixed_share=float(mixed.mean()),
+        first, labels=labels, shares=shares, clear=first.clear[inside], mixed=first.mixed[inside],
         unexplained=first.unexplained[inside],
     )
 

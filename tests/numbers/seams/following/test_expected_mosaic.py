@@ -8,7 +8,7 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following import expected_mosaic as expecting
 from seam_inspector.plugin.seams.measure.following.expected_mosaic import ExpectedMosaic, expected_mosaic
-from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.following.mixed_ground import MixedGround
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
@@ -36,7 +36,7 @@ def expected_of(
     known: np.ndarray | None = None,
 ) -> ExpectedMosaic:
     fine = [high_pass(one) for one in (mosaic, *planes)]
-    rough = follow(lambda start, stop: [one[start:stop] for one in fine], SHAPE, len(planes))
+    rough = follow_planes(fine)
     return expected_mosaic(mosaic, planes, fine, rough, valid or {}, known)
 
 

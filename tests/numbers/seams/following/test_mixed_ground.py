@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.expected_mosaic import expected_mosaic
-from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.following.mixed_ground import mixed_ground
 from seam_inspector.plugin.seams.measure.profile.window_detail import window_detail
 
@@ -73,7 +73,7 @@ def test_sources_are_shown_as_sharp_as_they_were_mixed(images: list[np.ndarray],
     placed, weight = moved(images), ramp(first, last)
     mosaic = weight * placed[0] + (1 - weight) * placed[1]
     fine = [high_pass(one) for one in (mosaic, *images)]
-    following = follow(lambda start, stop: [one[start:stop] for one in fine], (SIDE, SIDE), 2)
+    following = follow_planes(fine)
     found = expected_mosaic(mosaic, images, fine, following, {})
     for number, true in enumerate(placed):
         own, expected = high_pass(found.shown[number]), high_pass(true)
@@ -94,7 +94,7 @@ def test_the_mean_of_images_of_unlike_contrast_keeps_what_they_have_in_common(co
     mosaic = (first + second) / 2
     given = [first, (120 + contrast * (second - 120)).astype(np.float32)]
     fine = [high_pass(one) for one in (mosaic, *given)]
-    following = follow(lambda start, stop: [one[start:stop] for one in fine], (SIDE, SIDE), 2)
+    following = follow_planes(fine)
     found = window_detail(mosaic, expected_mosaic(mosaic, given, fine, following, {}), {}, "coif3", 3).profile
     assert found is not None
     own = [np.square(high_pass(one)).sum() for one in (mosaic, first, second)]
