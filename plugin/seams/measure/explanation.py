@@ -113,7 +113,7 @@ def explain(
     ``seam_cells.UNKNOWN``.
     """
     cut = cut_hard(mosaic, sources, levels, labels)
-    image, images, following = cut.mosaic, cut.sources, cut.following
+    image, images, ground, following = cut.mosaic, cut.sources, cut.ground, cut.ground.following
     tones, composite = cut.tones, cut.composite
     shifts = [_shift(image, other, following, i) for i, other in enumerate(images)]
     curves, coarse = measure_bands(composite.levelled, image.names, wavelet, levels)
@@ -121,15 +121,15 @@ def explain(
     plain = curves if is_level else measure_bands(composite.bands, image.names, wavelet, levels)[0]
     on_pixels = _on_pixels(shifts, images, following)
     against_composite = _composite_changes(image, composite, plain, following, _main_shift(on_pixels), levels)
-    detail = cut.around.detail(wavelet, levels, cut.inside)
-    finest = detail.finest[(..., *(slice(part.start // 2, part.stop // 2) for part in cut.inside))]
+    detail = ground.detail(wavelet, levels)
+    finest = detail.finest[(..., *(slice(part.start // 2, part.stop // 2) for part in ground.inside))]
     profile = detail.profile
-    unmixed = _on_pixels_of(detail.unmixed(), cut.labels)
-    sharpness = _sharpness(finest, cut.labels)
+    unmixed = _on_pixels_of(detail.unmixed(), ground.labels)
+    sharpness = _sharpness(finest, ground.labels)
     unit = grey_unit(image.raster, next(iter(image.coarse.values())))
     total = float(np.einsum("dij,dij->", finest[:, -1], finest[:, -1], dtype=np.float64))
     evidence = CauseEvidence(
-        missing=1 - cut.explained,
+        missing=1 - ground.explained,
         profile=profile,
         lost=_seam_loss(profile, sharpness, total),
         mixed=following.mixed_share,
@@ -151,8 +151,8 @@ def explain(
         causes=_causes(evidence, detail.has_seam and profile is None),
         evidence=evidence,
         profile=profile,
-        has_seam=detail.has_seam or len(present(cut.labels)) > 1,  # be it under ground that no source explains
-        explained=cut.explained,
+        has_seam=detail.has_seam or len(present(ground.labels)) > 1,  # be it under ground that no source explains
+        explained=ground.explained,
         contrast=_contrast(image, images, next(iter(against_composite.values()))),
         sharpness=sharpness,
         added=_added(detail.judged),
@@ -164,10 +164,10 @@ def explain(
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         shares=following.shares,
-        visibility=window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster),
-        loss=loss_picture(detail, cut.around.expected.labels, cut.inside),
+        visibility=window_visibility(profile, detail.judged, image.plane, ground.inside, image.raster),
+        loss=loss_picture(detail, ground.expected.labels, ground.inside),
     )
-    return _unclear(found) if cut.is_unclear else found
+    return _unclear(found) if ground.is_unclear else found
 
 
 def _unclear(found: Explanation) -> Explanation:
@@ -200,10 +200,10 @@ def _on_pixels_of(cells: np.ndarray, labels: np.ndarray) -> np.ndarray:
 
 def _texture(finest: np.ndarray, cut: HardCut, unmixed: np.ndarray, unit: float) -> Texture | None:
     """Where one source is followed for sure; where that is too little, where one is followed at all."""
-    unfiltered = cut.around.expected.unfiltered[cut.inside]
+    unfiltered = cut.ground.expected.unfiltered[cut.ground.inside]
     found = (
-        measure_texture(finest, cut.labels, sure, cut.mosaic.plane, unfiltered, unit)
-        for sure in (unmixed & cut.following.clear, unmixed)
+        measure_texture(finest, cut.ground.labels, sure, cut.mosaic.plane, unfiltered, unit)
+        for sure in (unmixed & cut.ground.following.clear, unmixed)
     )
     return next((one for one in found if one is not None), None)
 
@@ -297,10 +297,10 @@ def _sharpness(details: np.ndarray, labels: np.ndarray) -> float | None:
 
 def _filter_power(cut: HardCut) -> float | None:
     """Power of the filter that came over the sources that are followed."""
-    source_of, taps = cut.around.followed.source_of, cut.around.expected.filters.taps
+    source_of, taps = cut.ground.followed.source_of, cut.ground.expected.filters.taps
     return filter_power(
         taps[plane] for plane, source in enumerate(source_of)
-        if plane in taps and cut.following.shares[source] >= MIN_PLACED_SHARE
+        if plane in taps and cut.ground.following.shares[source] >= MIN_PLACED_SHARE
     )
 
 
@@ -336,7 +336,7 @@ def _clipped_loss(image: ComparedImage, finest: np.ndarray, total: float) -> flo
 
 def _misfit(cut: HardCut, shifts: Sequence[Shift | None], wavelet: str) -> Misfit | None:
     """Misfit of the two sources that the mosaic follows most, as they are placed in it."""
-    pair = cut.following.followed[:2]
+    pair = cut.ground.following.followed[:2]
     if len(pair) < 2:
         return None
     first, second = (shifts[i] for i in pair)
@@ -345,7 +345,7 @@ def _misfit(cut: HardCut, shifts: Sequence[Shift | None], wavelet: str) -> Misfi
         return None
     offsets = [cut.sources[i].offset for i in pair]
     first, second = (replace(one, x=one.x - by[0], y=one.y - by[1]) for one, by in zip((first, second), offsets))
-    shown, labels = cut.around.expected.shown, cut.around.expected.labels
+    shown, labels = cut.ground.expected.shown, cut.ground.expected.labels
     if any(i not in shown for i in pair):
         return None
     coarse = labels[::_EVERY, ::_EVERY]

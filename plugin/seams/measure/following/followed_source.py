@@ -173,7 +173,9 @@ def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
     fit = np.maximum(explained, np.maximum(best, 0) ** 2)
     unexplained = _around(np.where(textured, fit, 1))[1] < MIN_EXPLAINED
     return FollowedSource(
-        *(enlarged(cells, CELL_PX, mosaic.shape) for cells in (winner.astype(np.uint8), clear, mixed)),
+        enlarged(winner.astype(np.uint8), CELL_PX, mosaic.shape),
+        enlarged(clear, CELL_PX, mosaic.shape),
+        enlarged(mixed, CELL_PX, mosaic.shape),
         tuple((np.bincount(winner.ravel(), minlength=len(sources)) / winner.size).tolist()),
         float(fit[textured].mean()) if textured.any() else 0.0,
         enlarged(unexplained, CELL_PX, mosaic.shape),

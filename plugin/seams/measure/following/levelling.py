@@ -46,26 +46,30 @@ class Levelled:
 
 
 def levelled(
-    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray, patch: int = 0,
-    gain: np.ndarray | None = None,
+    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray, patch: int = 0
 ) -> Levelled:
     """A source's plane in the mosaic's grey values; (rows, columns), float32 and bool.
 
     ``mosaic_means``: of the mosaic's squares of 8 px. ``own``: pixels that follow the source, ``clear``: pixels that
-    follow one source for sure. ``patch``: see ``gain_field``. ``gain``: (rows, columns), where that is known.
+    follow one source for sure. ``patch``: see ``gain_field``.
     """
-    share = square_means(own)
-    reference = square_means(source)
-    if gain is None:
-        where = square_means(own & clear) > _MIN_OWN
-        if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
-            where = share > _MIN_OWN
-        gains = gain_field(mosaic_means, reference, where, patch)
-        gain = to_pixels(gains, source.shape)
-    else:
-        gains = square_means(gain)
+    where = square_means(own & clear) > _MIN_OWN
+    if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
+        where = square_means(own) > _MIN_OWN
+    gains = gain_field(mosaic_means, square_means(source), where, patch)
+    return _with_bias(mosaic_means, source, own, gains, to_pixels(gains, source.shape))
+
+
+def levelled_by(mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, gain: np.ndarray) -> Levelled:
+    """A source's plane in the mosaic's grey values where its ``gain``, (rows, columns), is known."""
+    return _with_bias(mosaic_means, source, own, square_means(gain), gain)
+
+
+def _with_bias(
+    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, gains: np.ndarray, gain: np.ndarray
+) -> Levelled:
     # A square that two sources share tells neither's tone.
-    bias = _spread_out(mosaic_means - gains * reference, share)
+    bias = _spread_out(mosaic_means - gains * square_means(source), square_means(own))
     plane = to_pixels(bias, source.shape)
     plane += gain * source
     return Levelled(plane, gain)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .boxes import enlarged, square_sums
+from .followed_source import weights_of_two
 from .source_filters import filtered, fit_filters
 
 BLOCK_PX = 64
@@ -47,14 +48,12 @@ def mixed_ground(
     ``shown``: the same as the mosaic shows them, as far as that is known. ``is_hopeless``: asked what a later round
     makes of them, whether more are in vain. None where they are, or there is too little.
     """
-    held = square_sums(where.astype(np.float32), where.astype(np.float32), BLOCK_PX) >= _MIN_BLOCK * BLOCK_PX**2
+    enough = square_sums(where.astype(np.float32), where.astype(np.float32), BLOCK_PX) >= _MIN_BLOCK * BLOCK_PX**2
     masked = np.where(where, mosaic, np.float32(0))
     gain, weights, lesser, taps = 1.0, [], 0.0, None
     for number in range(_ROUNDS):
-        first = _first_weights(masked, [np.where(where, one, np.float32(0)) for one in shown], held)
-        if first is None:
-            return None
-        before, lesser = lesser, float(np.minimum(first[held], 1 - first[held]).mean())
+        before = lesser
+        first, lesser = _first_weights(masked, [np.where(where, one, np.float32(0)) for one in shown], enough)
         if lesser < MIN_MIXED_WEIGHT:
             return None
         if taps is not None and abs(lesser - before) < _SETTLED:
@@ -90,19 +89,20 @@ def _amplitude(plane: np.ndarray, where: np.ndarray) -> float:
     return float(np.sqrt(np.square(plane, where=where, out=np.zeros_like(plane)).mean()))
 
 
-def _first_weights(mosaic: np.ndarray, shown: Sequence[np.ndarray], held: np.ndarray) -> np.ndarray | None:
-    """The weight of the first image in every block, (block rows, block columns), 0 to 1; None without any block."""
-    first, second = shown
+def _first_weights(mosaic: np.ndarray, shown: Sequence[np.ndarray], enough: np.ndarray) -> tuple[np.ndarray, float]:
+    """The weight of the first image in every block, (block rows, block columns), 0 to 1; and the mean of the lesser
+    one, 0 without any block that has ``enough`` of both."""
+    planes = [mosaic, *shown]
     ma, mb, aa, ab, bb = (
-        square_sums(one, other, BLOCK_PX).astype(np.float64)
-        for one, other in ((mosaic, first), (mosaic, second), (first, first), (first, second), (second, second))
+        square_sums(planes[i], planes[j], BLOCK_PX).astype(np.float64)
+        for i, j in ((0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
     )
-    held &= (aa > 0) & (bb > 0)
+    held = enough & (aa > 0) & (bb > 0)
     if not held.any():
-        return None
-    determinant = np.maximum(1.001 * aa * bb - ab**2, 1e-9)
-    own, other = np.maximum((ma * bb - mb * ab) / determinant, 0), np.maximum((mb * aa - ma * ab) / determinant, 0)
-    total = own + other
-    weight = np.divide(own, total, out=np.full(own.shape, 0.5), where=held & (total > 0))
-    weight[~held] = weight[held].mean()
-    return np.asarray(weight, np.float32)
+        return np.full(held.shape, 0.5), 0.0
+    weights = np.maximum(weights_of_two(np.where(held, aa, 1), np.where(held, bb, 1), ma, mb, ab), 0)
+    total = weights.sum(axis=0)
+    first = np.divide(weights[0], total, out=np.full(total.shape, 0.5), where=held & (total > 0))
+    first[~held] = first[held].mean()
+    first = first.astype(np.float32)
+    return first, float(np.minimum(first[held], 1 - first[held]).mean())

@@ -121,6 +121,10 @@ class Filters:
         return filtered(plane, self.taps[source]) if self.taps else plane
 
 
+UNFILTERED = Filters({}, False)
+"""Nothing was done to any source."""
+
+
 @dataclass(frozen=True, eq=False)
 class Learned:
     """What came over a mosaic, as far as that is known of more ground than there is in a part of it."""
@@ -144,7 +148,7 @@ def find_filters(
         return cut_of(own[place], {i: one.gain[place] * fine[i][place] for i, one in in_tone.items()}, labels[place])
 
     if _is_a_multiple(own[SAMPLE], reference(SAMPLE), labels[SAMPLE], sure[SAMPLE]):
-        return Filters({}, False)
+        return UNFILTERED
     return _fitted_filters(own, reference(np.s_[:]), labels, sure)
 
 
@@ -212,16 +216,14 @@ def cut_of(mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndar
     return made
 
 
-def _fitted_filters(
-    fine: np.ndarray, reference: np.ndarray, labels: np.ndarray, sure: np.ndarray
-) -> Filters:
+def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray, sure: np.ndarray) -> Filters:
     """One filter for all sources, or one for each where that explains more; none where none is needed."""
     taps = fit_filter(fine, reference, sure, gain=1.0)
     if taps is None:
-        return Filters({}, False)
+        return UNFILTERED
     common = filtered(reference, taps)
     if not _explains_more(fine, reference, common, sure):
-        return Filters({}, False)
+        return UNFILTERED
     numbers = present(labels)
     if len(numbers) > 1:
         parts = {i: sure & (labels == i) for i in numbers}
