@@ -19,7 +19,7 @@ from .feather_prediction import expected_ratios, feathers
 from .following.boxes import enlarged, near_border
 from .following.followed_source import FollowedSource
 from .following.hard_cut import Composite, HardCut, cut_hard, follows_at
-from .following.levelling import left_by_curve, left_over
+from .following.levelling import left_over
 from .following.source_filters import filter_power
 from .limits import SHARPNESS_TOLERANCE
 from .profile.cell_table import CELL_PX, CellTable
@@ -258,10 +258,10 @@ def _unevenness(
     names = image.names[:3]
     bands = [(image.coarse[name], images[main[0]].coarse[name]) for name in names]
     least = [MIN_UNEVEN_RANGE * float(np.ptp(own)) + 0.5 for own, _ in bands]
-    if all(left_by_curve(*band, where) <= most for band, most in zip(bands, least)):
+    left = [left_over(*band, where) for band in bands]
+    if all(curve <= most for (curve, _), most in zip(left, least)):
         return 0.0
-    found = (left_over(*band, where) for band in bands)
-    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in found)
+    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in left)
 
 
 def _composite_changes(

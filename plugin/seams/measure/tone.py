@@ -21,7 +21,7 @@ _GAMMA_VALUES = 1024  # that pixels are told apart by: of 8 bit and 10 bit ones 
 _GAMMA_STEPS = ((13, 2), (7, 3), (7, _ROUNDS))
 """How many exponents are tried, first and then between the neighbours of the best, to 1 %; and rounds of each fit."""
 _FEWEST_POINTS = 16  # means: fewer are no base for a robust line
-_TUKEY = 4.685  # times the scale: weights of 95 % efficiency (Holland and Welsch 1977)
+TUKEY = 4.685  # times the scale: weights of 95 % efficiency (Holland and Welsch 1977)
 _LEAST_SCALE = 1e-9  # grey values: what varies less is even, but for rounding
 _SETTLED = 1e-6  # of the spread of grey values
 _FOUR_FIFTHS = 1.2816  # standard deviations within which 80 % of a normal distribution lie
@@ -219,7 +219,7 @@ def _bends(x: np.ndarray, y: np.ndarray, linear_spreads: np.ndarray) -> np.ndarr
 def _weights(residuals: np.ndarray) -> np.ndarray:
     """Tukey's; their scale is a normal distribution's standard deviation by the median."""
     weights = np.abs(residuals)
-    weights /= np.maximum(1.4826 * _TUKEY * _median(weights), _TUKEY * _LEAST_SCALE)[:, np.newaxis]
+    weights /= np.maximum(1.4826 * TUKEY * _median(weights), TUKEY * _LEAST_SCALE)[:, np.newaxis]
     weights *= weights
     np.subtract(1, weights, out=weights)
     np.maximum(weights, 0, out=weights)

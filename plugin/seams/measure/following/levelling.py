@@ -6,15 +6,13 @@ whose step of tone stays as it is.
 """
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from scipy import ndimage
 
-from ....imagery.filters import multiply
-from ..tone import coarse_means
+from ..tone import TUKEY, coarse_means
 from .boxes import enlarged
 
 LEVELS = 3
@@ -24,15 +22,12 @@ SQUARE_PX = 2**LEVELS
 _MIN_OWN = 0.9  # of a square's pixels that follow the source
 _FEWEST_SQUARES = 24
 _FEWEST_FOR_TREND = 150
-_MOST_SQUARES = 8000  # of those that tell a gain, evenly spread: more tell no other one
 _NEAR_SQUARES = 5  # a side: what is wider than that is background
 _SMOOTH_SQUARES = 2.0  # sigma of the bias
 _EVEN = 0.01  # of the standard deviation of what squares differ by from those around
 _MOST_CHANGE = 3.0  # of the gain within a window
 _RIDGE = 0.01  # so that ground which says nothing of a term leaves it out
 _ROUNDS = 3
-_AT_A_TIME = 8  # squares that pixels are interpolated between at a time: few of them matter to each
-_TUKEY = 4.685
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,26 +103,17 @@ def left_over(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> tupl
 
     With too few squares both are 0.
     """
-    curve = left_by_curve(mosaic, source, where)
-    if not curve:
-        return 0.0, 0.0
-    gain = gain_field(mosaic, source, where)
-    bias = mosaic - gain * source
-    local = (bias - _spread_out(bias, where.astype(np.float32)))[where]
-    return curve, _scale(local)
-
-
-def left_by_curve(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> float:
-    """Scale of what is left over after one curve of tones for all of the window, as ``left_over`` has it."""
     if np.count_nonzero(where) < _FEWEST_SQUARES:
-        return 0.0
+        return 0.0, 0.0
     x, y = source[where].astype(np.float64), mosaic[where].astype(np.float64)
-    scaled = (x - x.mean()) / max(float(x.std()), 1e-6)
-    terms = np.stack([np.ones_like(scaled), scaled, scaled**2, scaled**3], axis=1)
-    return _scale(y - terms @ np.linalg.lstsq(terms, y, rcond=None)[0])
+    terms = np.vander((x - x.mean()) / max(float(x.std()), 1e-6), 4)
+    bias = mosaic - gain_field(mosaic, source, where) * source
+    local = bias - _spread_out(bias, where.astype(np.float32))
+    return _scale(y - terms @ np.linalg.lstsq(terms, y, rcond=None)[0]), _scale(local[where])
 
 
 def _scale(rest: np.ndarray) -> float:
+    """Standard deviation of what is normal in it."""
     return 1.4826 * float(np.median(np.abs(rest)))
 
 
@@ -150,8 +136,7 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
     telling = np.abs(x) > _EVEN * x.std()
     if np.count_nonzero(telling) < _FEWEST_SQUARES:
         return ones
-    every = -(-np.count_nonzero(telling) // _MOST_SQUARES)
-    places, x, y = (one[telling][::every] for one in (places, x, y))
+    places, x, y = (values[telling] for values in (places, x, y))
     fields = _places(source, places) if len(places) >= _FEWEST_FOR_TREND else [ones]
     terms = np.stack([np.take(field, places) * x for field in fields])
     weights = np.ones(len(x))
@@ -164,8 +149,7 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
         normal += np.diag([0.0, *[_RIDGE * normal[0, 0]] * (len(fields) - 1)])
         factors = np.linalg.solve(normal, weighted @ y)
         residuals = y - factors @ terms
-        scale = max(1.4826 * float(np.median(np.abs(residuals))), 1e-6)
-        weights = np.clip(1 - (residuals / (_TUKEY * scale)) ** 2, 0, None) ** 2
+        weights = np.clip(1 - (residuals / (TUKEY * max(_scale(residuals), 1e-6))) ** 2, 0, None) ** 2
     gain = sum(factor * field for factor, field in zip(factors, fields))
     middle = float(np.median(np.take(gain, places)))
     return np.clip(gain, *sorted((middle * _MOST_CHANGE, middle / _MOST_CHANGE))).astype(np.float32)
@@ -207,31 +191,14 @@ def _spread_out(bias: np.ndarray, share: np.ndarray) -> np.ndarray:
 
 def to_pixels(squares: np.ndarray, shape: tuple[int, ...], side: int = SQUARE_PX) -> np.ndarray:
     """Linear between the middles of the squares, (rows, columns) float32 of ``side`` px."""
-    down, across = (_interpolation(few * side, few) for few in squares.shape)
-    rows = np.empty((len(down), squares.shape[1]), np.float32)
-    for pixels, needed in _parts(len(squares), side):
-        multiply(down[pixels, needed], squares[needed], rows[pixels])
-    made = np.empty((len(down), len(across)), np.float32)
-    for pixels, needed in _parts(squares.shape[1], side):
-        multiply(rows[:, needed], across[pixels, needed].T, made[:, pixels])
-    return made[: shape[0], : shape[1]]
+    across = _between(squares.astype(np.float32, copy=False).T, side)[: shape[1]]
+    return _between(np.ascontiguousarray(across.T), side)[: shape[0]]
 
 
-def _parts(few: int, side: int) -> Iterator[tuple[slice, slice]]:
-    """Pixels that are interpolated at a time, and the squares that matter to them."""
-    for start in range(0, few, _AT_A_TIME):
-        end = start + _AT_A_TIME
-        yield slice(start * side, end * side), slice(max(start - 1, 0), end + 1)
-
-
-@lru_cache
-def _interpolation(many: int, few: int) -> np.ndarray:
-    """(many, few) float32 weights."""
-    places = np.clip((np.arange(many) + 0.5) * few / many - 0.5, 0, few - 1)
-    before = np.minimum(places.astype(np.intp), max(few - 2, 0))
-    weights = np.zeros((many, few), np.float32)
-    rows = np.arange(many)
-    weights[rows, before] = 1 - (places - before)
-    if few > 1:
-        weights[rows, before + 1] += places - before
-    return weights
+def _between(values: np.ndarray, side: int) -> np.ndarray:
+    """Linear between values along the first axis, ``side`` samples each; constant beyond the middles of the last."""
+    steps = (np.arange(side, dtype=np.float32)[:, np.newaxis] + np.float32(0.5)) / np.float32(side)
+    around = np.concatenate([values[:1], values, values[-1:]])[:, np.newaxis]
+    made = steps * (around[1:] - around[:-1])
+    made += around[:-1]
+    return made.reshape(-1, values.shape[1])[side // 2 : -(side // 2)]
