@@ -21,7 +21,7 @@ from .followed_source import FollowedSource
 from .likely_source import MIN_FIT
 from .placed_sources import PlacedSources, follow_sources
 
-LEAST_GAIN_CHANGE, LEAST_BIAS = 1e-6, 1e-2
+LEAST_CHANGE = 0.1  # of a grey value of 16 bit: tones that change no more leave it as it was
 _EASED_PX = 48  # beside a seam
 _FEWEST_FAR = 64  # squares
 
@@ -57,7 +57,7 @@ def make_composite(
     first, *others = [i for i in np.argsort(-counts, kind="stable").tolist() if counts[i]] or [0]
     toned = {i: [tones[i].get(name) or Tone(1.0, 0.0) for name in names] for i in (first, *others)}
     is_level = all(
-        abs(tone.gain - 1) < LEAST_GAIN_CHANGE and abs(tone.bias) < LEAST_BIAS for of in toned.values() for tone in of
+        abs(tone.gain - 1) * 2**16 + abs(tone.bias) < LEAST_CHANGE for of in toned.values() for tone in of
     )
     gains = {i: np.array([[[tone.gain]] for tone in of], np.float32) for i, of in toned.items()}
     biases = {i: np.array([[[tone.bias]] for tone in of], np.float32) for i, of in toned.items()}
