@@ -13,13 +13,14 @@ import numpy as np
 
 from ..compared_image import ComparedImage, MeasuredClip, judged_planes, on_common_bands
 from ..profile.window_detail import LossPicture, WindowDetail, loss_picture, window_detail
-from ..seam_cells import UNKNOWN
+from ..seam_cells import UNKNOWN, present
 from ..tone import Tone, whole_squares
 from .boxes import near_border
 from .expected_mosaic import ExpectedMosaic, expected_mosaic
 from .followed_source import FollowedSource
 from .likely_source import MIN_FIT
 from .placed_sources import PlacedSources, follow_sources
+from .source_filters import cut_of
 
 LEAST_CHANGE = 0.1  # of a grey value of 16 bit: tones that change no more leave it as it was
 _EASED_PX = 48  # beside a seam
@@ -53,27 +54,17 @@ def make_composite(
     so that nothing is gained or lost there.
     """
     dtype = np.result_type(*(bands.dtype for bands in sources))
-    counts = np.bincount(labels.ravel(), minlength=len(sources))[: len(sources)]
-    first, *others = [i for i in np.argsort(-counts, kind="stable").tolist() if counts[i]] or [0]
-    toned = {i: [tones[i].get(name) or Tone(1.0, 0.0) for name in names] for i in (first, *others)}
-    is_level = all(
-        abs(tone.gain - 1) * 2**16 + abs(tone.bias) < LEAST_CHANGE for of in toned.values() for tone in of
-    )
+    followed = sorted(present(labels), key=lambda i: -np.count_nonzero(labels == i)) or [0]
+    toned = {i: [tones[i].get(name) or Tone(1.0, 0.0) for name in names] for i in followed}
     gains = {i: np.array([[[tone.gain]] for tone in of], np.float32) for i, of in toned.items()}
     biases = {i: np.array([[[tone.bias]] for tone in of], np.float32) for i, of in toned.items()}
-    plain = sources[first].astype(dtype, copy=True)
-    levelled = plain if is_level else np.asarray(gains[first] * sources[first] + biases[first], np.float32)
-    for i in others:
-        np.copyto(plain, sources[i], where=labels == i)
-        if not is_level:
-            np.copyto(levelled, gains[i] * sources[i] + biases[i], where=labels == i)
-    unknown = labels >= len(sources)
-    if unknown.any():
-        alike = (mosaic - biases[first]) / np.where(gains[first] == 0, 1, gains[first])
-        np.copyto(plain, as_type(alike, dtype), where=unknown)
-        if not is_level:
-            np.copyto(levelled, mosaic, where=unknown)
-    return Composite(names, plain, levelled)
+    main = followed[0]
+    in_its_tone = (mosaic - biases[main]) / np.where(gains[main] == 0, 1, gains[main])
+    plain = cut_of(as_type(in_its_tone, dtype), {i: sources[i].astype(dtype) for i in followed}, labels)
+    if all(abs(tone.gain - 1) * 2**16 + abs(tone.bias) < LEAST_CHANGE for of in toned.values() for tone in of):
+        return Composite(names, plain, plain)
+    shown = {i: np.asarray(gains[i] * sources[i] + biases[i], np.float32) for i in followed}
+    return Composite(names, plain, cut_of(mosaic, shown, labels))
 
 
 def as_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:

@@ -22,11 +22,11 @@ MIN_MOVED_PX = 0.15  # by which a source is moved to be tried again
 FARTHEST_FILTERED_PX = 1.2  # a filter of 5 x 5 taps moves an image as far
 ALIKE_SHIFTS_PX = 0.2
 MIN_BOTH_SHARE = 0.05  # of the pixels: an image that lies where it should and also elsewhere is kept in both places
+MAX_LEFT = 0.5  # of what was left over, when moved sources explain a part that had none
 MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when moved sources tell more
 MIN_UNCLEAR_SHARE = 0.3  # of the pixels: sources moved to where the mosaic lies may tell more
 MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
 MIN_IDLE_FIT = 0.97  # of the fine detail: with less, one that is hardly followed is looked for elsewhere
-MAX_IDLE_LEFT = 0.5  # of what was left over, when it is found there
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,10 +106,11 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
     if _is_of_all(of_followed):
         return first
     both = _without_idle_planes(_with_moved(first, moved))
-    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and both.following.unexplained.mean() <= unexplained / 2
-    is_clearer = unclear >= MIN_UNCLEAR_SHARE and both.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
-    finds_idle = may_lie_elsewhere and 1 - both.following.fit <= MAX_IDLE_LEFT * (1 - plain.fit)
-    is_better = both.following.fit >= plain.fit + MIN_FIT_GAIN
+    by_moved = both.following
+    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and by_moved.unexplained.mean() <= MAX_LEFT * unexplained
+    is_clearer = unclear >= MIN_UNCLEAR_SHARE and by_moved.unclear_share <= MAX_UNCLEAR_LEFT * unclear
+    finds_idle = may_lie_elsewhere and 1 - by_moved.fit <= MAX_LEFT * (1 - plain.fit)
+    is_better = by_moved.fit >= plain.fit + MIN_FIT_GAIN
     return both if explains_part or is_clearer or finds_idle or is_better else first
 
 
