@@ -27,7 +27,6 @@ FEWEST_PIXELS = 2000
 
 _SIDE = 2 * REACH_PX + 1
 _MOST_PIXELS = 12000
-_AT_A_TIME = 384  # in float32, their sums in float64
 _RIDGE = 1e-5
 _MARGIN_PX = 8  # of the clip: what is beyond it is not known
 
@@ -51,18 +50,13 @@ def fit_filters(
     inside = np.flatnonzero(where[_MARGIN_PX:-_MARGIN_PX, _MARGIN_PX:-_MARGIN_PX])
     if len(inside) < FEWEST_PIXELS:
         return None
-    columns, values = image.shape[1], [one.ravel() for one in references]
+    columns = image.shape[1]
     down, across = np.divmod(inside[:: max(1, len(inside) // _MOST_PIXELS)], columns - 2 * _MARGIN_PX)
     places = (down + _MARGIN_PX) * columns + across + _MARGIN_PX
     offsets = np.add.outer(np.arange(-REACH_PX, REACH_PX + 1) * columns, np.arange(-REACH_PX, REACH_PX + 1)).ravel()
-    count = len(references) * _SIDE**2
-    normal, right = np.zeros((count, count)), np.zeros(count)
-    for start in range(0, len(places), _AT_A_TIME):
-        part = places[start : start + _AT_A_TIME]
-        around = part[:, np.newaxis] + offsets
-        samples = np.concatenate([one[around] for one in values], axis=1) if len(values) > 1 else values[0][around]
-        normal += product(samples.T, samples)
-        right += image.ravel()[part] @ samples
+    around = places[:, np.newaxis] + offsets
+    samples = np.concatenate([np.take(one, around).astype(np.float64) for one in references], axis=1)
+    normal, right, count = product(samples.T, samples), np.take(image, places) @ samples, samples.shape[1]
     mean = float(np.trace(normal)) / count
     if mean <= 0:
         return None
