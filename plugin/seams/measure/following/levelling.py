@@ -86,11 +86,8 @@ def evened_gains(
     squares = square_means(where) > _MIN_OWN
     if np.count_nonzero(squares) < _FEWEST_SQUARES:
         return list(gains)
-    weight = _near_means(squares.astype(np.float32), 0) + 1e-6
-    contrasts = []
-    for plane, gain in zip(planes, gains):
-        means = square_means(np.asarray(gain * plane, np.float32))
-        contrasts.append(float((means - _near_means(np.where(squares, means, 0), 0) / weight)[squares].std()))
+    means = [square_means(np.asarray(gain * plane, np.float32)) for plane, gain in zip(planes, gains)]
+    contrasts = [float(_off_near(one, squares)[squares].std()) for one in means]
     if min(contrasts) <= 0:
         return list(gains)
     mean = float(np.exp(np.mean(np.log(contrasts))))
@@ -126,12 +123,8 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
     ones = np.ones(mosaic.shape, np.float32)
     if np.count_nonzero(where) < _FEWEST_SQUARES:
         return ones
-    weight = _near_means(where.astype(np.float32), patch) + 1e-6
     places = np.flatnonzero(where)
-    x, y = (
-        np.take(band - _near_means(np.where(where, band, 0), patch) / weight, places).astype(np.float64)
-        for band in (source, mosaic)
-    )
+    x, y = (np.take(_off_near(band, where, patch), places).astype(np.float64) for band in (source, mosaic))
     # Even ground tells nothing of a gain, and where there is much of it residuals would seem to be none.
     telling = np.abs(x) > _EVEN * x.std()
     if np.count_nonzero(telling) < _FEWEST_SQUARES:
@@ -153,6 +146,12 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
     gain = sum(factor * field for factor, field in zip(factors, fields))
     middle = float(np.median(np.take(gain, places)))
     return np.clip(gain, *sorted((middle * _MOST_CHANGE, middle / _MOST_CHANGE))).astype(np.float32)
+
+
+def _off_near(means: np.ndarray, where: np.ndarray, patch: int = 0) -> np.ndarray:
+    """What squares differ by from the mean of those near them, ``where`` they count, (rows, columns) bool."""
+    near, weight = (_near_means(values, patch) for values in (np.where(where, means, 0), where.astype(np.float32)))
+    return means - near / (weight + 1e-6)
 
 
 def _near_means(values: np.ndarray, patch: int) -> np.ndarray:

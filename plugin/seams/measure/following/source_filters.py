@@ -47,14 +47,13 @@ def fit_filters(
     image: np.ndarray, references: Sequence[np.ndarray], where: np.ndarray, gain: float | None = None
 ) -> np.ndarray | None:
     """Taps (references, 5, 5) as ``fit_filter`` has them, of several images that are added up; ``gain`` of each."""
-    inside = np.flatnonzero(where[_MARGIN_PX:-_MARGIN_PX, _MARGIN_PX:-_MARGIN_PX])
-    if len(inside) < FEWEST_PIXELS:
+    inside, inner = np.zeros(where.shape, bool), np.s_[_MARGIN_PX:-_MARGIN_PX, _MARGIN_PX:-_MARGIN_PX]
+    inside[inner] = where[inner]
+    places = np.flatnonzero(inside)
+    if len(places) < FEWEST_PIXELS:
         return None
-    columns = image.shape[1]
-    down, across = np.divmod(inside[:: max(1, len(inside) // _MOST_PIXELS)], columns - 2 * _MARGIN_PX)
-    places = (down + _MARGIN_PX) * columns + across + _MARGIN_PX
-    offsets = np.add.outer(np.arange(-REACH_PX, REACH_PX + 1) * columns, np.arange(-REACH_PX, REACH_PX + 1)).ravel()
-    around = places[:, np.newaxis] + offsets
+    places, reach = places[:: max(1, len(places) // _MOST_PIXELS)], np.arange(-REACH_PX, REACH_PX + 1)
+    around = np.add.outer(places, np.add.outer(reach * where.shape[1], reach).ravel())
     samples = np.concatenate([np.take(one, around).astype(np.float64) for one in references], axis=1)
     normal, right, count = product(samples.T, samples), np.take(image, places) @ samples, samples.shape[1]
     mean = float(np.trace(normal)) / count
