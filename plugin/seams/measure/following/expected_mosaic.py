@@ -128,9 +128,8 @@ def expected_mosaic(sources: PlacedSources, filters: Filters | None = None, look
         given = {i: sources.images[sources.source_of[i]].plane for i in toned}
         unmoved = {i: one.plane + one.gain * (given[i] - sources.planes[i]) for i, one in cut.in_tone.items()}
         unfiltered = cut_of(mosaic, unmoved, labels)
-    if filters.came_over_cuts:
-        filtered_cut = filtered(plane, next(iter(filters.taps.values())))
-        plane = np.where(labels == UNKNOWN, mosaic, filtered_cut)
+    if filters.taps and filters.came_over_cuts:
+        plane = np.where(labels == UNKNOWN, mosaic, filtered(plane, next(iter(filters.taps.values()))))
     elif filters.taps:
         plane = cut_of(mosaic, shown, labels)
         toned = {i: filters.placed(i, one) for i, one in toned.items()}
