@@ -37,9 +37,7 @@ from .source_filters import (
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
 MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
 MOST_LEFT_OF_THAT = 0.5  # where both mixed explain it
-HOPELESS_LEFT_OF_THAT = 0.75  # after some rounds, of which true mixtures had up to 0.45 by then
 MOST_LEFT_BY_MIXED = 10.0  # times what they leave over one by one; true mixtures have up to 4
-MOST_LEFT_MIXED = 0.05  # of the fine detail, for a filter to be believed that was learned where sources may be mixed
 MIN_THIRD_SHARE = 0.25  # of the pixels, that a third image surely has where two are mixed everywhere
 MOST_LEFT_OF_THIRD = 0.05  # of what seemed to be a smaller part of a third: the two mixed explain it
 
@@ -225,14 +223,7 @@ class _Cutting:
         own, fine = self.sources.fine[0], dict(enumerate(self.sources.fine[1:]))
         cut = replace(cut, filters=find_filters(own, fine, cut.in_tone, cut.labels, anywhere))
         made = self._made(cut)
-        mixed = self._mixed(cut, made)
-        if mixed is not None:
-            return mixed
-        # A filter that was learned of a mixture takes what that took.
-        is_doubtful = np.count_nonzero(anywhere) > np.count_nonzero(unmixed)
-        if is_doubtful and share_left(own, made, cut.labels, present(cut.labels)) > MOST_LEFT_MIXED:
-            return replace(cut, filters=find_filters(own, fine, cut.in_tone, cut.labels, unmixed))
-        return cut
+        return self._mixed(cut, made) or cut
 
     def _mixed(self, alone: _Cut, made: np.ndarray) -> _Cut | None:
         """The cut by what a mixture of two sources nearly everywhere says came over them; None for other windows, and
@@ -283,12 +274,8 @@ class _Cutting:
         images = [gain * fine[i] for i, gain in zip(pair, gains)]
         taps = alone.filters.taps
         shown = [alone.filters.placed(i, one) if i in taps else one for i, one in zip(pair, images)]
-
-        def left_of_that(made: np.ndarray) -> float:
-            return share_left(own, made[SAMPLE], inside, pair) / left_alone
-
-        ground = mixed_ground(own, images, shown, where, lambda made: left_of_that(made) > HOPELESS_LEFT_OF_THAT)
-        if ground is None or left_of_that(ground.mosaic) > MOST_LEFT_OF_THAT:
+        ground = mixed_ground(own, images, shown, where)
+        if ground is None or share_left(own, ground.mosaic[SAMPLE], inside, pair) > MOST_LEFT_OF_THAT * left_alone:
             return None
         return ground, [ground.gain * gain for gain in gains]
 

@@ -25,7 +25,6 @@ _FEWEST_FOR_TREND = 150
 _NEAR_SQUARES = 5  # a side: what is wider than that is background
 _SMOOTH_SQUARES = 2.0  # sigma of the bias
 _EVEN = 0.01  # of the standard deviation of what squares differ by from those around
-_MOST_CHANGE = 3.0  # of the gain within a window
 _RIDGE = 0.01  # so that ground which says nothing of a term leaves it out
 _ROUNDS = 3
 
@@ -143,9 +142,7 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
         factors = np.linalg.solve(normal, weighted @ y)
         residuals = y - factors @ terms
         weights = np.clip(1 - (residuals / (TUKEY * max(_scale(residuals), 1e-6))) ** 2, 0, None) ** 2
-    gain = sum(factor * field for factor, field in zip(factors, fields))
-    middle = float(np.median(np.take(gain, places)))
-    return np.clip(gain, *sorted((middle * _MOST_CHANGE, middle / _MOST_CHANGE))).astype(np.float32)
+    return np.asarray(sum(factor * field for factor, field in zip(factors, fields)), np.float32)
 
 
 def _off_near(means: np.ndarray, where: np.ndarray, patch: int = 0) -> np.ndarray:

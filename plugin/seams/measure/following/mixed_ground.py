@@ -7,7 +7,7 @@ fitted to one alone a filter takes the detail that the other one's share took, a
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,8 +20,7 @@ BLOCK_PX = 64
 """Side of the blocks in which weights are taken as constant."""
 MIN_MIXED_WEIGHT = 0.1
 """Mean weight of the lesser image, for a window to be mixed nearly everywhere."""
-_ROUNDS = 30
-_HOPEFUL_ROUNDS = 3  # in which true mixtures may leave over six times as much as one by one
+_ROUNDS = 10
 _SETTLED = 0.002  # of the lesser image's weight
 _MIN_BLOCK = 0.5  # of a block's pixels that take part
 
@@ -39,19 +38,17 @@ class MixedGround:
 
 
 def mixed_ground(
-    mosaic: np.ndarray, fine: Sequence[np.ndarray], shown: Sequence[np.ndarray], where: np.ndarray,
-    is_hopeless: Callable[[np.ndarray], bool] = lambda made: False,
+    mosaic: np.ndarray, fine: Sequence[np.ndarray], shown: Sequence[np.ndarray], where: np.ndarray
 ) -> MixedGround | None:
     """The mixture of two high-passed planes ``fine`` in the mosaic's tones, (rows, columns) float32; ``where``, bool:
     the pixels that take part.
 
-    ``shown``: the same as the mosaic shows them, as far as that is known. ``is_hopeless``: asked what a later round
-    makes of them, whether more are in vain. None where they are, or there is too little.
+    ``shown``: the same as the mosaic shows them, as far as that is known. None where there is too little.
     """
     enough = square_shares(where, BLOCK_PX) >= _MIN_BLOCK
     gain, lesser = 1.0, 0.0
     found: MixedGround | None = None
-    for number in range(_ROUNDS):
+    for _ in range(_ROUNDS):
         before = lesser
         first, lesser = _first_weights([np.where(where, one, np.float32(0)) for one in (mosaic, *shown)], enough)
         if lesser < MIN_MIXED_WEIGHT:
@@ -76,8 +73,6 @@ def mixed_ground(
         shown = [np.float32(gain * by) * one for by, one in zip(even, made)]
         gain *= scale
         found = MixedGround(gain, taps / scale, weights[0] * shown[0] + weights[1] * shown[1])
-        if number >= _HOPEFUL_ROUNDS and is_hopeless(found.mosaic):
-            return None
     return found
 
 

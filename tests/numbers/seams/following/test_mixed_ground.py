@@ -54,13 +54,6 @@ def test_of_a_cut_there_is_none(images: list[np.ndarray]) -> None:
     assert mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool)) is None
 
 
-def test_no_mixture_is_given_up_in_its_first_rounds(images: list[np.ndarray]) -> None:
-    placed, weight = moved(images), ramp(0.5, 0.5)
-    mosaic = high_pass(weight * placed[0] + (1 - weight) * placed[1])
-    fine = [high_pass(one) for one in images]
-    assert mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool), is_hopeless=lambda made: True) is not None
-
-
 def test_of_images_that_are_not_there_there_is_none(images: list[np.ndarray]) -> None:
     fine = [high_pass(one) for one in images]
     nothing = np.zeros((SIDE, SIDE), bool)
