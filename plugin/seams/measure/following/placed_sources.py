@@ -25,7 +25,6 @@ MIN_BOTH_SHARE = 0.05  # of the pixels: an image that lies where it should and a
 MAX_LEFT = 0.5  # of what was left over, when moved sources explain a part that had none
 MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when moved sources tell more
 MIN_UNCLEAR_SHARE = 0.3  # of the pixels: sources moved to where the mosaic lies may tell more
-MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
 MIN_IDLE_FIT = 0.97  # of the fine detail: with less, one that is hardly followed is looked for elsewhere
 
 
@@ -109,9 +108,8 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
     by_moved = both.following
     explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and by_moved.unexplained.mean() <= MAX_LEFT * unexplained
     is_clearer = unclear >= MIN_UNCLEAR_SHARE and by_moved.unclear_share <= MAX_UNCLEAR_LEFT * unclear
-    finds_idle = may_lie_elsewhere and 1 - by_moved.fit <= MAX_LEFT * (1 - plain.fit)
-    is_better = by_moved.fit >= plain.fit + MIN_FIT_GAIN
-    return both if explains_part or is_clearer or finds_idle or is_better else first
+    explains_more = 1 - by_moved.fit <= MAX_LEFT * (1 - plain.fit)
+    return both if explains_part or is_clearer or explains_more else first
 
 
 def _with_moved(given: PlacedSources, moved: Mapping[int, Shift]) -> PlacedSources:

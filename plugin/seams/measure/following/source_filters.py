@@ -77,9 +77,7 @@ MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has t
 LEAST_MOVED_PX = 0.05  # what lies nearer lies where it was
 MOST_LEFT_OF_BEST = 0.5  # of what is left over of the ground that is explained best, by a filter that is learned there
 
-_FEWEST_SAMPLES = 300
 _EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
-_ROUNDS = 3
 _SQUARE_PX = 32  # of which whole ones are of one image or another
 SAMPLE = np.s_[::_EVERY, ::_EVERY]
 """Index of the sampled rows and columns of a plane, every fourth."""
@@ -170,16 +168,12 @@ def _of_best_ground(mosaic: np.ndarray, source: np.ndarray, shown: np.ndarray, w
     that tells that the rest is of another image: it explains this half far better (least trimmed squares, Rousseeuw
     1984)."""
     best = _best_explained(mosaic, source, where)
-    for _ in range(_ROUNDS):
-        taps = fit_filter(mosaic, source, best)
-        if taps is None:
-            break
-        made = filtered(source, taps)
-        own, before, after = _chosen(best[SAMPLE], *(one[SAMPLE] for one in (mosaic, shown, made)))
-        if np.square(own - after).sum() > MOST_LEFT_OF_BEST * np.square(own - before).sum():
-            break
-        shown, best = made, _best_explained(mosaic, made, where)
-    return shown
+    taps = fit_filter(mosaic, source, best)
+    if taps is None:
+        return shown
+    made = filtered(source, taps)
+    own, before, after = _chosen(best[SAMPLE], *(one[SAMPLE] for one in (mosaic, shown, made)))
+    return made if np.square(own - after).sum() <= MOST_LEFT_OF_BEST * np.square(own - before).sum() else shown
 
 
 def _best_explained(mosaic: np.ndarray, shown: np.ndarray, where: np.ndarray) -> np.ndarray:
@@ -241,7 +235,7 @@ def _is_a_multiple(
     parts = np.where(where, labels, np.uint8(UNKNOWN))
     inside = (parts != UNKNOWN) & ~near_border(parts, -(-BORDER_PX // _EVERY))
     own, before = _chosen(inside, mosaic, plain)
-    return len(own) > _FEWEST_SAMPLES and _left_by_multiple(own, before) <= most * float(own @ own)
+    return len(own) > 0 and _left_by_multiple(own, before) <= most * float(own @ own)
 
 
 def _explains_more(
