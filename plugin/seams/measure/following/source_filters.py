@@ -27,6 +27,7 @@ FEWEST_PIXELS = 2000
 
 _SIDE = 2 * REACH_PX + 1
 _MOST_PIXELS = 12000
+_AT_A_TIME = 384  # pixels whose samples stay in the cache, in float32; their sums are in float64
 _RIDGE = 1e-5
 _MARGIN_PX = 8  # of the clip: what is beyond it is not known
 
@@ -53,9 +54,14 @@ def fit_filters(
     if len(places) < FEWEST_PIXELS:
         return None
     places, reach = places[:: max(1, len(places) // _MOST_PIXELS)], np.arange(-REACH_PX, REACH_PX + 1)
-    around = np.add.outer(places, np.add.outer(reach * where.shape[1], reach).ravel())
-    samples = np.concatenate([np.take(one, around).astype(np.float64) for one in references], axis=1)
-    normal, right, count = product(samples.T, samples), np.take(image, places) @ samples, samples.shape[1]
+    offsets = np.add.outer(reach * where.shape[1], reach).ravel()
+    count = len(references) * _SIDE**2
+    normal, right = np.zeros((count, count)), np.zeros(count)
+    for start in range(0, len(places), _AT_A_TIME):
+        part = places[start : start + _AT_A_TIME]
+        samples = np.concatenate([np.take(one, part[:, np.newaxis] + offsets) for one in references], axis=1)
+        normal += product(samples.T, samples)
+        right += np.take(image, part) @ samples
     mean = float(np.trace(normal)) / count
     if mean <= 0:
         return None
