@@ -15,6 +15,7 @@ BORDER_PX = 5
 _SIGMA_PX, _REACH_PX = 1.2, 5  # differences are smoothed by a Gaussian
 _SMOOTH_PX = 11  # a side of what decides together
 _TILE_PX = 32  # a side of what is looked at together along the border
+_FEWEST_OWN = 200  # pixels that a tone is told by
 
 
 def to_the_pixel(
@@ -55,7 +56,7 @@ def _own_mean(rest: np.ndarray, own: np.ndarray) -> np.ndarray:
     own = own.reshape(len(own), -1)
     counts = np.count_nonzero(own, axis=1)
     sums = np.einsum("tn,tn->t", rest.reshape(own.shape), own.astype(np.float32))
-    return (sums / np.maximum(counts, 1)).astype(np.float32)[:, None, None]
+    return np.where(counts >= _FEWEST_OWN, sums / np.maximum(counts, 1), 0).astype(np.float32)[:, None, None]
 
 
 def smooth_border(labels: np.ndarray) -> np.ndarray:
