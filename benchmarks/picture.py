@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from seam_inspector.plugin.imagery.wavelets import luminance
-from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 
 from .scenes import brighton_scenes, feather
 
@@ -28,7 +28,7 @@ def main() -> int:
     mosaic = feather(scene.labels, [clip.bands for clip in scene.sources], SIGMA_PX)
     planes = [luminance(bands) for bands in (mosaic, *(clip.bands for clip in scene.sources))]
     fine = [high_pass(plane) for plane in planes]
-    found = follow(lambda start, stop: [plane[start:stop] for plane in fine], planes[0].shape, len(scene.sources))
+    found = follow_planes(fine)
     grey = np.repeat(planes[0][..., np.newaxis] / 255, 3, axis=2)
     followed = 0.45 * grey + 0.55 * np.array(COLOURS)[found.labels % len(COLOURS)]
     mixed = np.where(found.clear[..., np.newaxis], grey, 0.35 * grey + 0.65 * np.array([0.80, 0.10, 0.15]))

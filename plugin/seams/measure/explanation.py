@@ -18,7 +18,7 @@ from .compared_image import Change, MeasuredClip, gains_of_colours, measure_chan
 from .feather_prediction import expected_ratios, feathers
 from .following.boxes import enlarged, near_border
 from .following.hard_cut import HardCut, cut_hard, follows_at
-from .following.levelling import left_by_curve, left_over
+from .following.levelling import left_over
 from .following.source_filters import filter_power
 from .limits import SHARPNESS_TOLERANCE
 from .profile.cell_table import CELL_PX
@@ -112,7 +112,8 @@ def explain(
     ``seam_cells.UNKNOWN``.
     """
     cut = cut_hard(mosaic, sources, levels, labels)
-    image, images, following = cut.mosaic, cut.sources, cut.following
+    image, images, ground = cut.mosaic, cut.sources, cut.ground
+    following = ground.following
     judged = next(iter(image.coarse))
     shifts = [_shift_on_pixels(cut, i) for i in range(len(images))]
     placed = [
@@ -123,16 +124,16 @@ def explain(
     is_level = cut.composite.levelled is cut.composite.bands
     plain = curves if is_level else measure_bands(cut.composite.bands, image.names, wavelet, levels)[0]
     against_composite = _composite_changes(cut, plain, placed, levels)
-    detail = cut.around.detail(wavelet, levels, cut.inside)
+    detail = ground.detail(wavelet, levels)
     profile, unit = detail.profile, grey_unit(image.raster, image.coarse[judged])
-    finest = detail.finest[(..., *(slice(part.start // 2, part.stop // 2) for part in cut.inside))]
+    finest = detail.finest[(..., *(slice(part.start // 2, part.stop // 2) for part in ground.inside))]
     own, of_sources = (np.einsum("dij,dij->ij", one, one) for one in (finest[:, 0], finest[:, -1]))
-    total, known = max(float(of_sources.sum(dtype=np.float64)), 1e-9), cut.labels[::2, ::2] != UNKNOWN
+    total, known = max(float(of_sources.sum(dtype=np.float64)), 1e-9), ground.labels[::2, ::2] != UNKNOWN
     explained = float(of_sources[known].sum(dtype=np.float64))
     sharpness = float(np.sqrt(own[known].sum(dtype=np.float64) / explained)) if explained > 0 else None
     lost = max(1 - (1.0 if sharpness is None else sharpness) ** 2, 0.0)
     evidence = CauseEvidence(
-        missing=1 - cut.explained,
+        missing=1 - ground.explained,
         profile=profile,
         lost=lost if profile is None else min(profile.lost / total, 1.0),
         mixed=following.mixed_share,
@@ -163,8 +164,8 @@ def explain(
         causes=causes,
         evidence=evidence,
         profile=profile,
-        has_seam=detail.has_seam or len(present(cut.labels)) > 1,  # be it under ground that no source explains
-        explained=cut.explained,
+        has_seam=detail.has_seam or len(present(ground.labels)) > 1,  # be it under ground that no source explains
+        explained=ground.explained,
         contrast=None if factor is None or contrast is None else factor * contrast,
         sharpness=sharpness,
         added=1 - mc**2 / (mm * cc) if mm > 0 and cc > 0 else None,
@@ -177,10 +178,10 @@ def explain(
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         shares=following.shares,
-        visibility=window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster),
-        loss=loss_picture(detail, cut.around.expected.labels, cut.inside),
+        visibility=window_visibility(profile, detail.judged, image.plane, ground.inside, image.raster),
+        loss=loss_picture(detail, ground.expected.labels, ground.inside),
     )
-    if cut.is_unclear:  # the sources say too little of the mosaic
+    if ground.is_unclear:  # the sources say too little of the mosaic
         return replace(
             explanation, causes=(Cause.UNCLEAR,), profile=None, explained=0.0, sharpness=None, added=None,
             visibility=None, loss=None,
@@ -190,7 +191,7 @@ def explain(
 
 def _shift_on_pixels(cut: HardCut, source: int) -> Shift | None:
     """How the mosaic lies on the pixels of a source, where it follows that."""
-    other, following = cut.sources[source], cut.following
+    other, following = cut.sources[source], cut.ground.following
     where = following.labels == source if source in following.followed else other.valid
     return find_shift(cut.mosaic.spectra, other.spectra, where)
 
@@ -212,19 +213,20 @@ def _clipped_energy(bands: np.ndarray, gone: np.ndarray) -> float:
 def _texture(finest: np.ndarray, cut: HardCut, unmixed: np.ndarray, unit: float) -> Texture | None:
     """Where one source is followed for sure; where that is too little, where one is followed at all. ``unmixed``: cells
     beyond what seams mix."""
-    rows, columns = cut.labels.shape
-    large = enlarged(unmixed, CELL_PX)[:rows, :columns]
-    labels = np.full(cut.labels.shape, UNKNOWN, np.uint8)
-    np.copyto(labels[: large.shape[0], : large.shape[1]], cut.labels[: large.shape[0], : large.shape[1]], where=large)
-    sure = np.where(cut.following.clear, labels, np.uint8(UNKNOWN))
-    planes = cut.mosaic.plane, cut.around.expected.unfiltered[cut.inside]
+    followed = cut.ground.labels
+    large = enlarged(unmixed, CELL_PX)[: followed.shape[0], : followed.shape[1]]
+    rows, columns = large.shape
+    labels = np.full(followed.shape, UNKNOWN, np.uint8)
+    np.copyto(labels[:rows, :columns], followed[:rows, :columns], where=large)
+    sure = np.where(cut.ground.following.clear, labels, np.uint8(UNKNOWN))
+    planes = cut.mosaic.plane, cut.ground.expected.unfiltered[cut.ground.inside]
     found = (measure_texture(finest, one, *planes, unit) for one in (sure, labels))
     return next((one for one in found if one is not None), None)
 
 
 def _source_tones(cut: HardCut, judged: str, unit: float) -> tuple[SourceTone, ...]:
     """Tones of the sources that are followed."""
-    followed = [i for i in cut.following.followed if cut.following.shares[i] >= MIN_TONE_SHARE]
+    followed = [i for i in cut.ground.following.followed if cut.ground.following.shares[i] >= MIN_TONE_SHARE]
     known = [(i, tone) for i in followed if (tone := cut.tones[i][judged]) is not None]
     middle = float(np.mean([cut.sources[i].coarse[judged].mean() for i, _ in known])) if known else 0.0
     tones = [(cut.sources[i].raster, tone, gains_of_colours(cut.tones[i])) for i, tone in known]
@@ -237,21 +239,23 @@ def _unevenness(cut: HardCut, levels: int) -> float:
     The smallest over the bands, since colours that were corrected one by one move the luminance from place to place;
     of the source with most pixels.
     """
-    if not cut.following.followed:
+    if not cut.ground.following.followed:
         return 0.0
-    main, image = cut.following.followed[0], cut.mosaic
-    where = follows_at(cut.following, main, levels)
+    main, image = cut.ground.following.followed[0], cut.mosaic
+    where = follows_at(cut.ground.following, main, levels)
     bands = [(image.coarse[name], cut.sources[main].coarse[name]) for name in image.names[:3]]
-    if all(left_by_curve(*band, where) <= MIN_UNEVEN_RANGE * float(np.ptp(band[0])) + 0.5 for band in bands):
+    left = [left_over(*band, where) for band in bands]
+    least = [MIN_UNEVEN_RANGE * float(np.ptp(own)) + 0.5 for own, _ in bands]
+    if all(curve <= most for (curve, _), most in zip(left, least)):
         return 0.0
-    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in (left_over(*band, where) for band in bands))
+    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in left)
 
 
 def _composite_changes(
     cut: HardCut, curves: Mapping[str, Curve], placed: Sequence[Shift], levels: int
 ) -> dict[str, Change]:
     """Against the sources' pixels as they are; tones from where one source is followed, if there is enough of that."""
-    image, following = cut.mosaic, cut.following
+    image, following = cut.mosaic, cut.ground.following
     reference = image.with_bands(cut.composite.bands, curves, levels)
     unmixed = whole_squares(following.clear & (following.labels != UNKNOWN), levels)
     where = unmixed if unmixed.sum() >= MIN_UNMIXED_SQUARES else np.ones_like(unmixed)
@@ -263,23 +267,23 @@ def _composite_changes(
 
 def _filter_power(cut: HardCut) -> float | None:
     """Power of the filter that came over the sources that are followed."""
-    source_of, taps = cut.around.followed.source_of, cut.around.expected.filters.taps
+    source_of, taps = cut.ground.followed.source_of, cut.ground.expected.filters.taps
     return filter_power(
         taps[plane] for plane, source in enumerate(source_of)
-        if plane in taps and cut.following.shares[source] >= MIN_PLACED_SHARE
+        if plane in taps and cut.ground.following.shares[source] >= MIN_PLACED_SHARE
     )
 
 
 def _misfit(cut: HardCut, shifts: Sequence[Shift | None], wavelet: str) -> Misfit | None:
     """Misfit of the two sources that the mosaic follows most, as they are placed in it."""
-    pair, shown = cut.following.followed[:2], cut.around.expected.shown
+    pair, shown = cut.ground.following.followed[:2], cut.ground.expected.shown
     if len(pair) < 2 or any(i not in shown for i in pair):
         return None
     first, second = (shifts[i] for i in pair)
     between = find_shift(*(cut.sources[i].spectra for i in pair))
     if first is None or second is None or between is None:
         return None
-    labels = cut.around.expected.labels[::2, ::2]
+    labels = cut.ground.expected.labels[::2, ::2]
     labels = np.where(is_one_of(labels, pair), labels, np.uint8(UNKNOWN))
     seam = near_border(labels, _ABOUT_PX // 2) & (labels != UNKNOWN)
     return misfit_of(placed_misfit(between, first, second), shown[pair[0]], shown[pair[1]], seam, wavelet)

@@ -13,7 +13,7 @@ from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_pool import ReadEach
 from ...imagery.wavelets import Curve, clip_curves, judged_plane
 from .compared_image import ComparedImage, MeasuredClip
-from .following.hard_cut import is_unclear, judged_ground
+from .following.hard_cut import judged_ground
 from .profile.seam_profile import SeamProfile
 from .verdicts import judge
 from .while_measuring import measuring
@@ -80,11 +80,9 @@ def live_profile(pixels: LivePixels) -> SeamProfile | None:
         return None
     image, *images = pixels.images
     settings = pixels.request.settings
-    ground = judged_ground(image, images, known_labels(pixels.request, pixels.judged))
     inside = place_in(window, pixels.request.around)
-    if is_unclear(ground.followed.following, ground.expected.labels[inside]):
-        return None
-    return ground.detail(settings.wavelet, settings.levels, inside).profile
+    ground = judged_ground(image, images, known_labels(pixels.request, pixels.judged), inside)
+    return None if ground.is_unclear else ground.detail(settings.wavelet, settings.levels).profile
 
 
 _Read = tuple[Clip, ComparedImage, "Curve | None"]

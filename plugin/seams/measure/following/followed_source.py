@@ -10,7 +10,7 @@ the mosaic's m and the sources' s, arrays of one shape.
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -80,16 +80,12 @@ def weights_of_two(
 
 MIN_FOLLOWED_SHARE = 0.005  # of a window's pixels: sources that win fewer do not count
 MIN_EXPLAINED = 0.5  # of the mosaic's fine detail within 36 px; a source 2 px off explains 0.1, a blur of 1.2 px 0.6
-MIN_UNMIXED_SHARE = 0.05  # of the pixels: fine contrast of less is not taken for that of the window
-
-Planes = Callable[[int, int], Sequence[np.ndarray]]
 
 CELL_PX = 4
 NEAR_CELLS, WIDE_CELLS = 3, 9
 """A side of what is looked at together: 12 px, in which a mixture's weights are even, and 36 px where those do not
 decide."""
 _MIXED = 2  # cells a side in which the weights of a mixture are taken as constant: 8 px, less than a feather's width
-_STRIP, _MARGIN = 1024, 32  # rows worked on at a time, and how far their neighbours matter
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,16 +98,17 @@ class FollowedSource:
     """(rows, columns) bool: where one source wins clearly."""
     mixed: np.ndarray
     """(rows, columns) bool: where it is a mixture of two sources."""
-    mixed_share: float
-    """Share of the pixels where the mosaic is a mixture of two sources."""
     shares: tuple[float, ...]
     """Share of the pixels that follow each source."""
     fit: float
     """Share of the mosaic's fine detail that its sources explain, 0 to 1, the mean over the window."""
-    kept: float | None
-    """Fine contrast of the mosaic as a multiple of its sources', outside the mixtures; None if that is hardly any."""
     unexplained: np.ndarray
     """(rows, columns) bool: where the sources explain less than half of the mosaic's fine detail."""
+
+    @property
+    def mixed_share(self) -> float:
+        """Share of the pixels where the mosaic is a mixture of two sources."""
+        return float(self.mixed.mean())
 
     @property
     def unclear_share(self) -> float:
@@ -134,10 +131,8 @@ class FollowedSource:
         mixed = self.mixed & (along_borders | ~is_known)
         labels = np.where(is_known, known, self.labels)
         counts = np.bincount(labels.ravel(), minlength=len(self.shares))[: len(self.shares)]
-        return replace(
-            self, labels=labels, clear=np.where(is_known, ~mixed, self.clear), mixed=mixed,
-            mixed_share=float(mixed.mean()), shares=tuple((counts / labels.size).tolist()),
-        )
+        clear = np.where(is_known, ~mixed, self.clear)
+        return replace(self, labels=labels, clear=clear, mixed=mixed, shares=tuple((counts / labels.size).tolist()))
 
 
 HIGH_PASS_PX = 3
@@ -147,51 +142,22 @@ HIGH_PASS_PX = 3
 def high_pass(band: np.ndarray) -> np.ndarray:
     """A band (rows, columns) less its smoothed self, in float32: what is finer than a Gaussian of about 2 px."""
     fine = np.empty(band.shape, np.float32)
-    for rows, around, inner in _strips(len(band), PIECE_PX, HIGH_PASS_PX):
-        smooth = part = band[around].astype(np.float32, copy=False)
+    for start in range(0, len(band), PIECE_PX):
+        rows, first = slice(start, start + PIECE_PX), max(start - HIGH_PASS_PX, 0)
+        smooth = part = band[first : rows.stop + HIGH_PASS_PX].astype(np.float32, copy=False)
         for spacing in (1, 2):  # binomials with holes: variance 1/2 and 2 px squared along each axis
             for axis in (0, 1):
                 smooth = _binomial(smooth, spacing, axis)
+        inner = slice(start - first, start - first + PIECE_PX)
         np.multiply(smooth[inner], np.float32(-1 / 256), out=fine[rows])
         fine[rows] += part[inner]
     return fine
 
 
-def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
-    """Which of ``count`` sources the mosaic follows in a window of ``shape`` (rows, columns).
-
-    ``fine`` gives some rows, from start to stop, of the mosaic's and of every source's fine detail (``high_pass``),
-    each (stop - start, columns), on one grid: the window is worked on in strips, so that memory does not grow with it.
-    """
-    strips = []
-    for _, around, inner in _strips(shape[0], _STRIP, _MARGIN):
-        mosaic, *sources = fine(around.start, around.stop)
-        cells = slice(inner.start // CELL_PX, -(-inner.stop // CELL_PX))
-        strips.append([part[cells] for part in _follow_cells(mosaic, sources)])
-    winner, clear, mixed, fit, own, of_winner = (np.concatenate(parts) for parts in zip(*strips))
-    textured = own > LEAST_ENERGY * CELL_PX**2
-    outside = ~mixed & textured
-    total = of_winner[outside].sum() if outside.mean() >= MIN_UNMIXED_SHARE else 0.0
-    return FollowedSource(
-        enlarged(winner, CELL_PX, shape),
-        enlarged(clear, CELL_PX, shape),
-        enlarged(mixed, CELL_PX, shape),
-        float(mixed.mean()),
-        tuple((np.bincount(winner.ravel(), minlength=count) / winner.size).tolist()),
-        float(fit[textured].mean()) if textured.any() else 0.0,
-        float(np.sqrt(own[outside].sum() / total)) if total > 0 else None,
-        enlarged(_around(np.where(textured, fit, 1))[1] < MIN_EXPLAINED, CELL_PX, shape),
-    )
-
-
 def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
-    """Which source the mosaic follows, of planes that are held, the mosaic's first."""
-    rows, columns = fine[0].shape
-    return follow(lambda start, stop: [plane[start:stop] for plane in fine], (rows, columns), len(fine) - 1)
-
-
-def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
-    """Winner by cells, whether it is clear, mixture, fit, energy of the mosaic and of the winner."""
+    """Which source a mosaic follows; ``fine``: its fine detail (``high_pass``), then that of the sources, each (rows,
+    columns), on one grid."""
+    mosaic, *sources = fine
     own = square_sums(mosaic, mosaic, CELL_PX)
     energies = [square_sums(source, source, CELL_PX) for source in sources]
     shared = [square_sums(mosaic, source, CELL_PX) for source in sources]
@@ -201,19 +167,19 @@ def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np
         winner = np.where(lead < MIN_WINNER_LEAD, highest(wide)[0], winner)  # else a wider neighbourhood decides
         winner = _without_specks(winner, len(sources))
     mixed, explained = _mixtures(sources, own, energies, shared, winner)
-    best = _of_winner(near, winner)
+    best = np.take_along_axis(np.stack(near), winner[np.newaxis], axis=0)[0]
     textured = own > LEAST_ENERGY * CELL_PX**2
     clear = ~mixed & (is_sure(best, lead) | ~textured)
     fit = np.maximum(explained, np.maximum(best, 0) ** 2)
-    return winner.astype(np.uint8), clear, mixed, fit, own, _of_winner(energies, winner)
-
-
-def _strips(rows: int, most: int, margin: int) -> Iterator[tuple[slice, slice, slice]]:
-    """Strips of up to ``most`` rows: their own rows, those with the neighbours that matter, and the own among these."""
-    for start in range(0, rows, most):
-        stop = min(start + most, rows)
-        first = max(start - margin, 0)
-        yield slice(start, stop), slice(first, min(stop + margin, rows)), slice(start - first, stop - first)
+    unexplained = _around(np.where(textured, fit, 1))[1] < MIN_EXPLAINED
+    return FollowedSource(
+        enlarged(winner.astype(np.uint8), CELL_PX, mosaic.shape),
+        enlarged(clear, CELL_PX, mosaic.shape),
+        enlarged(mixed, CELL_PX, mosaic.shape),
+        tuple((np.bincount(winner.ravel(), minlength=len(sources)) / winner.size).tolist()),
+        float(fit[textured].mean()) if textured.any() else 0.0,
+        enlarged(unexplained, CELL_PX, mosaic.shape),
+    )
 
 
 def _binomial(band: np.ndarray, spacing: int, axis: int) -> np.ndarray:
@@ -244,13 +210,6 @@ def _correlations(
 def _around(products: np.ndarray) -> list[np.ndarray]:
     """Means over the near and the wide squares of cells."""
     return box_means(products, (NEAR_CELLS, WIDE_CELLS), mirrored=True)
-
-
-def _of_winner(values: Sequence[np.ndarray], winner: np.ndarray) -> np.ndarray:
-    chosen = values[0].copy()
-    for number, other in enumerate(values[1:], 1):
-        np.copyto(chosen, other, where=winner == number)
-    return chosen
 
 
 def _without_specks(winner: np.ndarray, count: int) -> np.ndarray:

@@ -6,22 +6,23 @@ loss. The cut, each pixel from the source that the mosaic follows, holds the sam
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from ..compared_image import ComparedImage, MeasuredClip, judged_planes, on_common_bands
 from ..profile.window_detail import LossPicture, WindowDetail, loss_picture, window_detail
-from ..seam_cells import UNKNOWN
+from ..seam_cells import UNKNOWN, present
 from ..tone import Tone, whole_squares
 from .boxes import near_border
 from .expected_mosaic import ExpectedMosaic, expected_mosaic
 from .followed_source import FollowedSource
 from .likely_source import MIN_FIT
 from .placed_sources import PlacedSources, follow_sources
-from .source_filters import LEAST_MOVED_PX
+from .source_filters import cut_of
 
-LEAST_GAIN_CHANGE, LEAST_BIAS = 1e-6, 1e-2
+LEAST_CHANGE = 0.1  # of a grey value of 16 bit: tones that change no more leave it as it was
 _EASED_PX = 48  # beside a seam
 _FEWEST_FAR = 64  # squares
 
@@ -53,47 +54,17 @@ def make_composite(
     so that nothing is gained or lost there.
     """
     dtype = np.result_type(*(bands.dtype for bands in sources))
-    counts = [int(np.count_nonzero(labels == i)) for i in range(len(sources))]
-    first, *others = sorted((i for i, count in enumerate(counts) if count), key=lambda i: -counts[i]) or [0]
-    plain = sources[first].astype(dtype, copy=True)
-    is_level = all(_is_as_it_was(tones[i].get(name)) for i in (first, *others) for name in names)
-    levelled = plain if is_level else np.empty(plain.shape, np.float32)
-    for band, name in enumerate(names if not is_level else ()):
-        _in_tone(sources[first][band], tones[first].get(name), out=levelled[band])
-    for i in others:
-        chosen, place = _cropped(labels == i)
-        for band, name in enumerate(names):
-            if not is_level:
-                np.copyto(levelled[band][place], _in_tone(sources[i][band][place], tones[i].get(name)), where=chosen)
-            np.copyto(plain[band][place], sources[i][band][place], where=chosen)
-    unknown = labels >= len(sources)
-    if unknown.any():
-        for band, name in enumerate(names):
-            tone = tones[first].get(name) or Tone(1.0, 0.0)
-            if not is_level:
-                np.copyto(levelled[band], mosaic[band], where=unknown)
-            alike = (mosaic[band] - np.float32(tone.bias)) / np.float32(tone.gain or 1.0)
-            np.copyto(plain[band], as_type(alike, dtype), where=unknown)
-    return Composite(names, plain, levelled)
-
-
-def _is_as_it_was(tone: Tone | None) -> bool:
-    """Whether a tone changes no grey value of 16 bit by a tenth."""
-    return tone is None or (abs(tone.gain - 1) < LEAST_GAIN_CHANGE and abs(tone.bias) < LEAST_BIAS)
-
-
-def _in_tone(values: np.ndarray, tone: Tone | None, out: np.ndarray | None = None) -> np.ndarray:
-    gain, bias = (tone.gain, tone.bias) if tone else (1.0, 0.0)
-    toned = np.multiply(values, np.float32(gain), out=out)
-    toned += np.float32(bias)
-    return toned
-
-
-def _cropped(mask: np.ndarray) -> tuple[np.ndarray, tuple[slice, slice]]:
-    """The rows and columns in which a mask is set at all."""
-    rows, columns = (np.flatnonzero(mask.any(axis=axis)) for axis in (1, 0))
-    place = slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1)
-    return mask[place], place
+    followed = sorted(present(labels), key=lambda i: -np.count_nonzero(labels == i)) or [0]
+    toned = {i: [tones[i].get(name) or Tone(1.0, 0.0) for name in names] for i in followed}
+    gains = {i: np.array([[[tone.gain]] for tone in of], np.float32) for i, of in toned.items()}
+    biases = {i: np.array([[[tone.bias]] for tone in of], np.float32) for i, of in toned.items()}
+    main = followed[0]
+    in_its_tone = (mosaic - biases[main]) / np.where(gains[main] == 0, 1, gains[main])
+    plain = cut_of(as_type(in_its_tone, dtype), {i: sources[i].astype(dtype) for i in followed}, labels)
+    if all(abs(tone.gain - 1) * 2**16 + abs(tone.bias) < LEAST_CHANGE for of in toned.values() for tone in of):
+        return Composite(names, plain, plain)
+    shown = {i: np.asarray(gains[i] * sources[i] + biases[i], np.float32) for i in followed}
+    return Composite(names, plain, cut_of(mosaic, shown, labels))
 
 
 def as_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:
@@ -117,83 +88,70 @@ MIN_EXPLAINED_SHARE = 0.05  # of the pixels: with less there is nothing to compa
 
 
 @dataclass(frozen=True, eq=False)
+class JudgedGround:
+    """The judged band of a window and of the ground that was read around it."""
+
+    followed: PlacedSources
+    expected: ExpectedMosaic
+    """What the mosaic would look like; its labels are those of the sources."""
+    inside: tuple[slice, slice]
+    """Rows and columns of the window."""
+
+    @property
+    def labels(self) -> np.ndarray:
+        """(rows, columns) uint8: the source of every pixel of the window, ``UNKNOWN`` where none explains it."""
+        return self.expected.labels[self.inside]
+
+    @property
+    def explained(self) -> float:
+        """Share of the window's pixels whose fine detail the sources explain."""
+        return float((self.labels != UNKNOWN).mean())
+
+    @property
+    def is_unclear(self) -> bool:
+        """Whether the sources say too little of the mosaic for the cut to mean anything."""
+        return self.followed.following.fit < MIN_FIT or self.explained < MIN_EXPLAINED_SHARE
+
+    @cached_property
+    def following(self) -> FollowedSource:
+        """The first estimate of the window alone, with better labels; where nothing at all is explained, with its
+        own."""
+        first = self.followed.following
+        is_explained = (self.expected.labels != UNKNOWN).any()
+        by_plane = np.array(self.followed.source_of, np.uint8)
+        labels = self.labels if is_explained else by_plane[first.labels[self.inside]]
+        shares = tuple(float((labels == i).mean()) for i in range(len(self.followed.images)))
+        clear, mixed, unexplained = (one[self.inside] for one in (first.clear, first.mixed, first.unexplained))
+        return FollowedSource(labels, clear, mixed, shares, first.fit, unexplained)
+
+    def detail(self, wavelet: str, levels: int) -> WindowDetail:
+        """What the mosaic has of its sources' detail."""
+        valid = {i: one.valid for i, one in enumerate(self.followed.images) if one.valid is not None}
+        return window_detail(self.followed.mosaic.plane, self.expected, valid, wavelet, levels, self.inside)
+
+
+def judged_ground(
+    image: ComparedImage, images: Sequence[ComparedImage], known: np.ndarray | None,
+    inside: tuple[slice, slice] | None = None,
+) -> JudgedGround:
+    """Follow the mosaic through its sources. ``known``: as for ``cut_hard``, of all that was read; ``inside``: rows and
+    columns of the window, all where None."""
+    followed = follow_sources(image, images).with_known(known)
+    rows, columns = image.plane.shape
+    return JudgedGround(followed, expected_mosaic(followed), inside or (slice(0, rows), slice(0, columns)))
+
+
+@dataclass(frozen=True, eq=False)
 class HardCut:
     """A window of the mosaic and its sources on their common bands, and which of them every pixel follows."""
 
     mosaic: ComparedImage
     sources: tuple[ComparedImage, ...]
-    following: FollowedSource
     tones: tuple[dict[str, Tone | None], ...]
     """What became of each source's grey values in the mosaic, by band."""
     composite: Composite
-    around: JudgedGround
+    ground: JudgedGround
     """The judged band, with the ground that was read around the window."""
-    inside: tuple[slice, slice]
-    """Rows and columns of the window in that."""
-
-    @property
-    def labels(self) -> np.ndarray:
-        """(rows, columns) uint8: the source of every pixel of the window, ``UNKNOWN`` where none explains it."""
-        return self.around.expected.labels[self.inside]
-
-    @property
-    def explained(self) -> float:
-        """Share of the window's pixels whose fine detail the sources explain."""
-        return _explained(self.labels)
-
-    @property
-    def is_unclear(self) -> bool:
-        """Whether the sources say too little of the mosaic for the cut to mean anything."""
-        return is_unclear(self.following, self.labels)
-
-
-@dataclass(frozen=True, eq=False)
-class JudgedGround:
-    """The judged band of a window and of the ground around it."""
-
-    mosaic: ComparedImage
-    sources: tuple[ComparedImage, ...]
-    followed: PlacedSources
-    expected: ExpectedMosaic
-    """What the mosaic would look like; its labels are those of the sources."""
-    labels: np.ndarray
-    """(rows, columns) uint8: the source of every pixel for a composite, which has one everywhere."""
-
-    def detail(self, wavelet: str, levels: int, inside: tuple[slice, slice]) -> WindowDetail:
-        """What the mosaic has of its sources' detail; ``inside``: rows and columns that are judged."""
-        valid = {i: one.valid for i, one in enumerate(self.sources) if one.valid is not None}
-        return window_detail(self.mosaic.plane, self.expected, valid, wavelet, levels, inside)
-
-
-def judged_ground(
-    image: ComparedImage, images: Sequence[ComparedImage], known: np.ndarray | None
-) -> JudgedGround:
-    """Follow the mosaic through its sources. ``known``: as for ``cut_hard``, of all that was read."""
-    followed = follow_sources(image, images)
-    if known is not None:
-        known = _of_planes(known, followed.source_of)
-        followed = replace(followed, following=followed.following.with_known(known))
-    valid = {i: mask for i, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
-    following = followed.following
-    if image.valid is not None:  # what fills the mosaic where it has no pixels must tell nothing of tones and filters
-        following = replace(following, clear=following.clear & image.valid)
-    given = [images[of].plane for of in followed.source_of]
-    is_moved = any(one is not plane for one, plane in zip(given, followed.planes))
-    interpolated = {
-        i for i, of in enumerate(followed.source_of)
-        if i in followed.moves or np.hypot(*images[of].offset) >= LEAST_MOVED_PX
-    }
-    expected = expected_mosaic(
-        image.plane, followed.planes, followed.fine, following, valid, known, given=given if is_moved else None,
-        interpolated=interpolated,
-    )
-    expected = expected.of_sources(followed.source_of)
-    labels = expected.labels
-    if image.valid is not None:
-        labels[~image.valid] = UNKNOWN
-    if (labels == UNKNOWN).all():
-        labels = np.array(followed.source_of, np.uint8)[followed.following.labels]
-    return JudgedGround(image, tuple(images), followed, expected, labels)
 
 
 def cut_hard(
@@ -204,17 +162,13 @@ def cut_hard(
     ``labels``, (rows, columns) uint8 of all that was read, says which source each pixel was taken from where that is
     known, else ``seam_cells.UNKNOWN``.
     """
-    own, *others = judged_planes((mosaic, *sources))
-    around = judged_ground(own, others, labels)
-    rows, columns = own.plane.shape
-    inside = mosaic.inside or (slice(0, rows), slice(0, columns))
-    planes = [one.plane[inside] for one in (own, *others)]
+    ground = _ground_of(mosaic, sources, labels)
+    planes = [one.plane[ground.inside] for one in (ground.followed.mosaic, *ground.followed.images)]
     image, *images = on_common_bands((mosaic, *sources), planes, levels)
-    following = _within(around, inside)
-    cut_labels = around.labels[inside]
-    tones = [image.tones_of(other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
-    composite = make_composite(image.bands, [other.bands for other in images], image.names, cut_labels, tones)
-    return HardCut(image, tuple(images), following, tuple(tones), composite, around, inside)
+    tones = [image.tones_of(other, _where_followed(ground.following, i, levels)) for i, other in enumerate(images)]
+    bands = [other.bands for other in images]
+    composite = make_composite(image.bands, bands, image.names, ground.following.labels, tones)
+    return HardCut(image, tuple(images), tuple(tones), composite, ground)
 
 
 def window_loss(
@@ -224,41 +178,15 @@ def window_loss(
 
     ``labels``: as for ``cut_hard``.
     """
-    own, *others = judged_planes((mosaic, *sources))
-    around = judged_ground(own, others, labels)
-    rows, columns = own.plane.shape
-    inside = mosaic.inside or (slice(0, rows), slice(0, columns))
-    if is_unclear(_within(around, inside), around.expected.labels[inside]):
+    ground = _ground_of(mosaic, sources, labels)
+    if ground.is_unclear:
         return None
-    return loss_picture(around.detail(wavelet, levels, inside), around.expected.labels, inside)
+    return loss_picture(ground.detail(wavelet, levels), ground.expected.labels, ground.inside)
 
 
-def is_unclear(following: FollowedSource, labels: np.ndarray) -> bool:
-    """Whether the sources say too little of the mosaic; ``labels`` are those of the expected one."""
-    return following.fit < MIN_FIT or _explained(labels) < MIN_EXPLAINED_SHARE
-
-
-def _of_planes(labels: np.ndarray, source_of: Sequence[int]) -> np.ndarray:
-    """Labels of sources as those of the first planes that are of them."""
-    numbers = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
-    numbers[list(source_of[::-1])] = np.arange(len(source_of), dtype=np.uint8)[::-1]
-    return numbers[labels]
-
-
-def _explained(labels: np.ndarray) -> float:
-    """Share of the pixels with a label."""
-    return int(np.count_nonzero(labels != UNKNOWN)) / labels.size
-
-
-def _within(around: JudgedGround, inside: tuple[slice, slice]) -> FollowedSource:
-    """The first estimate with better labels, of the window alone."""
-    first, labels = around.followed.following, around.labels[inside]
-    shares = tuple(int(np.count_nonzero(labels == i)) / labels.size for i in range(len(around.sources)))
-    mixed = first.mixed[inside]
-    return replace(
-        first, labels=labels, shares=shares, clear=first.clear[inside], mixed=mixed, mixed_share=float(mixed.mean()),
-        unexplained=first.unexplained[inside],
-    )
+def _ground_of(mosaic: MeasuredClip, sources: Sequence[MeasuredClip], labels: np.ndarray | None) -> JudgedGround:
+    image, *images = judged_planes((mosaic, *sources))
+    return judged_ground(image, images, labels, mosaic.inside)
 
 
 def _where_followed(following: FollowedSource, source: int, levels: int) -> np.ndarray:

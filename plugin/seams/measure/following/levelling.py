@@ -6,14 +6,12 @@ whose step of tone stays as it is.
 """
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from scipy import ndimage
 
-from ....imagery.filters import multiply
 from ..tone import coarse_means, tukey_weights
 from .boxes import enlarged
 
@@ -24,14 +22,11 @@ SQUARE_PX = 2**LEVELS
 _MIN_OWN = 0.9  # of a square's pixels that follow the source
 _FEWEST_SQUARES = 24
 _FEWEST_FOR_TREND = 150
-_MOST_SQUARES = 8000  # of those that tell a gain, evenly spread: more tell no other one
 _NEAR_SQUARES = 5  # a side: what is wider than that is background
 _SMOOTH_SQUARES = 2.0  # sigma of the bias
 _EVEN = 0.01  # of the standard deviation of what squares differ by from those around
-_MOST_CHANGE = 3.0  # of the gain within a window
 _RIDGE = 0.01  # so that ground which says nothing of a term leaves it out
 _ROUNDS = 3
-_AT_A_TIME = 8  # squares that pixels are interpolated between at a time: few of them matter to each
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,26 +40,30 @@ class Levelled:
 
 
 def levelled(
-    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray, patch: int = 0,
-    gain: np.ndarray | None = None,
+    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray, patch: int = 0
 ) -> Levelled:
     """A source's plane in the mosaic's grey values; (rows, columns), float32 and bool.
 
     ``mosaic_means``: of the mosaic's squares of 8 px. ``own``: pixels that follow the source, ``clear``: pixels that
-    follow one source for sure. ``patch``: see ``gain_field``. ``gain``: (rows, columns), where that is known.
+    follow one source for sure. ``patch``: see ``gain_field``.
     """
-    share = square_means(own)
-    reference = square_means(source)
-    if gain is None:
-        where = square_means(own & clear) > _MIN_OWN
-        if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
-            where = share > _MIN_OWN
-        gains = gain_field(mosaic_means, reference, where, patch)
-        gain = to_pixels(gains, source.shape)
-    else:
-        gains = square_means(gain)
+    where = square_means(own & clear) > _MIN_OWN
+    if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
+        where = square_means(own) > _MIN_OWN
+    gains = gain_field(mosaic_means, square_means(source), where, patch)
+    return _with_bias(mosaic_means, source, own, gains, to_pixels(gains, source.shape))
+
+
+def levelled_by(mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, gain: np.ndarray) -> Levelled:
+    """A source's plane in the mosaic's grey values where its ``gain``, (rows, columns), is known."""
+    return _with_bias(mosaic_means, source, own, square_means(gain), gain)
+
+
+def _with_bias(
+    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, gains: np.ndarray, gain: np.ndarray
+) -> Levelled:
     # A square that two sources share tells neither's tone.
-    bias = _spread_out(mosaic_means - gains * reference, share)
+    bias = _spread_out(mosaic_means - gains * square_means(source), square_means(own))
     plane = to_pixels(bias, source.shape)
     plane += gain * source
     return Levelled(plane, gain)
@@ -86,11 +85,8 @@ def evened_gains(
     squares = square_means(where) > _MIN_OWN
     if np.count_nonzero(squares) < _FEWEST_SQUARES:
         return list(gains)
-    weight = _near_means(squares.astype(np.float32), 0) + 1e-6
-    contrasts = []
-    for plane, gain in zip(planes, gains):
-        means = square_means(np.asarray(gain * plane, np.float32))
-        contrasts.append(float((means - _near_means(np.where(squares, means, 0), 0) / weight)[squares].std()))
+    means = [square_means(np.asarray(gain * plane, np.float32)) for plane, gain in zip(planes, gains)]
+    contrasts = [float(_off_near(one, squares)[squares].std()) for one in means]
     if min(contrasts) <= 0:
         return list(gains)
     mean = float(np.exp(np.mean(np.log(contrasts))))
@@ -103,26 +99,17 @@ def left_over(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> tupl
 
     With too few squares both are 0.
     """
-    curve = left_by_curve(mosaic, source, where)
-    if not curve:
-        return 0.0, 0.0
-    gain = gain_field(mosaic, source, where)
-    bias = mosaic - gain * source
-    local = (bias - _spread_out(bias, where.astype(np.float32)))[where]
-    return curve, _scale(local)
-
-
-def left_by_curve(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> float:
-    """Scale of what is left over after one curve of tones for all of the window, as ``left_over`` has it."""
     if np.count_nonzero(where) < _FEWEST_SQUARES:
-        return 0.0
+        return 0.0, 0.0
     x, y = source[where].astype(np.float64), mosaic[where].astype(np.float64)
-    scaled = (x - x.mean()) / max(float(x.std()), 1e-6)
-    terms = np.stack([np.ones_like(scaled), scaled, scaled**2, scaled**3], axis=1)
-    return _scale(y - terms @ np.linalg.lstsq(terms, y, rcond=None)[0])
+    terms = np.vander((x - x.mean()) / max(float(x.std()), 1e-6), 4)
+    bias = mosaic - gain_field(mosaic, source, where) * source
+    local = bias - _spread_out(bias, where.astype(np.float32))
+    return _scale(y - terms @ np.linalg.lstsq(terms, y, rcond=None)[0]), _scale(local[where])
 
 
 def _scale(rest: np.ndarray) -> float:
+    """Standard deviation of what is normal in it."""
     return 1.4826 * float(np.median(np.abs(rest)))
 
 
@@ -135,18 +122,13 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
     ones = np.ones(mosaic.shape, np.float32)
     if np.count_nonzero(where) < _FEWEST_SQUARES:
         return ones
-    weight = _near_means(where.astype(np.float32), patch) + 1e-6
     places = np.flatnonzero(where)
-    x, y = (
-        np.take(band - _near_means(np.where(where, band, 0), patch) / weight, places).astype(np.float64)
-        for band in (source, mosaic)
-    )
+    x, y = (np.take(_off_near(band, where, patch), places).astype(np.float64) for band in (source, mosaic))
     # Even ground tells nothing of a gain, and where there is much of it residuals would seem to be none.
     telling = np.abs(x) > _EVEN * x.std()
     if np.count_nonzero(telling) < _FEWEST_SQUARES:
         return ones
-    every = -(-np.count_nonzero(telling) // _MOST_SQUARES)
-    places, x, y = (one[telling][::every] for one in (places, x, y))
+    places, x, y = (values[telling] for values in (places, x, y))
     fields = _places(source, places) if len(places) >= _FEWEST_FOR_TREND else [ones]
     terms = np.stack([np.take(field, places) * x for field in fields])
     weights = np.ones(len(x))
@@ -159,9 +141,13 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
         normal += np.diag([0.0, *[_RIDGE * normal[0, 0]] * (len(fields) - 1)])
         factors = np.linalg.solve(normal, weighted @ y)
         weights = tukey_weights(y - factors @ terms)
-    gain = sum(factor * field for factor, field in zip(factors, fields))
-    middle = float(np.median(np.take(gain, places)))
-    return np.clip(gain, *sorted((middle * _MOST_CHANGE, middle / _MOST_CHANGE))).astype(np.float32)
+    return np.asarray(sum(factor * field for factor, field in zip(factors, fields)), np.float32)
+
+
+def _off_near(means: np.ndarray, where: np.ndarray, patch: int = 0) -> np.ndarray:
+    """What squares differ by from the mean of those near them, ``where`` they count, (rows, columns) bool."""
+    near, weight = (_near_means(values, patch) for values in (np.where(where, means, 0), where.astype(np.float32)))
+    return means - near / (weight + 1e-6)
 
 
 def _near_means(values: np.ndarray, patch: int) -> np.ndarray:
@@ -200,31 +186,14 @@ def _spread_out(bias: np.ndarray, share: np.ndarray) -> np.ndarray:
 
 def to_pixels(squares: np.ndarray, shape: tuple[int, ...], side: int = SQUARE_PX) -> np.ndarray:
     """Linear between the middles of the squares, (rows, columns) float32 of ``side`` px."""
-    down, across = (_interpolation(few * side, few) for few in squares.shape)
-    rows = np.empty((len(down), squares.shape[1]), np.float32)
-    for pixels, needed in _parts(len(squares), side):
-        multiply(down[pixels, needed], squares[needed], rows[pixels])
-    made = np.empty((len(down), len(across)), np.float32)
-    for pixels, needed in _parts(squares.shape[1], side):
-        multiply(rows[:, needed], across[pixels, needed].T, made[:, pixels])
-    return made[: shape[0], : shape[1]]
+    across = _between(squares.astype(np.float32, copy=False).T, side)[: shape[1]]
+    return _between(np.ascontiguousarray(across.T), side)[: shape[0]]
 
 
-def _parts(few: int, side: int) -> Iterator[tuple[slice, slice]]:
-    """Pixels that are interpolated at a time, and the squares that matter to them."""
-    for start in range(0, few, _AT_A_TIME):
-        end = start + _AT_A_TIME
-        yield slice(start * side, end * side), slice(max(start - 1, 0), end + 1)
-
-
-@lru_cache
-def _interpolation(many: int, few: int) -> np.ndarray:
-    """(many, few) float32 weights."""
-    places = np.clip((np.arange(many) + 0.5) * few / many - 0.5, 0, few - 1)
-    before = np.minimum(places.astype(np.intp), max(few - 2, 0))
-    weights = np.zeros((many, few), np.float32)
-    rows = np.arange(many)
-    weights[rows, before] = 1 - (places - before)
-    if few > 1:
-        weights[rows, before + 1] += places - before
-    return weights
+def _between(values: np.ndarray, side: int) -> np.ndarray:
+    """Linear between values along the first axis, ``side`` samples each; constant beyond the middles of the last."""
+    steps = (np.arange(side, dtype=np.float32)[:, np.newaxis] + np.float32(0.5)) / np.float32(side)
+    around = np.concatenate([values[:1], values, values[-1:]])[:, np.newaxis]
+    made = steps * (around[1:] - around[:-1])
+    made += around[:-1]
+    return made.reshape(-1, values.shape[1])[side // 2 : -(side // 2)]

@@ -7,20 +7,20 @@ fitted to one alone a filter takes the detail that the other one's share took, a
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from .boxes import enlarged, square_sums
+from .boxes import enlarged, square_shares, square_sums
+from .followed_source import weights_of_two
 from .source_filters import filtered, fit_filters
 
 BLOCK_PX = 64
 """Side of the blocks in which weights are taken as constant."""
 MIN_MIXED_WEIGHT = 0.1
 """Mean weight of the lesser image, for a window to be mixed nearly everywhere."""
-_ROUNDS = 30
-_HOPEFUL_ROUNDS = 3  # in which true mixtures may leave over six times as much as one by one
+_ROUNDS = 10
 _SETTLED = 0.002  # of the lesser image's weight
 _MIN_BLOCK = 0.5  # of a block's pixels that take part
 
@@ -31,36 +31,32 @@ class MixedGround:
 
     gain: float
     """Gain of both, beyond what they were multiplied by already."""
-    taps: tuple[np.ndarray, np.ndarray]
-    """(5, 5) each."""
+    taps: np.ndarray
+    """(2, 5, 5)"""
     mosaic: np.ndarray
     """(rows, columns) float32: the high-passed mosaic that this makes of them."""
 
 
 def mixed_ground(
-    mosaic: np.ndarray, fine: Sequence[np.ndarray], shown: Sequence[np.ndarray], where: np.ndarray,
-    is_hopeless: Callable[[np.ndarray], bool] = lambda made: False,
+    mosaic: np.ndarray, fine: Sequence[np.ndarray], shown: Sequence[np.ndarray], where: np.ndarray
 ) -> MixedGround | None:
     """The mixture of two high-passed planes ``fine`` in the mosaic's tones, (rows, columns) float32; ``where``, bool:
     the pixels that take part.
 
-    ``shown``: the same as the mosaic shows them, as far as that is known. ``is_hopeless``: asked what a later round
-    makes of them, whether more are in vain. None where they are, or there is too little.
+    ``shown``: the same as the mosaic shows them, as far as that is known. None where there is too little.
     """
-    held = square_sums(where.astype(np.float32), where.astype(np.float32), BLOCK_PX) >= _MIN_BLOCK * BLOCK_PX**2
-    masked = np.where(where, mosaic, np.float32(0))
-    gain, weights, lesser, taps = 1.0, [], 0.0, None
-    for number in range(_ROUNDS):
-        first = _first_weights(masked, [np.where(where, one, np.float32(0)) for one in shown], held)
-        if first is None:
-            return None
-        before, lesser = lesser, float(np.minimum(first[held], 1 - first[held]).mean())
+    enough = square_shares(where, BLOCK_PX) >= _MIN_BLOCK
+    gain, lesser = 1.0, 0.0
+    found: MixedGround | None = None
+    for _ in range(_ROUNDS):
+        before = lesser
+        first, lesser = _first_weights([np.where(where, one, np.float32(0)) for one in (mosaic, *shown)], enough)
         if lesser < MIN_MIXED_WEIGHT:
             return None
-        if taps is not None and abs(lesser - before) < _SETTLED:
+        if found is not None and abs(lesser - before) < _SETTLED:
             break
         pixels = enlarged(first, BLOCK_PX, mosaic.shape)
-        weights = [pixels, 1 - pixels]
+        weights = pixels, 1 - pixels
         taps = fit_filters(mosaic, [gain * weight * one for weight, one in zip(weights, fine)], where)
         if taps is None:
             return None
@@ -75,34 +71,27 @@ def mixed_ground(
         if scale <= 0:
             return None
         shown = [np.float32(gain * by) * one for by, one in zip(even, made)]
-        gain, taps = gain * scale, taps / scale
-        if number >= _HOPEFUL_ROUNDS and is_hopeless(_mixed(weights, shown)):
-            return None
-    assert taps is not None
-    return MixedGround(gain, (taps[0], taps[1]), _mixed(weights, shown))
-
-
-def _mixed(weights: Sequence[np.ndarray], shown: Sequence[np.ndarray]) -> np.ndarray:
-    return np.asarray(weights[0] * shown[0] + weights[1] * shown[1])
+        gain *= scale
+        found = MixedGround(gain, taps / scale, weights[0] * shown[0] + weights[1] * shown[1])
+    return found
 
 
 def _amplitude(plane: np.ndarray, where: np.ndarray) -> float:
     return float(np.sqrt(np.square(plane, where=where, out=np.zeros_like(plane)).mean()))
 
 
-def _first_weights(mosaic: np.ndarray, shown: Sequence[np.ndarray], held: np.ndarray) -> np.ndarray | None:
-    """The weight of the first image in every block, (block rows, block columns), 0 to 1; None without any block."""
-    first, second = shown
+def _first_weights(planes: Sequence[np.ndarray], enough: np.ndarray) -> tuple[np.ndarray, float]:
+    """The weight of the first image in every block of the mosaic, (block rows, block columns) float32, 0 to 1; and the
+    mean of the lesser one, 0 without any block that has ``enough`` of both. ``planes``: the mosaic, then the images."""
     ma, mb, aa, ab, bb = (
-        square_sums(one, other, BLOCK_PX).astype(np.float64)
-        for one, other in ((mosaic, first), (mosaic, second), (first, first), (first, second), (second, second))
+        square_sums(planes[i], planes[j], BLOCK_PX).astype(np.float64)
+        for i, j in ((0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
     )
-    held &= (aa > 0) & (bb > 0)
+    held = enough & (aa > 0) & (bb > 0)
     if not held.any():
-        return None
-    determinant = np.maximum(1.001 * aa * bb - ab**2, 1e-9)
-    own, other = np.maximum((ma * bb - mb * ab) / determinant, 0), np.maximum((mb * aa - ma * ab) / determinant, 0)
-    total = own + other
-    weight = np.divide(own, total, out=np.full(own.shape, 0.5), where=held & (total > 0))
-    weight[~held] = weight[held].mean()
-    return np.asarray(weight, np.float32)
+        return np.full(held.shape, 0.5, np.float32), 0.0
+    weights = np.maximum(weights_of_two(np.where(held, aa, 1), np.where(held, bb, 1), ma, mb, ab), 0)
+    total = weights.sum(axis=0)
+    first = np.divide(weights[0], total, out=np.full(total.shape, 0.5), where=held & (total > 0)).astype(np.float32)
+    first[~held] = first[held].mean()
+    return first, float(np.minimum(first[held], 1 - first[held]).mean())

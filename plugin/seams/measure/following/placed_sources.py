@@ -6,13 +6,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
 from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
 from ..compared_image import ComparedImage
+from ..seam_cells import UNKNOWN
 from .followed_source import FollowedSource, follow_planes, high_pass
-from .source_filters import filtered, fit_filter
+from .source_filters import LEAST_MOVED_PX, UNFILTERED, Filters, filtered, fit_filter
 
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
 MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own
@@ -20,18 +22,22 @@ MIN_MOVED_PX = 0.15  # by which a source is moved to be tried again
 FARTHEST_FILTERED_PX = 1.2  # a filter of 5 x 5 taps moves an image as far
 ALIKE_SHIFTS_PX = 0.2
 MIN_BOTH_SHARE = 0.05  # of the pixels: an image that lies where it should and also elsewhere is kept in both places
+MAX_LEFT = 0.5  # of what was left over, when moved sources explain a part that had none
 MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when moved sources tell more
 MIN_UNCLEAR_SHARE = 0.3  # of the pixels: sources moved to where the mosaic lies may tell more
 MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
 MIN_IDLE_FIT = 0.97  # of the fine detail: with less, one that is hardly followed is looked for elsewhere
-MAX_IDLE_LEFT = 0.5  # of what was left over, when it is found there
 
 
 @dataclass(frozen=True, eq=False)
 class PlacedSources:
-    """What the mosaic follows: planes of the sources, and some of them moved to where it lies."""
+    """A mosaic, and planes of its sources: as they are given, and of some moved to where it lies."""
 
+    mosaic: ComparedImage
+    images: tuple[ComparedImage, ...]
+    """The sources as they are given."""
     following: FollowedSource
+    """Which plane the mosaic follows, by a first estimate."""
     planes: tuple[np.ndarray, ...]
     fine: tuple[np.ndarray, ...]
     """The fine detail of the mosaic, then of the planes."""
@@ -39,18 +45,51 @@ class PlacedSources:
     """Number of the source that each plane is of."""
     moves: Mapping[int, Shift] = field(default_factory=dict)
     """Shifts of those planes that were moved."""
+    known: np.ndarray | None = None
+    """(rows, columns) uint8: the plane of every pixel where it is known, else ``UNKNOWN``; None: nowhere."""
+
+    @cached_property
+    def valid(self) -> dict[int, np.ndarray]:
+        """Pixels that a plane has, (rows, columns) bool, of those that don't have all."""
+        masks = (self.images[of].valid for of in self.source_of)
+        return {plane: mask for plane, mask in enumerate(masks) if mask is not None}
+
+    @cached_property
+    def clear(self) -> np.ndarray:
+        """(rows, columns) bool: where one plane is followed for sure. What fills the mosaic where it has no pixels must
+        tell nothing of tones and filters."""
+        return self.following.clear if self.mosaic.valid is None else self.following.clear & self.mosaic.valid
+
+    @property
+    def interpolated(self) -> set[int]:
+        """Planes that lie between the mosaic's pixels, or were moved."""
+        beside = {i for i, of in enumerate(self.source_of) if np.hypot(*self.images[of].offset) >= LEAST_MOVED_PX}
+        return beside.union(self.moves)
+
+    def with_known(self, known: np.ndarray | None) -> PlacedSources:
+        """Where labels are known, those of sources, (rows, columns) uint8, else ``UNKNOWN``."""
+        if known is None:
+            return self
+        first_plane = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
+        first_plane[list(self.source_of[::-1])] = np.arange(len(self.source_of), dtype=np.uint8)[::-1]
+        return replace(self, following=self.following.with_known(first_plane[known]), known=first_plane[known])
+
+
+def follow_given(
+    image: ComparedImage, images: Sequence[ComparedImage], filters: Filters = UNFILTERED
+) -> PlacedSources:
+    """What the mosaic follows of sources where they are given; ``filters``: what came over it, as far as known."""
+    planes = tuple(one.plane for one in images)
+    fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
+    following = follow_planes([fine[0], *(filters.applied(i, one) for i, one in enumerate(fine[1:]))])
+    return PlacedSources(image, tuple(images), following, planes, fine, tuple(range(len(planes))))
 
 
 def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> PlacedSources:
     """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies."""
-    shape = (image.bands.shape[1], image.bands.shape[2])
-    count = len(images)
-    planes = tuple(one.plane for one in images)
-    fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
-    plain = follow_planes(fine)
-    plain = _clearer(plain, fine, images, shape)
-    first = PlacedSources(plain, planes, fine, tuple(range(count)))
-    unexplained, unclear = int(np.count_nonzero(plain.unexplained)) / plain.unexplained.size, plain.unclear_share
+    first = _clearer_in_window(follow_given(image, images))
+    plain = first.following
+    unexplained, unclear = float(plain.unexplained.mean()), plain.unclear_share
     # Where another source fits well, one that lies elsewhere is hardly followed.
     idle = {i for i, share in enumerate(plain.shares) if share < MIN_BOTH_SHARE}
     may_lie_elsewhere = bool(idle) and plain.fit < MIN_IDLE_FIT
@@ -66,50 +105,53 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
         of_followed += [s for i, s in moved.items() if i in idle or s.length > FARTHEST_FILTERED_PX]
     if _is_of_all(of_followed):
         return first
-    placed = tuple(shifted(planes[i], s.x, s.y) for i, s in moved.items())
-    fine_placed = tuple(map(high_pass, placed))
-    both = PlacedSources(
-        follow_planes((*fine, *fine_placed)), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved),
-        moves=dict(enumerate(moved.values(), count)),
+    both = _without_idle_planes(_with_moved(first, moved))
+    by_moved = both.following
+    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and by_moved.unexplained.mean() <= MAX_LEFT * unexplained
+    is_clearer = unclear >= MIN_UNCLEAR_SHARE and by_moved.unclear_share <= MAX_UNCLEAR_LEFT * unclear
+    finds_idle = may_lie_elsewhere and 1 - by_moved.fit <= MAX_LEFT * (1 - plain.fit)
+    is_better = by_moved.fit >= plain.fit + MIN_FIT_GAIN
+    return both if explains_part or is_clearer or finds_idle or is_better else first
+
+
+def _with_moved(given: PlacedSources, moved: Mapping[int, Shift]) -> PlacedSources:
+    """Sources with planes of some that are moved, too."""
+    placed = tuple(shifted(given.planes[i], shift.x, shift.y) for i, shift in moved.items())
+    fine = (*given.fine, *map(high_pass, placed))
+    return replace(
+        given, following=follow_planes(fine), planes=(*given.planes, *placed), fine=fine,
+        source_of=(*given.source_of, *moved), moves=dict(enumerate(moved.values(), len(given.planes))),
     )
-    with_moved = _without_idle_planes(both, shape)
-    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and with_moved.following.unexplained.mean() <= unexplained / 2
-    is_clearer = unclear >= MIN_UNCLEAR_SHARE and with_moved.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
-    finds_idle = may_lie_elsewhere and 1 - with_moved.following.fit <= MAX_IDLE_LEFT * (1 - plain.fit)
-    is_better = with_moved.following.fit >= plain.fit + MIN_FIT_GAIN
-    return with_moved if explains_part or is_clearer or finds_idle or is_better else first
 
 
-def _clearer(
-    plain: FollowedSource, fine: Sequence[np.ndarray], images: Sequence[ComparedImage], shape: tuple[int, int]
-) -> FollowedSource:
-    """``plain``, or what is followed through filters if that is clearer: images of one scene that lie on other pixels
-    than the mosaic are more like each other than like it. A filter is learned of the whole window, of which a part
-    follows its source."""
-    if plain.unclear_share < MIN_UNCLEAR_SHARE or len(images) < 2:
-        return plain
-    everywhere = np.ones(shape, bool)
-    shown = [fine[0]]
-    for source, image in zip(fine[1:], images):
-        shown.append(_through_filter(fine[0], source, everywhere if image.valid is None else image.valid))
-    by_filters = follow_planes(shown)
-    return by_filters if by_filters.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share else plain
+def _clearer_in_window(given: PlacedSources) -> PlacedSources:
+    """Images of one scene that lie on other pixels than the mosaic are more like each other than like it: a filter is
+    learned of the whole window, of which a part follows its source."""
+    if given.following.unclear_share < MIN_UNCLEAR_SHARE or len(given.images) < 2:
+        return given
+    everywhere = np.ones(given.fine[0].shape, bool)
+    return _clearer(given, [given.valid.get(i, everywhere) for i in range(len(given.images))])
 
 
-def clearer_by_parts(found: PlacedSources, parts: np.ndarray) -> PlacedSources:
-    """``found``, or with what is followed through filters if that is clearer, where seams are known: ``parts``, (rows,
-    columns) int, each of one source, whichever explains most of it, -1 elsewhere. A filter is learned where its source
-    is followed."""
-    own, *fine = found.fine
+def clearer_by_parts(given: PlacedSources, parts: np.ndarray) -> PlacedSources:
+    """Sources where seams are known: ``parts``, (rows, columns) int, each of one source, whichever explains most of it,
+    -1 elsewhere. A filter is learned where its source is followed."""
+    own, *fine = given.fine
     followed = np.full(parts.shape, -1)
     for part in np.unique(parts[parts >= 0]).tolist():
         where = parts == part
         left = [float(np.square(own[where] - _through_filter(own, one, where)[where]).sum()) for one in fine]
         followed[where] = int(np.argmin(left))
-    shown = [_through_filter(own, one, followed == i) for i, one in enumerate(fine)]
-    made, plain = follow_planes((own, *shown)), found.following
-    is_clearer = made.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share
-    return replace(found, following=made) if is_clearer and made.fit >= plain.fit else found
+    return _clearer(given, [followed == i for i in range(len(fine))])
+
+
+def _clearer(given: PlacedSources, where: Sequence[np.ndarray]) -> PlacedSources:
+    """Sources with what is followed through filters that are learned there, (rows, columns) bool of each, if that is
+    clearer."""
+    own, *fine = given.fine
+    plain, through = given.following, follow_planes([own, *(_through_filter(own, *each) for each in zip(fine, where))])
+    is_clearer = through.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share and through.fit >= plain.fit
+    return replace(given, following=through) if is_clearer else given
 
 
 def _through_filter(own: np.ndarray, one: np.ndarray, where: np.ndarray) -> np.ndarray:
@@ -126,7 +168,7 @@ def _is_of_all(shifts: Sequence[Shift | None]) -> bool:
     return farthest_apart(known) < ALIKE_SHIFTS_PX
 
 
-def _without_idle_planes(both: PlacedSources, shape: tuple[int, int]) -> PlacedSources:
+def _without_idle_planes(both: PlacedSources) -> PlacedSources:
     """Sources without the planes that hardly won: an image mixed with itself a bit farther on is no mixture of two."""
     shares = both.following.shares
     of_source = {i: max(shares[k] for k, of in enumerate(both.source_of) if of == i) for i in both.source_of}
@@ -134,8 +176,9 @@ def _without_idle_planes(both: PlacedSources, shape: tuple[int, int]) -> PlacedS
     if len(kept) == len(both.source_of):
         return both
     fine = (both.fine[0], *(both.fine[1 + k] for k in kept))
-    return PlacedSources(
-        follow_planes(fine), tuple(both.planes[k] for k in kept), fine, tuple(both.source_of[k] for k in kept),
+    return replace(
+        both, following=follow_planes(fine), planes=tuple(both.planes[k] for k in kept), fine=fine,
+        source_of=tuple(both.source_of[k] for k in kept),
         moves={place: both.moves[k] for place, k in enumerate(kept) if k in both.moves},
     )
 

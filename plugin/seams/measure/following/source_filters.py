@@ -27,7 +27,7 @@ FEWEST_PIXELS = 2000
 
 _SIDE = 2 * REACH_PX + 1
 _MOST_PIXELS = 12000
-_AT_A_TIME = 384  # in float32, their sums in float64
+_AT_A_TIME = 384  # pixels whose samples stay in the cache, in float32; their sums are in float64
 _RIDGE = 1e-5
 _MARGIN_PX = 8  # of the clip: what is beyond it is not known
 
@@ -48,21 +48,20 @@ def fit_filters(
     image: np.ndarray, references: Sequence[np.ndarray], where: np.ndarray, gain: float | None = None
 ) -> np.ndarray | None:
     """Taps (references, 5, 5) as ``fit_filter`` has them, of several images that are added up; ``gain`` of each."""
-    inside = np.flatnonzero(where[_MARGIN_PX:-_MARGIN_PX, _MARGIN_PX:-_MARGIN_PX])
-    if len(inside) < FEWEST_PIXELS:
+    inside, inner = np.zeros(where.shape, bool), np.s_[_MARGIN_PX:-_MARGIN_PX, _MARGIN_PX:-_MARGIN_PX]
+    inside[inner] = where[inner]
+    places = np.flatnonzero(inside)
+    if len(places) < FEWEST_PIXELS:
         return None
-    columns, values = image.shape[1], [one.ravel() for one in references]
-    down, across = np.divmod(inside[:: max(1, len(inside) // _MOST_PIXELS)], columns - 2 * _MARGIN_PX)
-    places = (down + _MARGIN_PX) * columns + across + _MARGIN_PX
-    offsets = np.add.outer(np.arange(-REACH_PX, REACH_PX + 1) * columns, np.arange(-REACH_PX, REACH_PX + 1)).ravel()
+    places, reach = places[:: max(1, len(places) // _MOST_PIXELS)], np.arange(-REACH_PX, REACH_PX + 1)
+    offsets = np.add.outer(reach * where.shape[1], reach).ravel()
     count = len(references) * _SIDE**2
     normal, right = np.zeros((count, count)), np.zeros(count)
     for start in range(0, len(places), _AT_A_TIME):
         part = places[start : start + _AT_A_TIME]
-        around = part[:, np.newaxis] + offsets
-        samples = np.concatenate([one[around] for one in values], axis=1) if len(values) > 1 else values[0][around]
+        samples = np.concatenate([np.take(one, part[:, np.newaxis] + offsets) for one in references], axis=1)
         normal += product(samples.T, samples)
-        right += image.ravel()[part] @ samples
+        right += np.take(image, part) @ samples
     mean = float(np.trace(normal)) / count
     if mean <= 0:
         return None
@@ -121,6 +120,10 @@ class Filters:
         return filtered(plane, self.taps[source]) if self.taps else plane
 
 
+UNFILTERED = Filters({}, False)
+"""Nothing was done to any source."""
+
+
 @dataclass(frozen=True, eq=False)
 class Learned:
     """What came over a mosaic, as far as that is known of more ground than there is in a part of it."""
@@ -144,7 +147,7 @@ def find_filters(
         return cut_of(own[place], {i: one.gain[place] * fine[i][place] for i, one in in_tone.items()}, labels[place])
 
     if _is_a_multiple(own[SAMPLE], reference(SAMPLE), labels[SAMPLE], sure[SAMPLE]):
-        return Filters({}, False)
+        return UNFILTERED
     return _fitted_filters(own, reference(np.s_[:]), labels, sure)
 
 
@@ -212,16 +215,14 @@ def cut_of(mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndar
     return made
 
 
-def _fitted_filters(
-    fine: np.ndarray, reference: np.ndarray, labels: np.ndarray, sure: np.ndarray
-) -> Filters:
+def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray, sure: np.ndarray) -> Filters:
     """One filter for all sources, or one for each where that explains more; none where none is needed."""
     taps = fit_filter(fine, reference, sure, gain=1.0)
     if taps is None:
-        return Filters({}, False)
+        return UNFILTERED
     common = filtered(reference, taps)
     if not _explains_more(fine, reference, common, sure):
-        return Filters({}, False)
+        return UNFILTERED
     numbers = present(labels)
     if len(numbers) > 1:
         parts = {i: sure & (labels == i) for i in numbers}

@@ -356,7 +356,7 @@ def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.nd
 def _mixed_reach(ground: JudgedGround, part: _Part) -> float:
     """How far from the old seam the mosaic is not what its sources make it, px: there they leave over more of its fine
     detail than farther off."""
-    own, expected = high_pass(ground.mosaic.plane), high_pass(ground.expected.plane)
+    own, expected = high_pass(ground.followed.mosaic.plane), high_pass(ground.expected.plane)
     known = (ground.expected.labels != UNKNOWN).astype(np.float32)
     left, energy = (in_squares(known * np.square(one), CELL_PX).sum(axis=(1, 3)) for one in (own - expected, expected))
     step = _BIN_CELLS * CELL_PX

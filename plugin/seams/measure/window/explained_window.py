@@ -174,7 +174,7 @@ def window_composite(request: WindowRequest) -> WindowComposite | Message:
     if not measured.is_explicable:
         return measured.paper.reason or messages.COMPOSITE_UNCLEAR()
     cut = cut_hard(measured.mosaic, measured.judged, request.settings.levels, known_labels(request, measured.judged))
-    if cut.is_unclear:
+    if cut.ground.is_unclear:
         return messages.COMPOSITE_UNCLEAR()
     kind, levelled = cut.mosaic.bands.dtype, cut.composite.levelled / measured.mosaic.grey_factor
     if kind.kind != "f":

@@ -16,7 +16,7 @@ from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import luminance
 from seam_inspector.plugin.seams.measure.causes import Cause, causes_taken
 from seam_inspector.plugin.seams.measure.explanation import Explanation
-from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.verdicts import Verdict, judge_by_seam
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
@@ -291,9 +291,7 @@ def test_the_right_source_is_followed(scenes: list[Scene], name: str) -> None:
     right = []
     for scene in scenes[:6]:
         fine = [high_pass(luminance(bands)) for bands in (truth.make(scene), *(clip.bands for clip in scene.sources))]
-        count = len(scene.sources)
-        found = follow(lambda start, stop, fine=fine: [plane[start:stop] for plane in fine], (SIDE, SIDE), count)
-        right.append(float((found.labels == scene.labels).mean()))
+        right.append(float((follow_planes(fine).labels == scene.labels).mean()))
     assert np.mean(right) >= 0.99
 
 

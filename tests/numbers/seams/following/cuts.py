@@ -1,8 +1,15 @@
 """Sources of one scene and the cells that they are cut to."""
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from unittest.mock import Mock
+
 import numpy as np
 from scipy import ndimage
+from seam_inspector.plugin.imagery.rasters import Raster
+from seam_inspector.plugin.seams.measure.compared_image import ComparedImage
+from seam_inspector.plugin.seams.measure.following.expected_mosaic import ExpectedMosaic, expected_mosaic
+from seam_inspector.plugin.seams.measure.following.placed_sources import follow_given
 
 from tests.numbers.synthetic import orthoimage
 
@@ -26,3 +33,18 @@ def three_cells() -> np.ndarray:
     row, column = np.mgrid[: SHAPE[0], : SHAPE[1]]
     border = 150 + 30 * np.sin(row / 25)
     return np.where(column < border, 0, np.where(row < 140 + 10 * np.cos(column / 17), 1, 2)).astype(np.uint8)
+
+
+def expected_of(
+    mosaic: np.ndarray,
+    planes: Sequence[np.ndarray],
+    valid: Mapping[int, np.ndarray] | None = None,
+    known: np.ndarray | None = None,
+) -> ExpectedMosaic:
+    """The hard cut of planes (rows, columns) float32 that lie where the mosaic does."""
+    masks = valid or {}
+    image, *images = (
+        ComparedImage(plane[np.newaxis], ("judged",), {}, {}, Mock(Raster), valid=masks.get(i), judged=plane)
+        for i, plane in enumerate((mosaic, *planes), -1)
+    )
+    return expected_mosaic(follow_given(image, images).with_known(known))

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.following.followed_source import FollowedSource, follow, high_pass
+from seam_inspector.plugin.seams.measure.following.followed_source import FollowedSource, follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.following.hard_cut import follows_at, make_composite
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.tone import Tone
@@ -27,7 +27,7 @@ def sources() -> list[np.ndarray]:
 @pytest.fixture(scope="module")
 def followed(sources: list[np.ndarray]) -> FollowedSource:
     planes = [high_pass(bands.mean(axis=0, dtype=np.float32)) for bands in (cut(LABELS, sources), *sources)]
-    return follow(lambda start, stop: [plane[start:stop] for plane in planes], SHAPE, len(sources))
+    return follow_planes(planes)
 
 
 def test_the_composite_of_a_hard_cut_is_the_mosaic(sources: list[np.ndarray]) -> None:

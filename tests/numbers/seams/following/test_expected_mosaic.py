@@ -1,19 +1,16 @@
 """What a mosaic would look like cut hard: tones and sharpness are its own, losses at the seams are not in it."""
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-
 import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following import expected_mosaic as expecting
-from seam_inspector.plugin.seams.measure.following.expected_mosaic import ExpectedMosaic, expected_mosaic
-from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.followed_source import high_pass
 from seam_inspector.plugin.seams.measure.following.mixed_ground import MixedGround
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.scenes import cut, feather
-from tests.numbers.seams.following.cuts import SHAPE, made_sources, three_cells
+from tests.numbers.seams.following.cuts import SHAPE, expected_of, made_sources, three_cells
 
 LABELS = three_cells()
 INNER = np.s_[12:-12, 12:-12]
@@ -27,17 +24,6 @@ def sources() -> list[np.ndarray]:
 
 def grey(bands: np.ndarray) -> np.ndarray:
     return bands.mean(axis=0, dtype=np.float32)
-
-
-def expected_of(
-    mosaic: np.ndarray,
-    planes: Sequence[np.ndarray],
-    valid: Mapping[int, np.ndarray] | None = None,
-    known: np.ndarray | None = None,
-) -> ExpectedMosaic:
-    fine = [high_pass(one) for one in (mosaic, *planes)]
-    rough = follow(lambda start, stop: [one[start:stop] for one in fine], SHAPE, len(planes))
-    return expected_mosaic(mosaic, planes, fine, rough, valid or {}, known)
 
 
 def energy(plane: np.ndarray, where: np.ndarray) -> float:

@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.following.foreign_ground import foreign_patches
 from seam_inspector.plugin.seams.measure.following.likely_source import likely_source
 
@@ -33,9 +33,11 @@ def image(seed: int, common: float = 0.5) -> np.ndarray:
 
 def unexplained(mosaic: np.ndarray, sources: list[np.ndarray]) -> np.ndarray:
     fine = [high_pass(one) for one in (mosaic, *sources)]
-    first = follow(lambda start, stop: [one[start:stop] for one in fine], SHAPE, len(sources))
+    first = follow_planes(fine)
     given = {i: fine[1 + i] for i in range(len(sources)) if i in first.followed}
-    return likely_source(fine[0], given, first.labels, first.clear, {}, is_compressed=lambda number: True).unexplained
+    return likely_source(
+        fine[0], given, first.labels, first.clear, {}, is_compressed=lambda number: number is None or number in given
+    ).unexplained
 
 
 def cut(*parts: np.ndarray) -> np.ndarray:

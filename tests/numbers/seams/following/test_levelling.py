@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.following.levelling import left_by_curve, left_over, levelled
+from seam_inspector.plugin.seams.measure.following.levelling import left_over, levelled
 from seam_inspector.plugin.seams.measure.tone import coarse_means
 
 from tests.numbers.synthetic import texture
@@ -138,14 +138,6 @@ def test_too_few_squares_leave_nothing_over(source: np.ndarray) -> None:
     where = np.zeros(means.shape, bool)
     where[:3, :7] = True
     assert left_over(2 * means + means**2, means, where) == (0.0, 0.0)
-
-
-def test_what_a_curve_leaves_over_is_known_by_itself(source: np.ndarray) -> None:
-    means = coarse_means(source, 3)
-    dark = means + np.linspace(0, 6, means.shape[1], dtype=np.float32)
-    curve, local = left_over(dark, means, np.ones(means.shape, bool))
-    assert local < curve / 2
-    assert left_by_curve(dark, means, np.ones(means.shape, bool)) == curve
 
 
 @pytest.mark.parametrize("even", [0.3, 0.6, 0.8])

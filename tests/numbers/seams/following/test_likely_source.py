@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.following.likely_source import (
     FINE,
     SMALLEST_PART_PX,
@@ -31,7 +31,7 @@ def found_in(
     interpolated: Collection[int] = (),
 ) -> LikelySource:
     fine = [high_pass(one) for one in (mosaic, *planes)]
-    rough = follow(lambda start, stop: [one[start:stop] for one in fine], SHAPE, len(planes))
+    rough = follow_planes(fine)
     sources = {i: fine[1 + i] for i in range(len(planes)) if i in rough.followed}
     return likely_source(fine[0], sources, rough.labels, rough.clear, valid or {}, interpolated=interpolated)
 

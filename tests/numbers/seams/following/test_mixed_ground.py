@@ -4,11 +4,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.following.expected_mosaic import expected_mosaic
-from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.followed_source import high_pass
 from seam_inspector.plugin.seams.measure.following.mixed_ground import mixed_ground
 from seam_inspector.plugin.seams.measure.profile.window_detail import window_detail
 
+from tests.numbers.seams.following.cuts import expected_of
 from tests.numbers.synthetic import texture
 
 SIDE = 384
@@ -54,13 +54,6 @@ def test_of_a_cut_there_is_none(images: list[np.ndarray]) -> None:
     assert mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool)) is None
 
 
-def test_no_mixture_is_given_up_in_its_first_rounds(images: list[np.ndarray]) -> None:
-    placed, weight = moved(images), ramp(0.5, 0.5)
-    mosaic = high_pass(weight * placed[0] + (1 - weight) * placed[1])
-    fine = [high_pass(one) for one in images]
-    assert mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool), is_hopeless=lambda made: True) is not None
-
-
 def test_of_images_that_are_not_there_there_is_none(images: list[np.ndarray]) -> None:
     fine = [high_pass(one) for one in images]
     nothing = np.zeros((SIDE, SIDE), bool)
@@ -72,9 +65,7 @@ def test_sources_are_shown_as_sharp_as_they_were_mixed(images: list[np.ndarray],
     """A filter that is learned of one alone takes what mixing took."""
     placed, weight = moved(images), ramp(first, last)
     mosaic = weight * placed[0] + (1 - weight) * placed[1]
-    fine = [high_pass(one) for one in (mosaic, *images)]
-    following = follow(lambda start, stop: [one[start:stop] for one in fine], (SIDE, SIDE), 2)
-    found = expected_mosaic(mosaic, images, fine, following, {})
+    found = expected_of(mosaic, images)
     for number, true in enumerate(placed):
         own, expected = high_pass(found.shown[number]), high_pass(true)
         assert np.square(own).sum() == pytest.approx(np.square(expected).sum(), rel=0.14)
@@ -93,9 +84,7 @@ def test_the_mean_of_images_of_unlike_contrast_keeps_what_they_have_in_common(co
     )
     mosaic = (first + second) / 2
     given = [first, (120 + contrast * (second - 120)).astype(np.float32)]
-    fine = [high_pass(one) for one in (mosaic, *given)]
-    following = follow(lambda start, stop: [one[start:stop] for one in fine], (SIDE, SIDE), 2)
-    found = window_detail(mosaic, expected_mosaic(mosaic, given, fine, following, {}), {}, "coif3", 3).profile
+    found = window_detail(mosaic, expected_of(mosaic, given), {}, "coif3", 3).profile
     assert found is not None
     own = [np.square(high_pass(one)).sum() for one in (mosaic, first, second)]
     assert found.by_mixture == pytest.approx(own[0] / np.mean(own[1:]), abs=0.08)  # the strip is some of it

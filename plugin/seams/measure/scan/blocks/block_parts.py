@@ -1,7 +1,7 @@
 """Parts of a block: pixel by pixel along its seams, and all of the ground between them, whose source patches tell."""
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,12 +11,18 @@ from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import placed_components
 from ...compared_image import ComparedImage
 from ...following.boxes import enlarged, narrowed, square_shares, square_sums
-from ...following.expected_mosaic import expected_mosaic
+from ...following.expected_mosaic import Closeness, expected_mosaic
 from ...following.followed_source import HIGH_PASS_PX, follow_planes, high_pass
 from ...following.levelling import SQUARE_PX as TONE_PX
 from ...following.levelling import gain_field, square_means
 from ...following.likely_source import QUICK, filled_in
-from ...following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, clearer_by_parts, follow_sources
+from ...following.placed_sources import (
+    MIN_UNCLEAR_SHARE,
+    PlacedSources,
+    clearer_by_parts,
+    follow_given,
+    follow_sources,
+)
 from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...profile.detail_sums import compared_planes, detail_sums, energy_of_rounding, numbers_of
@@ -71,30 +77,22 @@ def measure_part(
     known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
     if not given or known[own].mean() < MIN_VALID:
         return _nothing(window, levels, float(known[own].any()))
-    image, images = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic), planes.compared
+    image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
     known_filters = None if filters is None else _of_planes(filters, given)
     if known_filters is not None and known_filters.taps:
-        followed = _follow_filtered(image, images, known_filters)
+        followed = follow_given(image, planes.compared, known_filters)
     else:
-        followed = follow_sources(image, images)
+        followed = follow_sources(image, planes.compared)
         if sides is not None and followed.following.unclear_share >= MIN_UNCLEAR_SHARE:
             followed = clearer_by_parts(followed, sides.parts(around))
-    valid = {k: mask for k, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
-    # What fills the mosaic where it has no pixels must tell nothing of tones and filters.
-    following = replace(followed.following, clear=followed.following.clear & known)
-    moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
-    expected = expected_mosaic(
-        image.plane, followed.planes, followed.fine, following, valid, None, None if moved else known_filters,
-        QUICK, PATCH_PX, bool(planes.resampled),
-    )
-    expected = expected.of_sources([given[of] for of in followed.source_of])
-    labels = expected.labels
-    labels[~known] = UNKNOWN
-    guessed = known & guesses(labels, following.clear | following.mixed)
+    closeness = Closeness(QUICK, PATCH_PX, bool(planes.resampled))
+    expected = expected_mosaic(followed, known_filters, closeness).of_sources(given)
+    labels, clear, mixed = expected.labels, followed.clear, followed.following.mixed
+    guessed = known & guesses(labels, clear | mixed)
     if guessed.any() and expected.is_filtered:  # sources on other pixels than the mosaic are hardly told apart as such
         seen = follow_planes([followed.fine[0], *map(high_pass, expected.shown.values())])
         guessed = known & guesses(labels, seen.clear | seen.mixed)
-    labels[guessed] = UNKNOWN
+    labels = np.where(guessed, np.uint8(UNKNOWN), labels)
     details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
     masks = {number: planes.valid[number] for number in given if number in planes.valid}
     cells, beside = detail_sums(
@@ -105,30 +103,27 @@ def measure_part(
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
-    mixed, clear, grey = (
-        square_shares(one[own], CELL_PX) for one in (following.mixed, following.clear, image.plane)
-    )
     return DensePart(
         window,
         labels[own][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
-        mixed,
-        clear,
-        grey,
-        _grain(followed.fine[1:], valid, known)[place],
+        square_shares(mixed[own], CELL_PX),
+        square_shares(clear[own], CELL_PX),
+        square_shares(image.plane[own], CELL_PX),
+        _grain(followed, known)[place],
         cells.within(place).moved(*first),
         beside.within(place).moved(*first),
         np.count_nonzero((labels[own] == UNKNOWN) & known[own]) / np.count_nonzero(known[own]),
     )
 
 
-def _grain(fine: Sequence[np.ndarray], valid: Mapping[int, np.ndarray], known: np.ndarray) -> np.ndarray:
+def _grain(sources: PlacedSources, known: np.ndarray) -> np.ndarray:
     """Largest rms of the sources' finest detail in every cell, (rows, columns) of cells; NaN where the mosaic has no
     pixels, ``known``, since what fills it there makes a step, and where no source has, which says nothing of detail."""
     squares, everywhere = [], narrowed(known, HIGH_PASS_PX)
-    for number, plane in enumerate(fine):
-        inner = narrowed(known & valid[number], HIGH_PASS_PX) if number in valid else everywhere
+    for number, fine in enumerate(sources.fine[1:]):
+        inner = narrowed(known & sources.valid[number], HIGH_PASS_PX) if number in sources.valid else everywhere
         seen = square_shares(inner, CELL_PX) * CELL_PX**2
-        total = square_sums(plane, plane if inner.all() else plane * inner, CELL_PX)
+        total = square_sums(fine, fine if inner.all() else fine * inner, CELL_PX)
         squares.append(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))
     return np.sqrt(np.fmax.reduce(squares))
 
@@ -146,14 +141,6 @@ def guesses(labels: np.ndarray, told: np.ndarray) -> np.ndarray:
         shares = [1.0, *ndimage.mean(sure, parts, np.arange(1, count + 1))]
         unsure |= (np.array(shares) < MIN_SURE)[parts]
     return enlarged(unsure, LABEL_PX)
-
-
-def _follow_filtered(image: ComparedImage, images: Sequence[ComparedImage], filters: Filters) -> PlacedSources:
-    """What the mosaic follows when what came over it was done to its sources, too."""
-    planes = tuple(one.plane for one in images)
-    fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
-    following = follow_planes([fine[0], *(filters.applied(k, one) for k, one in enumerate(fine[1:]))])
-    return PlacedSources(following, planes, fine, tuple(range(len(planes))))
 
 
 def _of_planes(filters: Filters, numbers: Sequence[int]) -> Filters:

@@ -84,7 +84,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels), plain=_is_plain(fine, shape))
 
     def cells_of(found: _Told) -> tuple[CellTable, Learned]:
-        return _cells(planes, fine, fines, found.sampled_source, (rows, columns), wavelet, levels)
+        return _cells(planes, found.sampled_source, (rows, columns), wavelet, levels)
 
     mosaic_was = cache(lambda: was_compressed(planes.mosaic))
     source_was = cache(lambda number: was_compressed(planes.sources[number]))
@@ -287,8 +287,7 @@ def _filled(winner: np.ndarray, silent: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 
 def _cells(
-    planes: Planes, fine: np.ndarray, fines: dict[int, np.ndarray], followed: np.ndarray,
-    starts: tuple[np.ndarray, np.ndarray], wavelet: str, levels: int,
+    planes: Planes, followed: np.ndarray, starts: tuple[np.ndarray, np.ndarray], wavelet: str, levels: int
 ) -> tuple[CellTable, Learned]:
     """The middle cells of patches that follow one source for sure, and what came over the mosaic there.
 
@@ -307,8 +306,7 @@ def _cells(
     mosaic = planes.mosaic[chosen]
     numbers = np.unique(followed[followed != UNKNOWN]).tolist()
     expected, filters = mosaic_of(
-        mosaic, {i: planes.sources[i][chosen] for i in numbers}, fine[chosen], {i: fines[i][chosen] for i in numbers},
-        labels, within, PATCH_PX,
+        mosaic, {i: planes.sources[i][chosen] for i in numbers}, labels, within, PATCH_PX
     )
     (details,) = placed_components(np.stack([mosaic, expected]), wavelet, 1)
     cell = slice(_CELL.start // 2, _CELL.stop // 2)
