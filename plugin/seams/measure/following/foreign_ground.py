@@ -359,7 +359,7 @@ def _true_sources(fits: Mapping[int, _Fit], is_compressed: IsCompressed) -> list
         number for number, fit in fits.items()
         if np.tanh(fit.strong) ** 2 >= (_MIN_TRUE_MIXED if number == _OF_MIXED else _MIN_TRUE)
         and (fit.strong >= (_MIXED_OF_BEST if number == _OF_MIXED else _OF_BEST) * most
-             or (number != _OF_MIXED and is_compressed(number)))
+             or is_compressed(None if number == _OF_MIXED else number))
     ]
     # What is mixed with a substitute is one.
     return true if fits.keys() <= {*true, _OF_MIXED} else [number for number in true if number != _OF_MIXED]
