@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from .cell_table import CELL_PX, EDGES_PX, CellTable, WholeCells
+from .cell_table import CELL_PX, EDGES_PX, CellTable
 from .ground import LevelGround, log_energies
 from .intervals import Kept
 from .seam_profile import in_strip, strip_bins
@@ -51,21 +51,18 @@ class EnergySums:
         self._left = np.zeros((levels, count))  # that the ground makes one expect in the strip, DN squared
         self._unsure = np.zeros(count)  # share of the mosaic's finest detail in the strip
 
-    def add(
-        self, table: CellTable, whole: WholeCells, ground: Sequence[LevelGround | None], piece_of: np.ndarray
-    ) -> None:
-        """Some cells, ``whole`` those of ``table``; ``piece_of`` (cells,): the piece that each belongs to, or -1."""
-        piece = piece_of[whole.of_row]
+    def add(self, table: CellTable, ground: Sequence[LevelGround | None], piece: np.ndarray) -> None:
+        """Some cells; ``piece`` (rows of the table,): the one that each belongs to, or -1."""
         in_pieces = np.flatnonzero(piece >= 0)
         if not len(in_pieces):
             return
-        near, cells, piece = table.chosen(in_pieces), whole.of_row[in_pieces], piece[in_pieces]
+        near, cells, piece = table.chosen(in_pieces), table.cell[in_pieces], piece[in_pieces]
         place = near.bin.astype(np.intp) * self._count + piece
         for level, level_ground in enumerate(ground):
             self._sum(self.area[level], place, near.area[level])
             self._sum(self.plain[level], place, near.cc[level])
             if level_ground is not None:
-                self._add_level(near, level, level_ground, whole.energy(level)[cells], place, piece)
+                self._add_level(near, level, level_ground, table.whole.energy(level)[cells], place, piece)
 
     @property
     def expected(self) -> np.ndarray:

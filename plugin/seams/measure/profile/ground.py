@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .cell_table import CELL_PX, EDGES_PX, CellTable, WholeCells, whole_cells
+from .cell_table import CELL_PX, EDGES_PX, CellTable
 
 _LEAST_ENERGY = 1e-2  # DN squared: below what rounding to whole values leaves
 _ROUNDS = 5
@@ -142,31 +142,27 @@ class LevelGround:
     far_px: int
     """How far from any seam it begins."""
 
-    def is_far(self, cells: WholeCells) -> np.ndarray:
-        """Which cells it consists of, (n,) bool."""
-        return _is_whole(cells) & (cells.nearest >= EDGES_PX.index(self.far_px))
+    def is_far(self, cells: CellTable) -> np.ndarray:
+        """Which whole cells it consists of, (n,) bool."""
+        return _is_whole(cells) & (cells.bin >= EDGES_PX.index(self.far_px))
 
 
-def grounds(
-    table: CellTable, whole: WholeCells | None = None, around: Callable[[], CellTable] | None = None
-) -> list[LevelGround | None]:
+def grounds(table: CellTable, around: Callable[[], CellTable] | None = None) -> list[LevelGround | None]:
     """Ground of a window or a block, by level, from its own cells or where these are few from those ``around``, too,
-    which are asked for then only; None where there is too little. ``whole``: ``whole_cells`` of the table, where those
-    are known."""
-    cells = whole_cells(table) if whole is None else whole
-    by_level = [_level_ground(table, cells, level, ENOUGH_FAR_CELLS) for level in range(table.levels)]
+    which are asked for then only; None where there is too little."""
+    by_level = [_level_ground(table, level, ENOUGH_FAR_CELLS) for level in range(table.levels)]
     if all(by_level):
         return by_level
     more = table if around is None else around()
-    everyone = cells if around is None else whole_cells(more)
-    return [one or _level_ground(more, everyone, level, FEWEST_FAR_CELLS) for level, one in enumerate(by_level)]
+    return [ground or _level_ground(more, level, FEWEST_FAR_CELLS) for level, ground in enumerate(by_level)]
 
 
-def _level_ground(table: CellTable, cells: WholeCells, level: int, fewest: int) -> LevelGround | None:
+def _level_ground(table: CellTable, level: int, fewest: int) -> LevelGround | None:
+    cells = table.whole
     whole = _is_whole(cells) & (cells.area[level] > 0)
     for distance in (*FARTHER_PX, FAR_PX):
         beyond = EDGES_PX.index(distance)
-        far = whole & (cells.nearest >= beyond)
+        far = whole & (cells.bin >= beyond)
         if np.count_nonzero(far) >= ENOUGH_FAR_CELLS:
             break
     if np.count_nonzero(far) < fewest:
@@ -182,13 +178,13 @@ def _level_ground(table: CellTable, cells: WholeCells, level: int, fewest: int) 
     sums = (mm[chosen], (cc * amplitude(cc / area))[chosen])
     scatter = scatter_of_blocks(*(np.bincount(of_block[chosen], values) for values in sums))
     before = table.bin == beyond - 1
-    expected = table.cc[level][before] * amplitude(cells.energy(level)[cells.of_row[before]])
+    expected = table.cc[level][before] * amplitude(cells.energy(level)[table.cell[before]])
     total = float(expected.sum())
     still = float(table.mm[level][before].sum()) / total if total > 0 else 1.0
     return LevelGround(amplitude, gain, *scatter, REACH_ERROR * min(max(1 - still, 0.0), 1.0), distance)
 
 
-def _is_whole(cells: WholeCells) -> np.ndarray:
+def _is_whole(cells: CellTable) -> np.ndarray:
     return np.asarray(cells.area[0] >= CELL_PX**2)
 
 

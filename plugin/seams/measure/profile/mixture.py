@@ -18,7 +18,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS, MixtureTable, WholeCells
+from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS, MixtureTable
 from .energy_sums import BLOCK_CELLS
 from .intervals import Kept
 from .ramps import BEYOND, fit_ramps
@@ -210,12 +210,9 @@ class MixtureSums:
         self._count, self._levels = count, levels
         self._sums: dict[tuple[int, int, int], np.ndarray] = {}  # piece, lower and higher number of the sources
 
-    def add(self, table: MixtureTable, whole: WholeCells, piece_of: np.ndarray) -> None:
-        """Some rows, of cells among ``whole``; ``piece_of`` (cells,): the piece that each belongs to, or -1. Numbers of
-        sources must mean the same every time."""
-        if not len(table):
-            return
-        piece = piece_of[np.searchsorted(whole.keys, table.keys)]
+    def add(self, table: MixtureTable, piece: np.ndarray) -> None:
+        """Some rows; ``piece`` (n,): the one that each belongs to, or -1. Numbers of sources must mean the same every
+        time."""
         table, piece = table.chosen(piece >= 0), piece[piece >= 0]
         lower, higher = np.minimum(table.source, table.other), np.maximum(table.source, table.other)
         codes = (piece.astype(np.int64) << 32) + (lower.astype(np.int64) << 16) + higher

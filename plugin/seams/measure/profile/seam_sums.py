@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells
+from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from .energy_sums import EnergySums
 from .ground import LevelGround
 from .intervals import MIN_CARRIED, MOST_KEPT, MOST_UNEXPLAINED, Kept, together, weighted
@@ -50,15 +50,14 @@ class SeamSums:
         self._energy, self._mixture = EnergySums(count, levels), MixtureSums(count, levels)
 
     def add(
-        self, table: CellTable, mixture: MixtureTable, whole: WholeCells, ground: Sequence[LevelGround | None],
-        piece_of: np.ndarray,
+        self, table: CellTable, mixture: MixtureTable, ground: Sequence[LevelGround | None], piece: np.ndarray
     ) -> None:
-        """Some cells, ``whole`` those of ``table``; ``piece_of`` (cells,): the piece that each belongs to, or -1.
-
-        Numbers of sources in ``mixture`` must mean the same every time.
-        """
-        self._energy.add(table, whole, ground, piece_of)
-        self._mixture.add(mixture, whole, piece_of)
+        """Some cells; ``piece`` (rows of the table,): the one that each belongs to, or -1; all parts of a cell, unless
+        that is -1, to the same. Numbers of sources in ``mixture`` must mean the same every time."""
+        self._energy.add(table, ground, piece)
+        of_cell, known = np.full(len(table.whole), -1), piece >= 0
+        of_cell[table.cell[known]] = piece[known]
+        self._mixture.add(mixture, of_cell[np.searchsorted(table.whole.keys, mixture.keys)])
 
     def profiles(self, levels: int | None = None) -> list[StripProfile]:
         """Profiles of all pieces, in their order; with the bins of so many ``levels``, one at least, all where None."""

@@ -14,7 +14,7 @@ from ..following.boxes import enlarged
 from ..following.expected_mosaic import ExpectedMosaic
 from ..limits import SHARPNESS_TOLERANCE
 from ..seam_cells import UNKNOWN, present
-from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells, whole_cells
+from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from .detail_sums import (
     compared_planes,
     detail_sums,
@@ -42,14 +42,9 @@ class WindowDetail:
     """Most energy of detail that rounding leaves, a pixel, DN squared (``energy_of_rounding``)."""
 
     @cached_property
-    def whole(self) -> WholeCells:
-        """The cells, all bins of each together."""
-        return whole_cells(self.cells)
-
-    @cached_property
     def ground(self) -> list[LevelGround | None]:
         """Ground far from any seam, by level; None where there is too little."""
-        return grounds(self.cells, self.whole)
+        return grounds(self.cells)
 
     @property
     def judged(self) -> CellTable:
@@ -63,10 +58,9 @@ class WindowDetail:
         reach = 0.0 if self.profile is None else (self.profile.feather_width_px or 0.0) / 2
         if reach >= EDGES_PX[MIXED_BINS]:  # it does not end where it is looked for
             return made[rows, columns]
-        far = self.whole.nearest >= np.searchsorted(EDGES_PX, reach)
-        row, column = self.whole.row, self.whole.column
-        within = far & (row < rows.stop) & (column < columns.stop)
-        made[row[within], column[within]] = True
+        cells = self.cells.whole
+        far = cells.chosen((cells.bin >= np.searchsorted(EDGES_PX, reach)) & cells.are_within(self.inside))
+        made[far.row, far.column] = True
         return made[rows, columns]
 
     @property
@@ -77,12 +71,8 @@ class WindowDetail:
     @cached_property
     def profile(self) -> SeamProfile | None:
         """A window is a scan of one piece; None without a seam, or with too little to be measured."""
-        whole = self.whole
-        rows, columns = self.inside
-        judged = (whole.row >= rows.start) & (whole.row < rows.stop)
-        judged &= (whole.column >= columns.start) & (whole.column < columns.stop)
         sums = SeamSums(1, self.cells.levels)
-        sums.add(self.cells, self.mixture, whole, self.ground, np.where(judged, 0, -1))
+        sums.add(self.cells, self.mixture, self.ground, np.where(self.cells.are_within(self.inside), 0, -1))
         measured = sums.profiles()[0].profile if self.has_seam else None
         return None if measured is None or measured.energy[0] <= self.of_rounding else measured
 
@@ -148,7 +138,7 @@ def loss_picture(
     ground, finest = detail.ground[0], detail.finest
     if ground is None:
         return None
-    cells = detail.whole
+    cells = detail.cells.whole
     is_far = ground.is_far(cells)
     far = np.zeros([length // CELL_PX for length in labels.shape], bool)
     far[cells.row[is_far], cells.column[is_far]] = True
