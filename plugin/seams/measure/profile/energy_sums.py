@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from .cell_table import CELL_PX, EDGES_PX, CellTable
-from .ground import LevelGround, log_energies
+from .ground import LevelGround
 from .intervals import Kept
 from .seam_profile import in_strip, strip_bins
 
@@ -114,11 +114,11 @@ class EnergySums:
         self, near: CellTable, level: int, ground: LevelGround, energy: np.ndarray, place: np.ndarray,
         piece: np.ndarray,
     ) -> None:
-        logs, ss = log_energies(energy), near.cc[level]
+        ss = near.cc[level]
         for total, kept in zip(self._by_kept, TRIED.tolist()):
             if kept != 1:
-                self._sum(total[level], place, kept * ss * ground.amplitude.at(logs + np.log(kept)))
-        amplitude, gain = ground.amplitude.at(logs), ground.gain.at(logs)
+                self._sum(total[level], place, kept * ss * ground.amplitude(kept * energy))
+        amplitude, gain = ground.amplitude(energy), ground.gain(energy)
         expected = ss * amplitude
         for total, values in (
             (self.own, near.mm[level]), (self.expected, expected), (self.shared, near.mc[level]),

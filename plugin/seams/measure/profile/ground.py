@@ -8,7 +8,7 @@ quantiles would take a dozen, so a small window is enough.
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +17,6 @@ from .cell_table import CELL_PX, EDGES_PX, CellTable
 
 _LEAST_ENERGY = 1e-2  # DN squared: below what rounding to whole values leaves
 _ROUNDS = 5
-_SETTLED = 1e-6  # change of the logarithm of a ratio
 _MOST_POINTS = 3000
 _MOST_EXPONENT = 8.0  # a factor of three thousand either way
 _MOST_STEP = 3.0  # of an exponent, that one place asks for in a round
@@ -40,25 +39,11 @@ class EnergyResponse:
 
     def __call__(self, energies: np.ndarray) -> np.ndarray:
         """The ratio at each energy, an array of the same shape."""
-        return self.at(log_energies(energies))
-
-    def at(self, logs: np.ndarray) -> np.ndarray:
-        """The ratio at each energy, by ``log_energies``, for those who ask more than once."""
-        logs = np.minimum(np.maximum(logs, self.lowest), self.highest)
+        logs = np.log(energies + _LEAST_ENERGY)
+        np.clip(logs, self.lowest, self.highest, out=logs)
         logs -= self.middle
         first, second, third = self.coefficients.tolist()
-        exponents = logs * third
-        exponents += second
-        exponents *= logs
-        exponents += first
-        np.minimum(exponents, _MOST_EXPONENT, out=exponents)
-        np.maximum(exponents, -_MOST_EXPONENT, out=exponents)
-        return np.asarray(np.exp(exponents, out=exponents))
-
-
-def log_energies(energies: np.ndarray) -> np.ndarray:
-    """What a curve is a parabola of."""
-    return np.asarray(np.log(energies + _LEAST_ENERGY))
+        return np.asarray(np.exp(_bounded((logs * third + second) * logs + first)))
 
 
 def sampled(values: np.ndarray) -> np.ndarray:
@@ -66,50 +51,25 @@ def sampled(values: np.ndarray) -> np.ndarray:
     return values[:: -(-len(values) // _MOST_POINTS) or 1]
 
 
-def fit_response(energies: np.ndarray, values: np.ndarray, start: EnergyResponse | None = None) -> EnergyResponse:
-    """The curve through the ratios values / energies, both (n,), n at least 3; strong detail counts for more. From
-    ``start``, one of nearly the same places, it is found sooner."""
-    energies, values = sampled(energies).astype(np.float64), sampled(values).astype(np.float64)
-    energies += _LEAST_ENERGY
-    logs = np.log(energies)
-    lowest, highest = quantiles(logs, _OUTERMOST)
+def fit_response(energies: np.ndarray, values: np.ndarray) -> EnergyResponse:
+    """The curve through the ratios values / energies, both (n,), n at least 3; strong detail counts for more."""
+    energies, values = sampled(energies) + np.float64(_LEAST_ENERGY), sampled(values).astype(np.float64)
+    logs, ratios = np.log(energies), values / energies
+    lowest, highest = np.quantile(logs, _OUTERMOST).tolist()
     middle = float(logs.mean())
-    logs -= middle
-    ratios = values / energies
-    terms = np.stack([np.ones_like(logs), logs, logs * logs])
+    terms = np.stack([(logs - middle) ** power for power in range(3)])
     weighted = terms * np.sqrt(energies)
     normal = weighted @ terms.T
-    normal += _RIDGE * np.trace(normal) * np.eye(3)
-    inverse = np.linalg.inv(normal)
-    mean = float(values.sum() / energies.sum())
-    exponent = np.full(len(logs), np.log(max(mean, np.exp(-_MOST_EXPONENT))))
-    coefficients = np.zeros(3)
-    if start is not None:
-        first, second, third = start.coefficients
-        off = middle - start.middle
-        coefficients = np.array([first + (second + third * off) * off, second + 2 * third * off, third])
-        exponent = np.minimum(np.maximum(coefficients @ terms, -_MOST_EXPONENT), _MOST_EXPONENT)
+    inverse = np.linalg.inv(normal + _RIDGE * np.trace(normal) * np.eye(3))
+    exponent = np.full(len(logs), np.log(max(values.sum() / energies.sum(), np.exp(-_MOST_EXPONENT))))
     for _ in range(_ROUNDS):
-        working = ratios * np.exp(-exponent)
-        working -= 1
-        np.minimum(working, _MOST_STEP, out=working)
-        working += exponent
-        before, coefficients = coefficients, inverse @ (weighted @ working)
-        exponent = coefficients @ terms
-        np.minimum(exponent, _MOST_EXPONENT, out=exponent)
-        np.maximum(exponent, -_MOST_EXPONENT, out=exponent)
-        if np.abs(coefficients - before).max() < _SETTLED:
-            break
+        coefficients = inverse @ (weighted @ (np.minimum(ratios * np.exp(-exponent) - 1, _MOST_STEP) + exponent))
+        exponent = _bounded(coefficients @ terms)
     return EnergyResponse(coefficients, middle, lowest, highest)
 
 
-def quantiles(values: np.ndarray, shares: Sequence[float]) -> list[float]:
-    """Quantiles of some values (n,), as ``np.quantile`` has them, which takes five times as long for few."""
-    places = [share * (len(values) - 1) for share in shares]
-    whole = [int(place) for place in places]
-    beside = [min(place + 1, len(values) - 1) for place in whole]
-    ordered = np.partition(values, sorted({*whole, *beside}))
-    return [float(ordered[a] + (place - a) * (ordered[b] - ordered[a])) for place, a, b in zip(places, whole, beside)]
+def _bounded(exponents: np.ndarray) -> np.ndarray:
+    return np.clip(exponents, -_MOST_EXPONENT, _MOST_EXPONENT, out=exponents)
 
 
 FAR_PX = 32
