@@ -64,7 +64,7 @@ class SeamSums:
         energy, mixed = self._energy, self._mixture.result()
         # Beyond what the ground leaves over as well.
         left_over = in_strip(mixed.left)
-        more_left = np.maximum(left_over - energy.left_by_ground, 0)
+        more_left = np.maximum(left_over - in_strip(energy.left_by_ground), 0)
         mm = in_strip(energy.own)  # with all that was added
         energy.take_out(mixed.edge, mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
