@@ -88,11 +88,11 @@ class EnergySums:
         return self._with_interval(self.own[level], self.area[level], self._by_kept[:, level])
 
     def take_out(self, edge: np.ndarray, left: np.ndarray) -> None:
-        """Take out what no source has, energy by (levels, some bins, count), DN squared: what the mosaic's detail has
-        of the cut's own edge, and what soft feathers leave over."""
+        """Take out what no source has, energy by (levels, bins, count), DN squared: what the mosaic's detail has of the
+        cut's own edge, and what soft feathers leave over."""
         unsure = SURE_LEFT * left
         self._unsure = in_strip(unsure)[0] / np.maximum(in_strip(self.own)[0], 1e-12)
-        self.own[:, : edge.shape[1]] -= edge + unsure
+        self.own = self.own - edge - unsure
 
     def _with_interval(self, own: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:
         """What is kept of areas, (..., count) each, by their energies and those ``by_kept``: as sure as the scatter of

@@ -256,27 +256,27 @@ class MixedStrips:
         self.edge, self.left, self.soft_left = map(
             self._both_sides, (fitted.edge, fitted.left, fitted.left * fitted.soft)
         )
-        """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
-        the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
+        """(levels, bins, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what the
+        mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
         mixed, plain, shown, self.plain = (
             self._both_sides(energy(whole, other, names))
             for names in (_BEFORE, _SHOWN) for energy in (mixed_energy, followed_energy)
         )
-        """(levels, MIXED_BINS, count), DN squared: energy of the sources' detail as the mosaic shows it."""
+        """(levels, bins, count), DN squared: energy of the sources' detail as the mosaic shows it."""
         carried = self._both_sides(fitted.carried * followed_energy(whole[:, 0], fitted.other, _SHOWN))
         self.carried = carried[strip_bins(0)].sum(axis=0) / np.maximum(in_strip(self.plain)[0], 1e-12)
         """(count,): share of its sources' finest detail that the mosaic has in the strip, of either."""
         unsure = fitted.unsure[:, np.newaxis]
         more, less = (mixed_energy(whole, np.clip(other + way * unsure, 0, 1)) for way in (1, -1))
         self._unsure = np.abs(in_strip(self._both_sides(more - less))[0]) / 2 / np.maximum(in_strip(plain)[0], 1e-12)
-        self.bins, self.before = _ratio(mixed, plain), _ratio(mixed * self.plain, plain * shown)
-        """(levels, MIXED_BINS, count) each: kept, and that as a multiple of what is kept of the sources as the mosaic
-        shows them; NaN where nothing is known."""
-        mixture, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
-        self.before_in_strip = _ratio(mixture * source, plain * shown)
-        """(levels, count): the same of the strip."""
+        self.bins, self.before = _ratio(mixed, plain), _ratio(mixed * self.plain, plain * shown, 1.0)
+        """(levels, bins, count) each: kept, NaN where nothing is known; and that as a multiple of what is kept of the
+        sources as the mosaic shows them, 1 where nothing is known."""
+        mixed, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
+        self.before_in_strip = _ratio(mixed * source, plain * shown, 1.0)
+        """(levels, count): such a multiple of the strip."""
         enough = self._both_sides(self._area)[strip_bins(0)].sum(axis=0) >= MIN_BESIDE_PX
-        self.levels = np.where(enough, _ratio(mixture, plain), np.nan)
+        self.levels = np.where(enough, _ratio(mixed, plain), np.nan)
         """kept_r (levels, count), NaN where nothing can be told."""
         self.kept = self._kept(left_out, other + fitted.blended[:, np.newaxis] * np.nan_to_num(deviations))
 
@@ -292,7 +292,7 @@ class MixedStrips:
         return widths
 
     def shares(self) -> np.ndarray:
-        """Shares of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
+        """Shares of the other source, (bins, count): the mean of both sides, NaN where there is nothing."""
         return _ratio(*map(self._both_sides, (self._other * self._area, self._area)))
 
     def _kept(self, left_out: np.ndarray, other: np.ndarray) -> Kept:
@@ -317,10 +317,10 @@ class MixedStrips:
         return Kept.of(value, total, freedom)
 
     def _both_sides(self, values: np.ndarray) -> np.ndarray:
-        """Sums over both sides and all seams of a piece, (..., MIXED_BINS, count), of values (n, ..., SLOTS)."""
+        """Sums over both sides and all seams of a piece, (..., bins, count), of values (n, ..., SLOTS)."""
         sides = values.reshape(*values.shape[:-1], 2, MIXED_BINS).sum(axis=-2)
-        sums = np.zeros((self._count, *sides.shape[1:]))
-        np.add.at(sums, self._piece, sides)
+        sums = np.zeros((self._count, *sides.shape[1:-1], len(EDGES_PX)))
+        np.add.at(sums[..., :MIXED_BINS], self._piece, sides)
         return np.moveaxis(sums, 0, -1)
 
 
@@ -332,5 +332,5 @@ def _spread(deviations: np.ndarray) -> np.ndarray:
     return np.asarray(np.sqrt(np.where(np.isnan(variance), np.inf, variance) + known**2))
 
 
-def _ratio(own: np.ndarray, plain: np.ndarray) -> np.ndarray:
-    return np.divide(own, plain, out=np.full(own.shape, np.nan), where=plain > 0)
+def _ratio(own: np.ndarray, plain: np.ndarray, unknown: float = np.nan) -> np.ndarray:
+    return np.divide(own, plain, out=np.full(own.shape, unknown), where=plain > 0)
