@@ -160,7 +160,7 @@ def loss_picture(
     samples = tuple(slice(part.start // SAMPLE_PX, part.stop // SAMPLE_PX) for part in (rows, columns))
     kept, labels = kept[own_cells], labels[rows, columns]
     _lower_to_sources(kept, expected[own_cells], energies[0][samples], energies[-1][samples], labels)
-    return LossPicture(kept, seam=np.argwhere(seam_samples(labels)).astype(np.uint16))
+    return LossPicture(kept, seam=np.argwhere(seam_samples(labels)[0]).astype(np.uint16))
 
 
 def _lower_to_sources(
