@@ -6,8 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, MixtureTable
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, FARTHEST, CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.profile.energy_sums import EnergySums
+from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.profile.intervals import Kept, together
 from seam_inspector.plugin.seams.measure.profile.mixture import LEAST_ERROR, MixedStrips, MixtureSums
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
@@ -68,6 +69,31 @@ def test_no_interval_is_too_wide_to_say_anything() -> None:
         hard, soft = (blend(width, side=192, seed=seed) for width in (0, 33))
         assert hard.profile(afterwards(hard, seed)).high > 1
         assert soft.profile(afterwards(soft, seed)).high < 0.8
+
+
+@pytest.mark.parametrize("width", [0, 33])
+def test_each_measure_alone_is_sure_enough_to_judge(width: int) -> None:
+    """Where one of them says nothing, the other would hide it."""
+    made = blend(width)
+    detail = made.detail(afterwards(made, 3))
+    for measure, most in ((energy_of(detail), 1.5), (mixture_of(detail).kept, 1.2)):
+        assert holds(measure, made.truth())
+        assert ratio(measure) < most
+
+
+@pytest.mark.parametrize("spread", [0.1, 0.3])
+def test_the_ground_scatters_as_its_blocks_do(spread: float) -> None:
+    """Cells all alike, of which the mosaic kept more or less in blocks of 32 px."""
+    row, column = (place.ravel().astype(np.int32) for place in np.mgrid[:80, :80])
+    factor = 1 + spread * np.random.default_rng(5).standard_normal((40, 40))
+    energy = np.full((1, row.size), 2560.0, np.float32)
+    own = energy * factor[row // 2, column // 2]
+    (ground,) = grounds(CellTable(
+        row, column, np.full(row.size, FARTHEST, np.uint8), np.full_like(energy, CELL_PX**2), own, energy, own
+    ))
+    assert ground is not None
+    assert ground.scatter == pytest.approx(factor.std() / factor.mean(), rel=0.01)
+    assert ground.blocks == pytest.approx(1600)
 
 
 def test_the_mixture_of_uneven_ground_is_less_sure() -> None:
