@@ -129,14 +129,14 @@ def _level_ground(table: CellTable, level: int, fewest: int) -> LevelGround | No
         return None
     area, mm, cc, mc = (values[level][far] for values in (cells.area, cells.mm, cells.cc, cells.mc))
     amplitude, gain = fit_response(cc / area, mm / area), fit_response(cc / area, np.maximum(mc, 0) / area)
-    _, of_block, counts = np.unique(
+    _, block, counts = np.unique(
         ((cells.row[far] // 2) << 32) + cells.column[far] // 2, return_inverse=True, return_counts=True
     )
     full = counts >= _BESIDE
     # Samples on their own scatter more than the blocks of ground that a strip is made of.
-    chosen = full[of_block] if np.count_nonzero(full) >= _FEWEST_BLOCKS else np.ones(len(of_block), bool)
+    chosen = full[block] if np.count_nonzero(full) >= _FEWEST_BLOCKS else np.ones(len(block), bool)
     sums = (mm[chosen], (cc * amplitude(cc / area))[chosen])
-    scatter = scatter_of_blocks(*(np.bincount(of_block[chosen], values) for values in sums))
+    scatter = _scatter_of_blocks(*(np.bincount(block[chosen], values) for values in sums))
     before = table.bin == beyond - 1
     expected = table.cc[level][before] * amplitude(cells.energy(level)[table.cell[before]])
     total = float(expected.sum())
@@ -148,7 +148,7 @@ def _is_whole(cells: CellTable) -> np.ndarray:
     return np.asarray(cells.area[0] >= CELL_PX**2)
 
 
-def scatter_of_blocks(own: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
+def _scatter_of_blocks(own: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
     """Standard deviation of the logarithm of own / expected between blocks, and how many blocks of one weight these
     are as good as."""
     known = expected > 0
@@ -156,7 +156,7 @@ def scatter_of_blocks(own: np.ndarray, expected: np.ndarray) -> tuple[float, flo
         return 1.0, 1.0
     weights = expected[known]
     ratios = own[known] / weights
-    mean = float((weights * ratios).sum() / weights.sum())
+    mean = float(np.average(ratios, weights=weights))
     count = float(weights.sum() ** 2 / (weights**2).sum())
-    variance = float((weights * (ratios - mean) ** 2).sum() / weights.sum()) * count / max(count - 1, 1)
+    variance = float(np.average((ratios - mean) ** 2, weights=weights)) * count / max(count - 1, 1)
     return float(np.sqrt(variance)) / max(mean, 1e-6), count

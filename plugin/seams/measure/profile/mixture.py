@@ -154,22 +154,18 @@ def feather_width_px(other: np.ndarray) -> float:
     """Full width of a linear feather that takes as far as this from a share of 10 to one of 90 %, by shares of the
     other source (SLOTS,); 0 for a cut. As wide as can be seen where it does not end; on one side alone it ends on the
     other as well, since all that tells of a mixture there is too weak."""
-    middles = [(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])]
-    reached = []
+    edges, reached = np.array(EDGES_PX[: MIXED_BINS + 1], float), []
+    middles = (edges[:-1] + edges[1:]) / 2
     for side in other.reshape(2, MIXED_BINS):
-        everywhere = float(side[-1]) if side[-1] < MOST_EVERYWHERE else 0.0
-        unmixed = UNMIXED_SHARE + everywhere
-        mixed = np.flatnonzero(side >= unmixed)
-        last = int(mixed[-1]) if len(mixed) else -1
-        if last < 0:
-            reached.append(0.0)
-        elif last == MIXED_BINS - 1:
-            reached.append(float(EDGES_PX[MIXED_BINS]))
+        unmixed = UNMIXED_SHARE + (side[-1] if side[-1] < MOST_EVERYWHERE else 0.0)
+        beyond = int(np.append(0, np.flatnonzero(side >= unmixed) + 1)[-1])  # of the last bin that is mixed
+        if 0 < beyond < MIXED_BINS:
+            ends = np.s_[beyond - 1 : beyond + 1]
+            reached.append(float(np.interp(-unmixed, -side[ends], middles[ends])))
         else:
-            share = (side[last] - unmixed) / max(side[last] - side[last + 1], 1e-9)
-            reached.append(middles[last] + float(share) * (middles[last + 1] - middles[last]))
+            reached.append(float(edges[beyond]))
     least, most = sorted(reached)
-    width = 2 * least if 0 < least < most == EDGES_PX[MIXED_BINS] else least + most
+    width = 2 * least if 0 < least < most == edges[-1] else least + most
     return width / (1 - 2 * UNMIXED_SHARE)
 
 
