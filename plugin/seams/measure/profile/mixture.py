@@ -207,33 +207,30 @@ class MixtureSums:
 
     def __init__(self, count: int, levels: int) -> None:
         self._count, self._levels = count, levels
-        self._sums: dict[tuple[int, int, int], np.ndarray] = {}  # piece, lower and higher number of the sources
+        self._sums: dict[int, np.ndarray] = {}  # by piece and the lower and higher number of the sources, in one code
 
     def add(self, table: MixtureTable, piece: np.ndarray) -> None:
         """Some rows; ``piece`` (n,): the one that each belongs to, or -1. Numbers of sources must mean the same every
         time."""
         table, piece = table.chosen(piece >= 0), piece[piece >= 0]
         lower, higher = np.minimum(table.source, table.other), np.maximum(table.source, table.other)
-        codes = (piece.astype(np.int64) << 32) + (lower.astype(np.int64) << 16) + higher
+        codes, seam = np.unique((piece.astype(np.int64) << 32) + (lower.astype(np.int64) << 16) + higher,
+                                return_inverse=True)
         group = (table.row // BLOCK_CELLS * 3 + table.column // BLOCK_CELLS) % GROUPS
-        slices = np.broadcast_to(GROUPS - 1 + np.arange(self._levels)[:, np.newaxis], (self._levels, len(table))).copy()
-        slices[0] = group
-        places = slices * SLOTS + (table.source > table.other) * MIXED_BINS + table.bin
-        order = np.argsort(codes, kind="stable")
-        seams, firsts = np.unique(codes[order], return_index=True)
-        for code, rows in zip(seams.tolist(), np.split(order, firsts[1:])):
-            key = code >> 32, code >> 16 & 0xFFFF, code & 0xFFFF
-            size = (GROUPS + self._levels - 1) * SLOTS
-            total = self._sums.setdefault(key, np.zeros((len(PRODUCTS), size)))
-            for product, target in zip(table.products[..., rows], total):
-                target += np.bincount(places[:, rows].ravel(), product.ravel(), size)
+        slices = np.stack([group, *(np.full_like(group, GROUPS - 1 + level) for level in range(1, self._levels))])
+        slot = (table.source > table.other) * MIXED_BINS + table.bin
+        size = (GROUPS + self._levels - 1) * SLOTS
+        place = ((seam * size + slot) + slices * SLOTS).ravel()
+        sums = [np.bincount(place, product.ravel(), len(codes) * size) for product in table.products]
+        for code, of_seam in zip(codes.tolist(), np.stack(sums).reshape(len(PRODUCTS), -1, size).swapaxes(0, 1)):
+            self._sums[code] = self._sums.get(code, 0) + of_seam
 
     def result(self) -> MixedStrips:
         """Mixtures of all pieces."""
-        keys = sorted(self._sums)
-        shape = (len(keys), len(PRODUCTS), GROUPS + self._levels - 1, SLOTS)
-        sums = np.stack([self._sums[key] for key in keys]).reshape(shape) if keys else np.zeros(shape)
-        return MixedStrips(np.array([key[0] for key in keys], np.intp), np.moveaxis(sums, 1, -1), self._count)
+        codes = np.array(sorted(self._sums), np.int64)
+        sums = np.array([self._sums[code] for code in codes.tolist()])
+        sums = sums.reshape(len(codes), len(PRODUCTS), GROUPS + self._levels - 1, SLOTS)
+        return MixedStrips(codes >> 32, np.moveaxis(sums, 1, -1), self._count)
 
 
 class MixedStrips:
