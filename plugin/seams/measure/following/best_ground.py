@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..profile.ground import EnergyResponse, fit_response, log_energies, quantiles, sampled
+from ..profile.ground import EnergyResponse, fit_response, sampled
 
 MIN_STRANGE = 0.4  # of the way from what true sources leave over to all of it: surely another image
 MIN_ALIKE_STRANGE = 0.05  # the same of another image of the same ground, where there is much of it
@@ -71,15 +71,15 @@ def learn_best_ground(own: np.ndarray, left: np.ndarray) -> BestGround | None:
     share = left / own
     chosen, most = np.zeros(len(own), bool), np.inf
     for part in np.array_split(np.argsort(own), _CLASSES):
-        most = min(*quantiles(share[part], [_BEST]), _MOST_RISE * most)
+        most = min(float(np.quantile(share[part], _BEST)), _MOST_RISE * most)
         chosen[part] = share[part] <= most
     if not chosen.any():  # nor is NaN less than anything
         return None
-    response, logs = fit_response(own[chosen], left[chosen]), log_energies(own)
+    response = fit_response(own[chosen], left[chosen])
     for _ in range(_ROUNDS):
-        before, chosen = chosen, share <= _MOST_LEARNED * response.at(logs)
+        before, chosen = chosen, share <= _MOST_LEARNED * response(own)
         if np.count_nonzero(chosen) < _FEWEST // _CLASSES or (chosen == before).all():
             break
-        response = fit_response(own[chosen], left[chosen], response)
-    weak, strong = quantiles(own, (_WEAK, _STRONG))
+        response = fit_response(own[chosen], left[chosen])
+    weak, strong = np.quantile(own, (_WEAK, _STRONG)).tolist()
     return BestGround(response, weak, strong)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from typing import TypeVar
 
 import numpy as np
@@ -70,9 +71,13 @@ class Rows:
 
     def within(self: _Rows, place: tuple[slice, slice]) -> _Rows:
         """Those of some rows and columns of cells."""
+        return self.chosen(self.are_within(place))
+
+    def are_within(self, place: tuple[slice, slice]) -> np.ndarray:
+        """Which rows are of some rows and columns of cells, (n,) bool."""
         rows, columns = place
         inside = (self.row >= rows.start) & (self.row < rows.stop)
-        return self.chosen(inside & (self.column >= columns.start) & (self.column < columns.stop))
+        return np.asarray(inside & (self.column >= columns.start) & (self.column < columns.stop))
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,6 +97,40 @@ class CellTable(Rows):
     def levels(self) -> int:
         """Rows of the sums."""
         return len(self.mm)
+
+    @property
+    def whole(self) -> CellTable:
+        """A row for each cell, ascending, its parts together: float64, with the bin of the part nearest to a seam."""
+        return self._whole_cells[0]
+
+    @property
+    def cell(self) -> np.ndarray:
+        """(n,): the row of ``whole`` that each row is a part of."""
+        return self._whole_cells[1]
+
+    def energy(self, level: int) -> np.ndarray:
+        """Energy of the sources' detail, a pixel, DN squared, (n,)."""
+        return np.asarray(self.cc[level] / np.maximum(self.area[level], 1))
+
+    @cached_property
+    def _whole_cells(self) -> tuple[CellTable, np.ndarray]:
+        if not len(self):
+            return self, np.zeros(0, np.intp)
+        # Numbered by the rectangle around them, as sorting takes ten times as long.
+        top, left = int(self.row.min()), int(self.column.min())
+        width = int(self.column.max()) - left + 1
+        place = (self.row.astype(np.intp) - top) * width + (self.column - left)
+        held = np.flatnonzero(np.bincount(place))
+        number = np.empty(int(held[-1]) + 1, np.intp)
+        number[held] = np.arange(len(held))
+        cell, count, bins = number[place], len(held), len(EDGES_PX)
+        has_bin = np.bincount(cell * bins + self.bin, minlength=count * bins).reshape(count, bins) > 0
+        area, mm, cc, mc = (
+            np.stack([np.bincount(cell, level, count) for level in values])
+            for values in (self.area, self.mm, self.cc, self.mc)
+        )
+        nearest = has_bin.argmax(axis=1).astype(np.uint8)
+        return CellTable(top + held // width, left + held % width, nearest, area, mm, cc, mc), cell
 
     @classmethod
     def empty(cls, levels: int) -> CellTable:
@@ -133,68 +172,6 @@ class MixtureTable(Rows):
         """A table without rows."""
         number = np.zeros(0, np.uint8)
         return cls(*_no_place(), number, number, np.zeros((len(PRODUCTS), levels, 0), np.float32))
-
-
-@dataclass(frozen=True, eq=False)
-class WholeCells:
-    """The cells of a table, all bins of each together."""
-
-    keys: np.ndarray
-    """(n,) int64, ascending."""
-    nearest: np.ndarray
-    """(n,) uint8: the bin of the part that is nearest to a seam."""
-    area: np.ndarray
-    """(levels, n) px"""
-    mm: np.ndarray
-    """(levels, n) DN squared"""
-    cc: np.ndarray
-    """(levels, n) DN squared"""
-    mc: np.ndarray
-    """(levels, n) DN squared"""
-    of_row: np.ndarray
-    """(rows of the table,): the cell that each is of."""
-
-    @property
-    def row(self) -> np.ndarray:
-        """(n,) of cells of 16 px in the mosaic."""
-        return np.asarray(self.keys >> 32)
-
-    @property
-    def column(self) -> np.ndarray:
-        """(n,)"""
-        return np.asarray(self.keys & 0xFFFFFFFF)
-
-    def energy(self, level: int) -> np.ndarray:
-        """Energy of the sources' detail, a pixel, DN squared, (n,)."""
-        return np.asarray(self.cc[level] / np.maximum(self.area[level], 1))
-
-
-def whole_cells(table: CellTable) -> WholeCells:
-    """The cells that the rows of a table are of."""
-    keys, of_row = _numbered(table)
-    count = len(keys)
-    bins = np.bincount(of_row * len(EDGES_PX) + table.bin, minlength=count * len(EDGES_PX))
-    nearest = (bins.reshape(count, len(EDGES_PX)) > 0).argmax(axis=1).astype(np.uint8)
-    sums = [
-        np.stack([np.bincount(of_row, row, count) for row in values]) if count else np.zeros((table.levels, 0))
-        for values in (table.area, table.mm, table.cc, table.mc)
-    ]
-    area, mm, cc, mc = sums
-    return WholeCells(keys, nearest, area, mm, cc, mc, of_row)
-
-
-def _numbered(table: CellTable) -> tuple[np.ndarray, np.ndarray]:
-    """Keys of the cells, ascending, and the number of each row's; by the rectangle around them, as sorting takes ten
-    times as long."""
-    if not len(table):
-        return np.zeros(0, np.int64), np.zeros(0, np.intp)
-    top, left = int(table.row.min()), int(table.column.min())
-    width = int(table.column.max()) - left + 1
-    place = (table.row.astype(np.intp) - top) * width + (table.column - left)
-    held = np.flatnonzero(np.bincount(place))
-    number = np.empty(int(held[-1]) + 1, np.intp)
-    number[held] = np.arange(len(held))
-    return (top + held // width << 32) + left + held % width, number[place]
 
 
 def _no_place() -> tuple[np.ndarray, np.ndarray, np.ndarray]:

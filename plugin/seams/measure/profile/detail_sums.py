@@ -7,7 +7,7 @@ Where more than two sources are mixed, o is all that s is mixed with, each by it
 """
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -61,8 +61,6 @@ class SeamGeometry:
     """uint8: the one beyond the nearest seam, ``UNKNOWN`` where there is none."""
     bins: np.ndarray
     """int: of distance from the seam; ``len(EDGES_PX)`` where no source explains the mosaic."""
-    seam: np.ndarray
-    """bool: beside which another source is followed."""
 
 
 def detail_sums(
@@ -80,18 +78,21 @@ def detail_sums(
     """
     rows, columns = (length // CELL_PX for length in labels.shape)
     place = seam_geometry(labels)
-    levels, beside = len(details), _pairs(place, numbers, valid or {})
-    pairs, per_cell = len(beside.pairs), CELL_PX // _GRID_PX
+    levels, per_cell = len(details), CELL_PX // _GRID_PX
     whole = np.s_[: rows * per_cell, : columns * per_cell]  # cells
-    followed, other, bins, pair = (one[whole] for one in (place.labels, place.other, place.bins, beside.pair))
+    followed, other, bins, beside = (
+        plane[whole] for plane in (place.labels, place.other, place.bins, _beside_another(place, numbers, valid or {}))
+    )
     others = _among_others(shares or {}, numbers, place.labels)[(slice(None), *whole)]
     cell = np.add.outer(*(np.arange(many * per_cell) // per_cell * by for many, by in ((rows, columns), (columns, 1))))
     # What no source explains, and what lies beside no seam, is left out. Each coarser coefficient lies at a finest one.
     of_bin = _numbered(cell * len(EDGES_PX) + bins, bins < len(EDGES_PX))
-    of_pair = _numbered((cell * MIXED_BINS + bins) * pairs + pair, pair < pairs)
+    pair = _numbered(followed.astype(np.intp) * (UNKNOWN + 1) + other, beside)
+    pairs = len(pair.held)
+    of_pair = _numbered((cell * MIXED_BINS + bins) * pairs + pair.number, beside)
     sums = np.zeros((4, levels, len(of_bin.held)))
     mixed = np.zeros((len(PRODUCTS), levels, len(of_pair.held)))
-    number = np.zeros(UNKNOWN + 1, np.intp)
+    number = np.full(UNKNOWN + 1, CUT)  # of what no source explains, which takes no part
     number[list(numbers)] = np.arange(FIRST_SOURCE, FIRST_SOURCE + len(numbers))
     for level, detail in enumerate(details):
         pixels = 2 ** (level + 1)
@@ -100,25 +101,24 @@ def detail_sums(
             break  # coefficients larger than a cell tell nothing of a place
         coarse = np.s_[step // 2 :: step, step // 2 :: step]
         detail = np.ascontiguousarray(detail[..., : rows * counted, : columns * counted])
-        level_labels = followed[coarse]
+        size = rows * columns * counted**2
         planes = detail.reshape(3, -1)  # by one number each, and whole rows first: a third of the time
-        m, c = detail[:, MOSAIC], detail[:, CUT]
-        s = _followed(detail, numbers, level_labels) if numbers else c
-        m, c, s = (of.reshape(3, -1) for of in (m, c, s))
+        here, there = (np.take(number, sources[coarse].ravel()) for sources in (followed, other))
+        m, c = (detail[:, plane].reshape(3, size) for plane in (MOSAIC, CUT))
+        s = np.take(planes, here * size + np.arange(size), axis=1) if numbers else c
         _add(sums[:, level], of_bin.number[coarse], pixels**2, ((m, m), (s, s), (m, s)))
         if not pairs:
             continue
         index = of_pair.number[coarse].ravel()
         at = np.flatnonzero(index < len(of_pair.held))
-        here, there = (np.take(number[of], at) for of in (level_labels, other[coarse]))
-        m, c, s = (np.take(of, at, axis=1) for of in (m, c, s))
-        o = np.take(planes, there * level_labels.size + at, axis=1)
-        among = others[(slice(None), *coarse)].reshape(len(others), level_labels.size)[:, at]
+        m, c, s = (np.take(plane, at, axis=1) for plane in (m, c, s))
+        o = np.take(planes, there[at] * size + at, axis=1)
+        among = others[(slice(None), *coarse)].reshape(len(others), size)[:, at]
         o = _beyond(o, detail, at, among, FIRST_SOURCE)
         k = c - s
         products = [(m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)]
         if is_filtered:
-            p, q = (np.take(planes, (of + len(numbers)) * level_labels.size + at, axis=1) for of in (here, there))
+            p, q = (np.take(planes, (side[at] + len(numbers)) * size + at, axis=1) for side in (here, there))
             q = _beyond(q, detail, at, among, FIRST_SOURCE + len(numbers))
             products += [(p, p), (p, q), (q, q)]
         _add(mixed[:, level], np.take(index, at), pixels**2, products)
@@ -126,7 +126,18 @@ def detail_sums(
         mixed[_BEFORE] = mixed[_SHOWN]
     sums[2:, sums[2] <= of_rounding * sums[0]] = 0
     mixed[1:, np.maximum(mixed[_SS], mixed[_OO]) <= of_rounding * mixed[0]] = 0
-    return _cell_table(of_bin.held, sums, columns), _mixture_table(of_pair.held, mixed, columns, beside.pairs)
+    row, column, near_bin, which = _unravelled(of_pair.held, (rows, columns, MIXED_BINS, max(pairs, 1)))
+    source, beyond = np.divmod(pair.held[which], UNKNOWN + 1)
+    return (
+        CellTable(*_unravelled(of_bin.held, (rows, columns, len(EDGES_PX))), *sums.astype(np.float32)),
+        MixtureTable(row, column, near_bin, source.astype(np.uint8), beyond.astype(np.uint8), mixed.astype(np.float32)),
+    )
+
+
+def _unravelled(codes: np.ndarray, shape: tuple[int, ...]) -> Iterator[np.ndarray]:
+    """Row, column and bin, and what else codes are made of, as tables hold them."""
+    for numbers, kind in zip(np.unravel_index(codes, shape), (np.int32, np.int32, np.uint8, np.intp)):
+        yield numbers.astype(kind)
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,7 +174,7 @@ def _add(
 def seam_geometry(labels: np.ndarray) -> SeamGeometry:
     """Distances from the nearest seam, and what lies beyond it."""
     coarse = np.ascontiguousarray(labels[::_GRID_PX, ::_GRID_PX])
-    seam, beyond = _seam_samples(coarse)
+    seam, beyond = seam_samples(labels)
     other = np.full(coarse.shape, UNKNOWN, np.uint8)
     if seam.any():
         row, column = ndimage.distance_transform_edt(~seam, return_distances=False, return_indices=True)
@@ -182,13 +193,7 @@ def seam_geometry(labels: np.ndarray) -> SeamGeometry:
     explained = explained_samples(labels)
     if not explained.all():
         bins[~explained] = len(EDGES_PX)
-    return SeamGeometry(coarse, other, bins, seam)
-
-
-def seam_samples(labels: np.ndarray) -> np.ndarray:
-    """Samples on the grid of the finest coefficients beside which another source is followed, (rows / 2, columns / 2)
-    bool."""
-    return _seam_samples(np.ascontiguousarray(labels[::_GRID_PX, ::_GRID_PX]))[0]
+    return SeamGeometry(coarse, other, bins)
 
 
 def explained_samples(labels: np.ndarray) -> np.ndarray:
@@ -196,8 +201,10 @@ def explained_samples(labels: np.ndarray) -> np.ndarray:
     return narrowed(labels[::_GRID_PX, ::_GRID_PX] != UNKNOWN, _UNKNOWN_MARGIN_PX // _GRID_PX)
 
 
-def _seam_samples(coarse: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Samples beside which another source is followed, bool, and the source that each of them meets, uint8."""
+def seam_samples(labels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Samples on the grid of the finest coefficients, (rows / 2, columns / 2), beside which another source is followed,
+    bool, and the source that each of them meets, uint8."""
+    coarse = labels[::_GRID_PX, ::_GRID_PX]
     known = coarse != UNKNOWN
     seam, beyond = np.zeros(coarse.shape, bool), np.full(coarse.shape, UNKNOWN, np.uint8)
     for here, there in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
@@ -208,37 +215,15 @@ def _seam_samples(coarse: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return seam, beyond
 
 
-@dataclass(frozen=True, eq=False)
-class _Pairs:
-    """Samples beside a seam by what they follow and what lies beyond."""
-
-    pairs: np.ndarray
-    """(pairs, 2) uint8: source and other."""
-    pair: np.ndarray
-    """int, as the samples: which of them; their count where there is none."""
-
-
-def _pairs(place: SeamGeometry, numbers: Sequence[int], valid: Mapping[int, np.ndarray]) -> _Pairs:
-    beside = (place.bins < MIXED_BINS) & (place.other != UNKNOWN)
+def _beside_another(
+    place: SeamGeometry, numbers: Sequence[int], valid: Mapping[int, np.ndarray]
+) -> np.ndarray:
+    """Samples that lie beside a seam where the source beyond it is known, bool."""
+    beside = (place.bins < MIXED_BINS) & (place.other != UNKNOWN) & bool(len(numbers))
     for number, pixels in valid.items():
         if number in numbers:  # what a source doesn't have the mosaic can't have of it
             beside &= (place.other != number) | pixels[::_GRID_PX, ::_GRID_PX]
-    if not len(numbers) or not beside.any():
-        return _Pairs(np.zeros((0, 2), np.uint8), np.zeros(place.bins.shape, np.intp))
-    codes = np.where(beside, place.labels.astype(np.intp) * (UNKNOWN + 1) + place.other, _NO_PAIR)
-    present = np.flatnonzero(np.bincount(codes.ravel(), minlength=_NO_PAIR)[:_NO_PAIR])
-    numbered = np.full(_NO_PAIR + 1, len(present))
-    numbered[present] = np.arange(len(present))
-    pair = np.take(numbered, codes)
-    return _Pairs(np.column_stack(np.divmod(present, UNKNOWN + 1)).astype(np.uint8), pair)
-
-
-def _followed(details: np.ndarray, numbers: Sequence[int], labels: np.ndarray) -> np.ndarray:
-    """Each coefficient from the source that is followed there, (3, rows, columns)."""
-    followed = details[:, CUT].copy()  # of what no source explains, which takes no part
-    for place, number in enumerate(numbers, FIRST_SOURCE):
-        np.copyto(followed, details[:, place], where=labels == number)
-    return followed
+    return beside
 
 
 def _among_others(shares: Mapping[int, np.ndarray], numbers: Sequence[int], labels: np.ndarray) -> np.ndarray:
@@ -260,27 +245,6 @@ def _beyond(found: np.ndarray, details: np.ndarray, at: np.ndarray, among: np.nd
         planes = details[:, first : first + len(among)].reshape(3, len(among), -1)
         found[:, some] = np.einsum("dsn,sn->dn", planes[..., at[some]], among[:, some])
     return found
-
-
-def _cell_table(held: np.ndarray, sums: np.ndarray, columns: int) -> CellTable:
-    """``sums``: area, mm, cc and mc, (4, levels, n), of the cells and bins that are ``held``."""
-    cells, bins = np.divmod(held, len(EDGES_PX))
-    return CellTable(*_places(cells, columns), bins.astype(np.uint8), *sums.astype(np.float32))
-
-
-def _mixture_table(held: np.ndarray, sums: np.ndarray, columns: int, pairs: np.ndarray) -> MixtureTable:
-    """``sums``: products, (PRODUCTS, levels, n), of the cells, bins and pairs that are ``held``."""
-    if not len(pairs):
-        return MixtureTable.empty(sums.shape[1])
-    rest, pair = np.divmod(held, len(pairs))
-    cells, bins = np.divmod(rest, MIXED_BINS)
-    source, other = pairs[pair].T
-    return MixtureTable(*_places(cells, columns), bins.astype(np.uint8), source, other, sums.astype(np.float32))
-
-
-def _places(cells: np.ndarray, columns: int) -> tuple[np.ndarray, np.ndarray]:
-    row, column = np.divmod(cells, columns)
-    return row.astype(np.int32), column.astype(np.int32)
 
 
 @cache

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from .cell_table import CELL_PX, EDGES_PX, CellTable, WholeCells
-from .ground import LevelGround, log_energies
+from .cell_table import CELL_PX, EDGES_PX, CellTable
+from .ground import LevelGround
 from .intervals import Kept
 from .seam_profile import in_strip, strip_bins
 
@@ -40,32 +40,37 @@ class EnergySums:
     """Adds up the cells of ``count`` pieces of seam."""
 
     def __init__(self, count: int, levels: int) -> None:
-        self._count, self._levels = count, levels
-        self.own, self.shared, self.expected_shared = np.zeros((3, levels, len(EDGES_PX), count))
-        """mm, mc and what is expected of that: (levels, bins, count)."""
-        self._by_kept = np.zeros((len(TRIED), levels, len(EDGES_PX), count))
-        self.area, self.plain = np.zeros((2, levels, len(EDGES_PX), count))
-        """Pixels and ss, with ground or without."""
+        self._count = count
+        shape = levels, len(EDGES_PX), count
+        self.area, self.plain, self.own, self.shared = np.zeros((4, *shape))
+        """Pixels, ss, mm and mc, by level, bin and piece: the first two with ground or without."""
+        self.expected_shared, self.left_by_ground = np.zeros((2, *shape))
+        """mc that the ground makes one expect, and energy that sources leave over as they do there, DN squared."""
+        self._by_kept = np.zeros((len(TRIED), *shape))
         self._squares = np.zeros(count)  # of what is expected of blocks of 32 px in the strip
         self._noise = np.zeros((3, count))  # scatter, blocks of ground, reach; each times what is expected
-        self._left = np.zeros((levels, count))  # that the ground makes one expect in the strip, DN squared
         self._unsure = np.zeros(count)  # share of the mosaic's finest detail in the strip
 
-    def add(
-        self, table: CellTable, whole: WholeCells, ground: Sequence[LevelGround | None], piece_of: np.ndarray
-    ) -> None:
-        """Some cells, ``whole`` those of ``table``; ``piece_of`` (cells,): the piece that each belongs to, or -1."""
-        piece = piece_of[whole.of_row]
+    def add(self, table: CellTable, ground: Sequence[LevelGround | None], piece: np.ndarray) -> None:
+        """Some cells; ``piece`` (rows of the table,): the one that each belongs to, or -1."""
         in_pieces = np.flatnonzero(piece >= 0)
         if not len(in_pieces):
             return
-        near, cells, piece = table.chosen(in_pieces), whole.of_row[in_pieces], piece[in_pieces]
+        near, cells, piece = table.chosen(in_pieces), table.cell[in_pieces], piece[in_pieces]
         place = near.bin.astype(np.intp) * self._count + piece
         for level, level_ground in enumerate(ground):
-            self._sum(self.area[level], place, near.area[level])
-            self._sum(self.plain[level], place, near.cc[level])
+            sums = [(self.area, near.area[level]), (self.plain, ss := near.cc[level])]
             if level_ground is not None:
-                self._add_level(near, level, level_ground, whole.energy(level)[cells], place, piece)
+                energy = table.whole.energy(level)[cells]
+                amplitude, gain = level_ground.amplitude(energy), level_ground.gain(energy)
+                sums += [(self.own, near.mm[level]), (self.shared, near.mc[level]), (self.expected_shared, ss * gain)]
+                sums += [(self.left_by_ground, ss * np.maximum(amplitude - gain**2, 0))]
+                sums += [(total, kept * ss * level_ground.amplitude(kept * energy))
+                         for total, kept in zip(self._by_kept, TRIED)]
+                if not level:
+                    self._add_noise(near, level_ground, ss * amplitude, piece)
+            for total, values in sums:
+                total[level] += np.bincount(place, values, total[level].size).reshape(total[level].shape)
 
     @property
     def expected(self) -> np.ndarray:
@@ -74,7 +79,7 @@ class EnergySums:
 
     def kept(self) -> tuple[Kept, np.ndarray]:
         """kept_1 of every piece, and kept_r (levels, count), NaN where nothing can be told."""
-        expected = np.stack([in_strip(one) for one in self._by_kept])
+        expected = np.stack([in_strip(energies) for energies in self._by_kept])
         mm = in_strip(self.own)
         return self._with_interval(mm[0], in_strip(self.area)[0], expected[:, 0]), _kept(mm, expected)
 
@@ -83,11 +88,11 @@ class EnergySums:
         return self._with_interval(self.own[level], self.area[level], self._by_kept[:, level])
 
     def take_out(self, edge: np.ndarray, left: np.ndarray) -> None:
-        """Take out what no source has, energy by (levels, some bins, count), DN squared: what the mosaic's detail has
-        of the cut's own edge, and what soft feathers leave over."""
+        """Take out what no source has, energy by (levels, bins, count), DN squared: what the mosaic's detail has of the
+        cut's own edge, and what soft feathers leave over."""
         unsure = SURE_LEFT * left
         self._unsure = in_strip(unsure)[0] / np.maximum(in_strip(self.own)[0], 1e-12)
-        self.own[:, : edge.shape[1]] -= edge + unsure
+        self.own = self.own - edge - unsure
 
     def _with_interval(self, own: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:
         """What is kept of areas, (..., count) each, by their energies and those ``by_kept``: as sure as the scatter of
@@ -108,67 +113,32 @@ class EnergySums:
         error = np.hypot(error / _slope(kept, by_kept), RESPONSE_ERROR * by_response)
         return Kept.of(kept, error, np.broadcast_to(blocks - 1, error.shape))
 
-    @property
-    def left_by_ground(self) -> np.ndarray:
-        """Energy in the strips that sources leave over as they do on the ground around, DN squared, (levels, count)."""
-        return self._left
-
-    def _add_level(
-        self, near: CellTable, level: int, ground: LevelGround, energy: np.ndarray, place: np.ndarray,
-        piece: np.ndarray,
-    ) -> None:
-        logs, ss = log_energies(energy), near.cc[level]
-        for total, kept in zip(self._by_kept, TRIED.tolist()):
-            if kept != 1:
-                self._sum(total[level], place, kept * ss * ground.amplitude.at(logs + np.log(kept)))
-        amplitude, gain = ground.amplitude.at(logs), ground.gain.at(logs)
-        expected = ss * amplitude
-        for total, values in (
-            (self.own, near.mm[level]), (self.expected, expected), (self.shared, near.mc[level]),
-            (self.expected_shared, ss * gain),
-        ):
-            self._sum(total[level], place, values)
-        strip = near.bin < strip_bins(level).stop
-        strip_piece, expected = piece[strip], expected[strip]
-        left_over = ss[strip] * np.maximum(amplitude[strip] - gain[strip] ** 2, 0)
-        self._left[level] += np.bincount(strip_piece, left_over, self._count)
-        if level:
-            return
-        side = BLOCK_CELLS
-        rows, columns = (one[strip].astype(np.int64) // side for one in (near.row, near.column))
-        blocks = (strip_piece.astype(np.int64) << 40) + (rows << 20) + columns
-        keys, of_block = np.unique(blocks, return_inverse=True)
-        self._squares += np.bincount(keys >> 40, np.bincount(of_block, expected) ** 2, self._count)
-        weight = np.bincount(strip_piece, expected, self._count)
+    def _add_noise(self, near: CellTable, ground: LevelGround, expected: np.ndarray, piece: np.ndarray) -> None:
+        """What the interval follows from, by what is expected of cells that belong to pieces, (n,)."""
+        strip = near.bin < strip_bins(0).stop
+        piece, expected = piece[strip], expected[strip]
+        rows, columns = (place[strip].astype(np.int64) // BLOCK_CELLS for place in (near.row, near.column))
+        keys, block = np.unique((piece.astype(np.int64) << 40) + (rows << 20) + columns, return_inverse=True)
+        self._squares += np.bincount(keys >> 40, np.bincount(block, expected) ** 2, self._count)
+        weight = np.bincount(piece, expected, self._count)
         self._noise += weight * np.array((ground.scatter**2, ground.blocks, ground.reach**2))[:, np.newaxis]
-
-    def _sum(self, total: np.ndarray, place: np.ndarray, values: np.ndarray) -> None:
-        total += np.bincount(place, values, total.size).reshape(total.shape)
 
 
 def _kept(own: np.ndarray, by_kept: np.ndarray) -> np.ndarray:
     """The share of which such an energy is left, (...), NaN where nothing is expected; ``by_kept`` (TRIED, ...)."""
-    at, first, last = _between(own, by_kept)
-    known = by_kept[_ALL] > 0
+    tried = np.append(0, TRIED)
+    rising = np.maximum.accumulate(np.concatenate([np.zeros_like(by_kept[:1]), by_kept]))
+    at = np.clip((rising < own).sum(axis=0), 1, len(TRIED))
+    below, above = np.take_along_axis(rising, np.stack([at - 1, at]), 0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        part = (np.maximum(own, 0) - first) / (last - first)
-    lower, upper = np.append(0, TRIED)[at], TRIED[at]
-    return np.where(known, lower + part * (upper - lower), np.nan)
+        part = (np.maximum(own, 0) - below) / (above - below)
+    return np.where(by_kept[_ALL] > 0, tried[at - 1] + part * (tried[at] - tried[at - 1]), np.nan)
 
 
 def _slope(kept: np.ndarray, by_kept: np.ndarray) -> np.ndarray:
     """Change of an energy with what is kept, both as shares: 1 without noise."""
     at = np.clip(np.searchsorted(TRIED, np.nan_to_num(kept, nan=1.0)), 1, len(TRIED) - 1)
-    first, last = (np.take_along_axis(by_kept, place[np.newaxis], 0)[0] for place in (at - 1, at))
+    below, above = np.take_along_axis(by_kept, np.stack([at - 1, at]), 0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        slope = np.log(last / first) / np.log(TRIED[at] / TRIED[at - 1])
+        slope = np.log(above / below) / np.log(TRIED[at] / TRIED[at - 1])
     return np.asarray(np.clip(np.nan_to_num(slope, nan=1.0), LEAST_SLOPE, 1))
-
-
-def _between(own: np.ndarray, by_kept: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The value tried above an energy, the energy of the one below, 0 for the first, and its own."""
-    rising = np.maximum.accumulate(by_kept, axis=0)
-    at = np.minimum((rising < own).sum(axis=0), len(TRIED) - 1)
-    last = np.take_along_axis(rising, at[np.newaxis], 0)[0]
-    first = np.where(at > 0, np.take_along_axis(rising, np.maximum(at - 1, 0)[np.newaxis], 0)[0], 0)
-    return at, first, last

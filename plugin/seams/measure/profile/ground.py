@@ -8,16 +8,15 @@ quantiles would take a dozen, so a small window is enough.
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from .cell_table import CELL_PX, EDGES_PX, CellTable, WholeCells, whole_cells
+from .cell_table import CELL_PX, EDGES_PX, CellTable
 
 _LEAST_ENERGY = 1e-2  # DN squared: below what rounding to whole values leaves
 _ROUNDS = 5
-_SETTLED = 1e-6  # change of the logarithm of a ratio
 _MOST_POINTS = 3000
 _MOST_EXPONENT = 8.0  # a factor of three thousand either way
 _MOST_STEP = 3.0  # of an exponent, that one place asks for in a round
@@ -40,25 +39,11 @@ class EnergyResponse:
 
     def __call__(self, energies: np.ndarray) -> np.ndarray:
         """The ratio at each energy, an array of the same shape."""
-        return self.at(log_energies(energies))
-
-    def at(self, logs: np.ndarray) -> np.ndarray:
-        """The ratio at each energy, by ``log_energies``, for those who ask more than once."""
-        logs = np.minimum(np.maximum(logs, self.lowest), self.highest)
+        logs = np.log(energies + _LEAST_ENERGY)
+        np.clip(logs, self.lowest, self.highest, out=logs)
         logs -= self.middle
         first, second, third = self.coefficients.tolist()
-        exponents = logs * third
-        exponents += second
-        exponents *= logs
-        exponents += first
-        np.minimum(exponents, _MOST_EXPONENT, out=exponents)
-        np.maximum(exponents, -_MOST_EXPONENT, out=exponents)
-        return np.asarray(np.exp(exponents, out=exponents))
-
-
-def log_energies(energies: np.ndarray) -> np.ndarray:
-    """What a curve is a parabola of."""
-    return np.asarray(np.log(energies + _LEAST_ENERGY))
+        return np.asarray(np.exp(_bounded((logs * third + second) * logs + first)))
 
 
 def sampled(values: np.ndarray) -> np.ndarray:
@@ -66,50 +51,25 @@ def sampled(values: np.ndarray) -> np.ndarray:
     return values[:: -(-len(values) // _MOST_POINTS) or 1]
 
 
-def fit_response(energies: np.ndarray, values: np.ndarray, start: EnergyResponse | None = None) -> EnergyResponse:
-    """The curve through the ratios values / energies, both (n,), n at least 3; strong detail counts for more. From
-    ``start``, one of nearly the same places, it is found sooner."""
-    energies, values = sampled(energies).astype(np.float64), sampled(values).astype(np.float64)
-    energies += _LEAST_ENERGY
-    logs = np.log(energies)
-    lowest, highest = quantiles(logs, _OUTERMOST)
+def fit_response(energies: np.ndarray, values: np.ndarray) -> EnergyResponse:
+    """The curve through the ratios values / energies, both (n,), n at least 3; strong detail counts for more."""
+    energies, values = sampled(energies) + np.float64(_LEAST_ENERGY), sampled(values).astype(np.float64)
+    logs, ratios = np.log(energies), values / energies
+    lowest, highest = np.quantile(logs, _OUTERMOST).tolist()
     middle = float(logs.mean())
-    logs -= middle
-    ratios = values / energies
-    terms = np.stack([np.ones_like(logs), logs, logs * logs])
+    terms = np.stack([(logs - middle) ** power for power in range(3)])
     weighted = terms * np.sqrt(energies)
     normal = weighted @ terms.T
-    normal += _RIDGE * np.trace(normal) * np.eye(3)
-    inverse = np.linalg.inv(normal)
-    mean = float(values.sum() / energies.sum())
-    exponent = np.full(len(logs), np.log(max(mean, np.exp(-_MOST_EXPONENT))))
-    coefficients = np.zeros(3)
-    if start is not None:
-        first, second, third = start.coefficients
-        off = middle - start.middle
-        coefficients = np.array([first + (second + third * off) * off, second + 2 * third * off, third])
-        exponent = np.minimum(np.maximum(coefficients @ terms, -_MOST_EXPONENT), _MOST_EXPONENT)
+    inverse = np.linalg.inv(normal + _RIDGE * np.trace(normal) * np.eye(3))
+    exponent = np.full(len(logs), np.log(max(values.sum() / energies.sum(), np.exp(-_MOST_EXPONENT))))
     for _ in range(_ROUNDS):
-        working = ratios * np.exp(-exponent)
-        working -= 1
-        np.minimum(working, _MOST_STEP, out=working)
-        working += exponent
-        before, coefficients = coefficients, inverse @ (weighted @ working)
-        exponent = coefficients @ terms
-        np.minimum(exponent, _MOST_EXPONENT, out=exponent)
-        np.maximum(exponent, -_MOST_EXPONENT, out=exponent)
-        if np.abs(coefficients - before).max() < _SETTLED:
-            break
+        coefficients = inverse @ (weighted @ (np.minimum(ratios * np.exp(-exponent) - 1, _MOST_STEP) + exponent))
+        exponent = _bounded(coefficients @ terms)
     return EnergyResponse(coefficients, middle, lowest, highest)
 
 
-def quantiles(values: np.ndarray, shares: Sequence[float]) -> list[float]:
-    """Quantiles of some values (n,), as ``np.quantile`` has them, which takes five times as long for few."""
-    places = [share * (len(values) - 1) for share in shares]
-    whole = [int(place) for place in places]
-    beside = [min(place + 1, len(values) - 1) for place in whole]
-    ordered = np.partition(values, sorted({*whole, *beside}))
-    return [float(ordered[a] + (place - a) * (ordered[b] - ordered[a])) for place, a, b in zip(places, whole, beside)]
+def _bounded(exponents: np.ndarray) -> np.ndarray:
+    return np.clip(exponents, -_MOST_EXPONENT, _MOST_EXPONENT, out=exponents)
 
 
 FAR_PX = 32
@@ -142,57 +102,53 @@ class LevelGround:
     far_px: int
     """How far from any seam it begins."""
 
-    def is_far(self, cells: WholeCells) -> np.ndarray:
-        """Which cells it consists of, (n,) bool."""
-        return _is_whole(cells) & (cells.nearest >= EDGES_PX.index(self.far_px))
+    def is_far(self, cells: CellTable) -> np.ndarray:
+        """Which whole cells it consists of, (n,) bool."""
+        return _is_whole(cells) & (cells.bin >= EDGES_PX.index(self.far_px))
 
 
-def grounds(
-    table: CellTable, whole: WholeCells | None = None, around: Callable[[], CellTable] | None = None
-) -> list[LevelGround | None]:
+def grounds(table: CellTable, around: Callable[[], CellTable] | None = None) -> list[LevelGround | None]:
     """Ground of a window or a block, by level, from its own cells or where these are few from those ``around``, too,
-    which are asked for then only; None where there is too little. ``whole``: ``whole_cells`` of the table, where those
-    are known."""
-    cells = whole_cells(table) if whole is None else whole
-    by_level = [_level_ground(table, cells, level, ENOUGH_FAR_CELLS) for level in range(table.levels)]
+    which are asked for then only; None where there is too little."""
+    by_level = [_level_ground(table, level, ENOUGH_FAR_CELLS) for level in range(table.levels)]
     if all(by_level):
         return by_level
     more = table if around is None else around()
-    everyone = cells if around is None else whole_cells(more)
-    return [one or _level_ground(more, everyone, level, FEWEST_FAR_CELLS) for level, one in enumerate(by_level)]
+    return [ground or _level_ground(more, level, FEWEST_FAR_CELLS) for level, ground in enumerate(by_level)]
 
 
-def _level_ground(table: CellTable, cells: WholeCells, level: int, fewest: int) -> LevelGround | None:
+def _level_ground(table: CellTable, level: int, fewest: int) -> LevelGround | None:
+    cells = table.whole
     whole = _is_whole(cells) & (cells.area[level] > 0)
     for distance in (*FARTHER_PX, FAR_PX):
         beyond = EDGES_PX.index(distance)
-        far = whole & (cells.nearest >= beyond)
+        far = whole & (cells.bin >= beyond)
         if np.count_nonzero(far) >= ENOUGH_FAR_CELLS:
             break
     if np.count_nonzero(far) < fewest:
         return None
     area, mm, cc, mc = (values[level][far] for values in (cells.area, cells.mm, cells.cc, cells.mc))
     amplitude, gain = fit_response(cc / area, mm / area), fit_response(cc / area, np.maximum(mc, 0) / area)
-    _, of_block, counts = np.unique(
+    _, block, counts = np.unique(
         ((cells.row[far] // 2) << 32) + cells.column[far] // 2, return_inverse=True, return_counts=True
     )
     full = counts >= _BESIDE
     # Samples on their own scatter more than the blocks of ground that a strip is made of.
-    chosen = full[of_block] if np.count_nonzero(full) >= _FEWEST_BLOCKS else np.ones(len(of_block), bool)
+    chosen = full[block] if np.count_nonzero(full) >= _FEWEST_BLOCKS else np.ones(len(block), bool)
     sums = (mm[chosen], (cc * amplitude(cc / area))[chosen])
-    scatter = scatter_of_blocks(*(np.bincount(of_block[chosen], values) for values in sums))
+    scatter = _scatter_of_blocks(*(np.bincount(block[chosen], values) for values in sums))
     before = table.bin == beyond - 1
-    expected = table.cc[level][before] * amplitude(cells.energy(level)[cells.of_row[before]])
+    expected = table.cc[level][before] * amplitude(cells.energy(level)[table.cell[before]])
     total = float(expected.sum())
     still = float(table.mm[level][before].sum()) / total if total > 0 else 1.0
     return LevelGround(amplitude, gain, *scatter, REACH_ERROR * min(max(1 - still, 0.0), 1.0), distance)
 
 
-def _is_whole(cells: WholeCells) -> np.ndarray:
+def _is_whole(cells: CellTable) -> np.ndarray:
     return np.asarray(cells.area[0] >= CELL_PX**2)
 
 
-def scatter_of_blocks(own: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
+def _scatter_of_blocks(own: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
     """Standard deviation of the logarithm of own / expected between blocks, and how many blocks of one weight these
     are as good as."""
     known = expected > 0
@@ -200,7 +156,7 @@ def scatter_of_blocks(own: np.ndarray, expected: np.ndarray) -> tuple[float, flo
         return 1.0, 1.0
     weights = expected[known]
     ratios = own[known] / weights
-    mean = float((weights * ratios).sum() / weights.sum())
+    mean = float(np.average(ratios, weights=weights))
     count = float(weights.sum() ** 2 / (weights**2).sum())
-    variance = float((weights * (ratios - mean) ** 2).sum() / weights.sum()) * count / max(count - 1, 1)
+    variance = float(np.average((ratios - mean) ** 2, weights=weights)) * count / max(count - 1, 1)
     return float(np.sqrt(variance)) / max(mean, 1e-6), count

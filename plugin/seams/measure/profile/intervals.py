@@ -1,7 +1,7 @@
 """What is kept of many strips by one measure, with its interval; and what two measures say together."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,8 +23,7 @@ WIDEST = float(np.log(2))
 """Width of the logarithm's interval, end to end: a measure that says less is left out where there is another."""
 
 
-@dataclass(frozen=True, eq=False)
-class Kept:
+class Kept(NamedTuple):
     """kept_1 of n strips, NaN where nothing can be told."""
 
     value: np.ndarray
@@ -43,7 +42,7 @@ class Kept:
 
     def times(self, factor: np.ndarray) -> Kept:
         """kept so many times as much, with its interval."""
-        return Kept(self.value * factor, self.low * factor, self.high * factor)
+        return Kept(*(end * factor for end in self))
 
     @property
     def width(self) -> np.ndarray:
@@ -57,7 +56,7 @@ def together(energy: Kept, mixture: Kept) -> tuple[Kept, np.ndarray]:
     They agree where their intervals meet; then their mean counts, weighted by their precision. Else the lower one does.
     """
     has_energy, has_mixture = ~np.isnan(energy.value), mixture.low <= MOST_KEPT  # never of NaN
-    mixture = Kept(*(np.where(has_mixture, end, np.nan) for end in _ends(mixture)))
+    mixture = Kept(*(np.where(has_mixture, end, np.nan) for end in mixture))
     meet = (energy.low <= mixture.high) & (mixture.low <= energy.high)
     has_energy &= ~has_mixture | (energy.low <= MOST_KEPT) & ((energy.width <= WIDEST) | ~meet)
     both = has_energy & has_mixture
@@ -65,7 +64,7 @@ def together(energy: Kept, mixture: Kept) -> tuple[Kept, np.ndarray]:
     by_mixture = has_mixture & ~has_energy | both & ~agree & (mixture.value < energy.value)
     precise, other = (1 / np.maximum(one.width, 1e-3) ** 2 for one in (energy, mixture))
     share = np.where(agree, precise / (precise + other), np.where(by_mixture, 0.0, 1.0))
-    return Kept(*(weighted(share, *ends) for ends in zip(_ends(energy), _ends(mixture)))), share
+    return Kept(*(weighted(share, *ends) for ends in zip(energy, mixture))), share
 
 
 def weighted(share: np.ndarray, first: np.ndarray, second: np.ndarray) -> np.ndarray:
@@ -73,7 +72,3 @@ def weighted(share: np.ndarray, first: np.ndarray, second: np.ndarray) -> np.nda
     with np.errstate(invalid="ignore"):
         mean = np.maximum(first, 1e-6) ** share * np.maximum(second, 1e-6) ** (1 - share)
     return np.asarray(np.where(share >= 1, first, np.where(share <= 0, second, mean)))
-
-
-def _ends(one: Kept) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    return one.value, one.low, one.high

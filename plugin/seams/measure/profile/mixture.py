@@ -13,12 +13,13 @@ without any ground to compare with. All functions take many seams at once.
 """
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS, MixtureTable, WholeCells
+from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS, MixtureTable
 from .energy_sums import BLOCK_CELLS
 from .intervals import Kept
 from .ramps import BEYOND, fit_ramps
@@ -29,8 +30,8 @@ SLOTS = 2 * MIXED_BINS
 
 _AREA, _MM, _MS, _MO, _MK, _SS, _SO, _SK, _OO, _OK, _KK, _PP, _PQ, _QQ = range(len(PRODUCTS))
 _NORMAL = np.array([[_SS, _SO, _SK], [_SO, _OO, _OK], [_SK, _OK, _KK]])
-_ENERGIES = {False: (_SS, _SO, _OO), True: (_PP, _PQ, _QQ)}
 _RIGHT = np.array([_MS, _MO, _MK])
+_SHOWN, _BEFORE = (_SS, _SO, _OO), (_PP, _PQ, _QQ)
 _RIDGE = 1e-4
 _LEAST_EDGE = 1e-3  # of the energy: less is no edge, and says nothing of t
 _LEAST_WEIGHT = 0.1  # of both sources together: with less the mosaic has neither
@@ -47,29 +48,32 @@ MOST_EVERYWHERE = 0.25
 
 @dataclass(frozen=True, eq=False)
 class Mixtures:
-    """Mixtures of n seams, (n, SLOTS) each."""
+    """Mixtures of n seams; all levels are mixed alike, and the finest tells it best."""
 
     other: np.ndarray
-    """Share of the other source, 0 to 1: alpha."""
-    edge: np.ndarray
-    """Energy of the mosaic's detail that is the cut's edge, DN squared."""
-    left: np.ndarray
-    """Energy that neither source nor the edge explains, DN squared."""
-    soft: np.ndarray
-    """(n, 1): 1 for a feather so wide that its ramp makes detail of its own out of what the sources differ by, 0 for a
-    cut."""
+    """(n, SLOTS): share of the other source, 0 to 1: alpha."""
     unsure: np.ndarray
-    """Standard deviation of ``other`` between the feathers that may be."""
+    """(n, SLOTS): standard deviation of ``other`` between the feathers that may be."""
     blended: np.ndarray
     """(n, 1): how likely it is that the seam is no cut."""
+    soft: np.ndarray
+    """(n, 1, 1): 1 for a feather so wide that its ramp makes detail of its own out of what the sources differ by, 0 for
+    a cut."""
+    edge: np.ndarray
+    """(n, levels, SLOTS): energy of the mosaic's detail that is the cut's edge, DN squared."""
+    left: np.ndarray
+    """(n, levels, SLOTS): energy that neither source nor the edge explains, DN squared."""
     carried: np.ndarray
-    """Weights of both sources together: less than on the ground where something else is in their place."""
+    """(n, SLOTS): weights of both sources together: less than on the ground where something else is in their place."""
 
 
 def raw_shares(products: np.ndarray) -> np.ndarray:
-    """Share of the other source in every bin by itself, (n, SLOTS), from ``PRODUCTS`` (n, SLOTS, PRODUCTS); NaN where
-    the mosaic has neither."""
-    weights = _sharp_weights(products)[0]
+    """Share of the other source in every bin by itself, (..., SLOTS), from ``PRODUCTS`` (..., SLOTS, PRODUCTS); NaN
+    where the mosaic has neither."""
+    return _shares(products, _sharp_weights(products)[0])
+
+
+def _shares(products: np.ndarray, weights: np.ndarray) -> np.ndarray:
     total = weights[..., 0] + weights[..., 1]
     known = (total > _LEAST_WEIGHT) & (products[..., _AREA] > 0)
     share = np.divide(weights[..., 1], total, out=np.full_like(total, np.nan), where=known)
@@ -77,20 +81,21 @@ def raw_shares(products: np.ndarray) -> np.ndarray:
 
 
 def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
-    """Mixtures by ``PRODUCTS`` of one level, (n, SLOTS, PRODUCTS), and the standard deviation of shares (n, SLOTS)."""
+    """Mixtures by ``PRODUCTS`` of every level, (n, levels, SLOTS, PRODUCTS), and the standard deviation of the finest
+    level's shares (n, SLOTS)."""
     weights, sharp = _sharp_weights(products)
-    normal, right = products[..., _NORMAL], products[..., _RIGHT]
-    of_edge = np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights, products[..., [_SK, _OK, _KK]])
-    of_edge += np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights[..., :2], products[..., [_SK, _OK]])
-    fitted = np.einsum("nsi,nsij,nsj->ns", weights, normal, weights) - 2 * np.einsum("nsi,nsi->ns", weights, right)
-    shares = raw_shares(products)
+    source, other, edge = np.moveaxis(weights, -1, 0)
+    of_edge = edge * (2 * (source * products[..., _SK] + other * products[..., _OK]) + edge * products[..., _KK])
+    fitted = np.einsum("...i,...ij,...j->...", weights, products[..., _NORMAL], weights)
+    left = np.maximum(products[..., _MM] + fitted - 2 * (weights * products[..., _RIGHT]).sum(axis=-1), 0)
+    shares = _shares(products[:, 0], weights[:, 0])
     known = ~np.isnan(shares)
-    left = np.maximum(products[..., _MM] + fitted, 0)
-    other, unsure, blended = fit_ramps(
-        np.where(known, shares, 0), np.where(known, spread, np.inf), _most_floor(products, left)
+    mixed, unsure, blended = fit_ramps(
+        np.where(known, shares, 0), np.where(known, spread, np.inf), _most_floor(products[:, 0], left[:, 0])
     )
-    carried = np.maximum(weights[..., :2].sum(axis=2), 0)
-    return Mixtures(other, of_edge, left, 1 - sharp, unsure, blended, carried)
+    return Mixtures(
+        mixed, unsure, blended, 1 - sharp[:, :1], of_edge, left, np.maximum(source[:, 0] + other[:, 0], 0)
+    )
 
 
 def _most_floor(products: np.ndarray, left: np.ndarray) -> np.ndarray:
@@ -100,41 +105,39 @@ def _most_floor(products: np.ndarray, left: np.ndarray) -> np.ndarray:
     With rho the correlation of the sources, the other one explains at most rho^2 of what noise took of the followed
     one, w_o^2 oo (1 - rho^2), and leaves over (1 - rho^2) / rho^2 times as much. A mixture leaves nothing over.
     """
-    sides = (len(products), 2, MIXED_BINS)
     ss, so, oo, rest = (
-        values.reshape(sides)[..., BEYOND:].sum(axis=2)
-        for values in (*(products[..., of] for of in (_SS, _SO, _OO)), left)
+        values.reshape(-1, 2, MIXED_BINS)[..., BEYOND:].sum(axis=2)
+        for values in (*(products[..., product] for product in _SHOWN), left)
     )
     rho = np.clip(so / np.sqrt(np.maximum(ss * oo, 1e-12)), 0, 0.99)
     return np.asarray(rho / (1 - rho**2) * np.sqrt(rest / np.maximum(oo, 1e-12)))
 
 
 def _sharp_weights(products: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """w_s, w_o and t of every bin, (n, SLOTS, 3), and how sharp each seam is, (n, 1)."""
+    """w_s, w_o and t of every bin, (..., SLOTS, 3), and how sharp each seam is, (..., 1)."""
     with_edge, without = _weights(products, True), _weights(products, False)
     near = np.arange(SLOTS) % MIXED_BINS < _EDGE_BINS
-    edges = products[:, near, _KK]
-    total, t = with_edge[:, near, :2].sum(axis=2), with_edge[:, near, 2]
-    part = (t * edges).sum(axis=1) / np.maximum((np.maximum(total, _LEAST_WEIGHT) * edges).sum(axis=1), 1e-12)
-    sharp = np.clip((part - _SOFT) / (_SHARP - _SOFT), 0, 1)[:, np.newaxis]
+    edges = products[..., near, _KK]
+    total, t = with_edge[..., near, :2].sum(axis=-1), with_edge[..., near, 2]
+    part = (t * edges).sum(axis=-1) / np.maximum((np.maximum(total, _LEAST_WEIGHT) * edges).sum(axis=-1), 1e-12)
+    sharp = np.clip((part - _SOFT) / (_SHARP - _SOFT), 0, 1)[..., np.newaxis]
     return sharp[..., np.newaxis] * with_edge + (1 - sharp[..., np.newaxis]) * without, sharp
 
 
-def mixed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
-    """Energy of the detail of sources mixed so, DN squared; (..., SLOTS, PRODUCTS) and (..., SLOTS). ``before``:
-    anything came over the whole mosaic."""
-    followed, (ss, so, oo) = 1 - other, (products[..., of] for of in _ENERGIES[before])
+def mixed_energy(products: np.ndarray, other: np.ndarray, names: Sequence[int] = _BEFORE) -> np.ndarray:
+    """Energy of the detail of sources mixed so, DN squared; (..., SLOTS, PRODUCTS) and (..., SLOTS). ``names``: the
+    products of the sources before anything came over the whole mosaic, or as it shows them."""
+    followed, (ss, so, oo) = 1 - other, (products[..., name] for name in names)
     return np.asarray(followed**2 * ss + 2 * followed * other * so + other**2 * oo)
 
 
-def followed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
+def followed_energy(products: np.ndarray, other: np.ndarray, names: Sequence[int] = _BEFORE) -> np.ndarray:
     """Energy of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the
     wrong place that is the other one, and of halves that do not end it is the mean of both: a border that is drawn
     through them goes round whatever has more detail."""
-    ss, _, oo = (products[..., of] for of in _ENERGIES[before])
-    of_other = np.where(other > _FOLLOWED, 1.0, 0.0)
-    of_either = np.clip((other - _EITHER) / (_FOLLOWED - _EITHER), 0, 1)
-    of_other = np.where(_is_endless(products[..., _AREA], other), of_either, of_other)
+    ss, _, oo = (products[..., name] for name in names)
+    either = np.clip((other - _EITHER) / (_FOLLOWED - _EITHER), 0, 1)
+    of_other = np.where(_is_endless(products[..., _AREA], other), either, other > _FOLLOWED)
     return np.asarray((1 - of_other) * ss + of_other * oo)
 
 
@@ -151,29 +154,25 @@ def feather_width_px(other: np.ndarray) -> float:
     """Full width of a linear feather that takes as far as this from a share of 10 to one of 90 %, by shares of the
     other source (SLOTS,); 0 for a cut. As wide as can be seen where it does not end; on one side alone it ends on the
     other as well, since all that tells of a mixture there is too weak."""
-    middles = [(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])]
-    reached = []
+    edges, reached = np.array(EDGES_PX[: MIXED_BINS + 1], float), []
+    middles = (edges[:-1] + edges[1:]) / 2
     for side in other.reshape(2, MIXED_BINS):
-        everywhere = float(side[-1]) if side[-1] < MOST_EVERYWHERE else 0.0
-        unmixed = UNMIXED_SHARE + everywhere
-        mixed = np.flatnonzero(side >= unmixed)
-        last = int(mixed[-1]) if len(mixed) else -1
-        if last < 0:
-            reached.append(0.0)
-        elif last == MIXED_BINS - 1:
-            reached.append(float(EDGES_PX[MIXED_BINS]))
+        unmixed = UNMIXED_SHARE + (side[-1] if side[-1] < MOST_EVERYWHERE else 0.0)
+        beyond = int(np.append(0, np.flatnonzero(side >= unmixed) + 1)[-1])  # of the last bin that is mixed
+        if 0 < beyond < MIXED_BINS:
+            ends = np.s_[beyond - 1 : beyond + 1]
+            reached.append(float(np.interp(-unmixed, -side[ends], middles[ends])))
         else:
-            share = (side[last] - unmixed) / max(side[last] - side[last + 1], 1e-9)
-            reached.append(middles[last] + float(share) * (middles[last + 1] - middles[last]))
+            reached.append(float(edges[beyond]))
     least, most = sorted(reached)
-    width = 2 * least if 0 < least < most == EDGES_PX[MIXED_BINS] else least + most
+    width = 2 * least if 0 < least < most == edges[-1] else least + most
     return width / (1 - 2 * UNMIXED_SHARE)
 
 
 def _weights(products: np.ndarray, with_edge: bool) -> np.ndarray:
-    """w_s, w_o and t of every bin, (n, SLOTS, 3); those of the followed source alone where there is nothing."""
+    """w_s, w_o and t of every bin, (..., SLOTS, 3); those of the followed source alone where there is nothing."""
     normal, right = products[..., _NORMAL].astype(float), products[..., _RIGHT].astype(float)
-    diagonal = np.einsum("nsii->nsi", normal)  # a view
+    diagonal = np.einsum("...ii->...i", normal)  # a view
     energy = np.maximum(diagonal[..., 0], diagonal[..., 1])
     no_edge = diagonal[..., 2] < _LEAST_EDGE * energy if with_edge else np.ones(energy.shape, bool)
     for part in (normal[..., 2, :2], normal[..., :2, 2]):
@@ -208,38 +207,30 @@ class MixtureSums:
 
     def __init__(self, count: int, levels: int) -> None:
         self._count, self._levels = count, levels
-        self._sums: dict[tuple[int, int, int], np.ndarray] = {}  # piece, lower and higher number of the sources
+        self._sums: dict[int, np.ndarray] = {}  # by piece and the lower and higher number of the sources, in one code
 
-    def add(self, table: MixtureTable, whole: WholeCells, piece_of: np.ndarray) -> None:
-        """Some rows, of cells among ``whole``; ``piece_of`` (cells,): the piece that each belongs to, or -1. Numbers of
-        sources must mean the same every time."""
-        if not len(table):
-            return
-        piece = piece_of[np.searchsorted(whole.keys, table.keys)]
+    def add(self, table: MixtureTable, piece: np.ndarray) -> None:
+        """Some rows; ``piece`` (n,): the one that each belongs to, or -1. Numbers of sources must mean the same every
+        time."""
         table, piece = table.chosen(piece >= 0), piece[piece >= 0]
         lower, higher = np.minimum(table.source, table.other), np.maximum(table.source, table.other)
-        codes = (piece.astype(np.int64) << 32) + (lower.astype(np.int64) << 16) + higher
+        codes, seam = np.unique((piece.astype(np.int64) << 32) + (lower.astype(np.int64) << 16) + higher,
+                                return_inverse=True)
         group = (table.row // BLOCK_CELLS * 3 + table.column // BLOCK_CELLS) % GROUPS
-        slot = (table.source > table.other).astype(np.intp) * MIXED_BINS + table.bin
-        places = [group.astype(np.intp) * SLOTS + slot, *[slot] * (self._levels - 1)]
-        sizes = [GROUPS * SLOTS, *[SLOTS] * (self._levels - 1)]
-        order = np.argsort(codes, kind="stable")
-        seams, firsts = np.unique(codes[order], return_index=True)
-        for code, rows in zip(seams.tolist(), np.split(order, firsts[1:])):
-            key = code >> 32, code >> 16 & 0xFFFF, code & 0xFFFF
-            total = self._sums.setdefault(key, np.zeros((len(PRODUCTS), sum(sizes))))
-            for product, target in zip(table.products[..., rows], total):
-                start = 0
-                for values, place, size in zip(product, places, sizes):
-                    target[start : start + size] += np.bincount(place[rows], values, size)
-                    start += size
+        slices = np.stack([group, *(np.full_like(group, GROUPS - 1 + level) for level in range(1, self._levels))])
+        slot = (table.source > table.other) * MIXED_BINS + table.bin
+        size = (GROUPS + self._levels - 1) * SLOTS
+        place = ((seam * size + slot) + slices * SLOTS).ravel()
+        sums = [np.bincount(place, product.ravel(), len(codes) * size) for product in table.products]
+        for code, of_seam in zip(codes.tolist(), np.stack(sums).reshape(len(PRODUCTS), -1, size).swapaxes(0, 1)):
+            self._sums[code] = self._sums.get(code, 0) + of_seam
 
     def result(self) -> MixedStrips:
         """Mixtures of all pieces."""
-        keys = sorted(self._sums)
-        shape = (len(keys), len(PRODUCTS), GROUPS + self._levels - 1, SLOTS)
-        sums = np.stack([self._sums[key] for key in keys]).reshape(shape) if keys else np.zeros(shape)
-        return MixedStrips(np.array([key[0] for key in keys], np.intp), np.moveaxis(sums, 1, -1), self._count)
+        codes = np.array(sorted(self._sums), np.int64)
+        sums = np.array([self._sums[code] for code in codes.tolist()])
+        sums = sums.reshape(len(codes), len(PRODUCTS), GROUPS + self._levels - 1, SLOTS)
+        return MixedStrips(codes >> 32, np.moveaxis(sums, 1, -1), self._count)
 
 
 class MixedStrips:
@@ -251,39 +242,36 @@ class MixedStrips:
         finest = sums[:, :GROUPS]
         whole = np.concatenate([finest.sum(axis=1, keepdims=True), sums[:, GROUPS:]], axis=1)
         left_out = finest.sum(axis=1, keepdims=True) - finest
-        shares = raw_shares(left_out.reshape(-1, SLOTS, len(PRODUCTS))).reshape(left_out.shape[:3])
+        shares = raw_shares(left_out)
         deviations = shares - shares.mean(axis=1, keepdims=True)
-        spread = _spread(deviations)
-        by_level = np.stack([spread * 2**level for level in range(whole.shape[1])], axis=1)
-        fitted = fit_mixtures(whole.reshape(-1, *whole.shape[2:]), by_level.reshape(-1, SLOTS))
-        other, edge, left_over, soft, unsure, blended, carried = (
-            one.reshape(*whole.shape[:2], *one.shape[1:]) for one in vars(fitted).values()
+        fitted = fit_mixtures(whole, _spread(deviations))
+        self._other, self._area, other = fitted.other, whole[:, 0, :, _AREA], fitted.other[:, np.newaxis]
+        self.edge, self.left, self.soft_left = map(
+            self._both_sides, (fitted.edge, fitted.left, fitted.left * fitted.soft)
         )
-        other = other[:, :1]  # all levels are mixed alike, and the finest tells it best
-        self._other = other[:, 0]
-        self._area = whole[:, 0, :, _AREA]
-        self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left_over, left_over * soft[:, :1]))
-        """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
-        the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
-        mixed, plain = (self._both_sides(way(whole, other)) for way in (mixed_energy, followed_energy))
-        shown, self.plain = (self._both_sides(way(whole, other, False)) for way in (mixed_energy, followed_energy))
-        """(levels, MIXED_BINS, count), DN squared: energy of the sources' detail as the mosaic shows it."""
-        self.carried = in_strip(self._both_sides(carried * followed_energy(whole, other, False)))[0] / np.maximum(
-            in_strip(self.plain)[0], 1e-12
+        """(levels, bins, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what the
+        mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
+        mixed, plain, shown, self.plain = (
+            self._both_sides(energy(whole, other, names))
+            for names in (_BEFORE, _SHOWN) for energy in (mixed_energy, followed_energy)
         )
+        """(levels, bins, count), DN squared: energy of the sources' detail as the mosaic shows it."""
+        carried = self._both_sides(fitted.carried * followed_energy(whole[:, 0], fitted.other, _SHOWN))
+        self.carried = carried[strip_bins(0)].sum(axis=0) / np.maximum(in_strip(self.plain)[0], 1e-12)
         """(count,): share of its sources' finest detail that the mosaic has in the strip, of either."""
-        more, less = (mixed_energy(whole, np.clip(other + way * unsure[:, :1], 0, 1)) for way in (1, -1))
+        unsure = fitted.unsure[:, np.newaxis]
+        more, less = (mixed_energy(whole, np.clip(other + way * unsure, 0, 1)) for way in (1, -1))
         self._unsure = np.abs(in_strip(self._both_sides(more - less))[0]) / 2 / np.maximum(in_strip(plain)[0], 1e-12)
-        self.bins, self.before = _ratio(mixed, plain), _ratio(mixed * self.plain, plain * shown)
-        """(levels, MIXED_BINS, count) each: kept, and that as a multiple of what is kept of the sources as the mosaic
-        shows them; NaN where nothing is known."""
-        mixture, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
-        self.before_in_strip = _ratio(mixture * source, plain * shown)
-        """(levels, count): the same of the strip."""
+        self.bins, self.before = _ratio(mixed, plain), _ratio(mixed * self.plain, plain * shown, 1.0)
+        """(levels, bins, count) each: kept, NaN where nothing is known; and that as a multiple of what is kept of the
+        sources as the mosaic shows them, 1 where nothing is known."""
+        mixed, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
+        self.before_in_strip = _ratio(mixed * source, plain * shown, 1.0)
+        """(levels, count): such a multiple of the strip."""
         enough = self._both_sides(self._area)[strip_bins(0)].sum(axis=0) >= MIN_BESIDE_PX
-        self.levels = np.where(enough, _ratio(mixture, plain), np.nan)
+        self.levels = np.where(enough, _ratio(mixed, plain), np.nan)
         """kept_r (levels, count), NaN where nothing can be told."""
-        self.kept = self._kept(left_out, self._other[:, np.newaxis] + blended[:, :1] * np.nan_to_num(deviations))
+        self.kept = self._kept(left_out, other + fitted.blended[:, np.newaxis] * np.nan_to_num(deviations))
 
     @cached_property
     def feather_widths_px(self) -> np.ndarray:
@@ -297,7 +285,7 @@ class MixedStrips:
         return widths
 
     def shares(self) -> np.ndarray:
-        """Shares of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
+        """Shares of the other source, (bins, count): the mean of both sides, NaN where there is nothing."""
         return _ratio(*map(self._both_sides, (self._other * self._area, self._area)))
 
     def _kept(self, left_out: np.ndarray, other: np.ndarray) -> Kept:
@@ -322,10 +310,10 @@ class MixedStrips:
         return Kept.of(value, total, freedom)
 
     def _both_sides(self, values: np.ndarray) -> np.ndarray:
-        """Sums over both sides and all seams of a piece, (..., MIXED_BINS, count), of values (n, ..., SLOTS)."""
+        """Sums over both sides and all seams of a piece, (..., bins, count), of values (n, ..., SLOTS)."""
         sides = values.reshape(*values.shape[:-1], 2, MIXED_BINS).sum(axis=-2)
-        sums = np.zeros((self._count, *sides.shape[1:]))
-        np.add.at(sums, self._piece, sides)
+        sums = np.zeros((self._count, *sides.shape[1:-1], len(EDGES_PX)))
+        np.add.at(sums[..., :MIXED_BINS], self._piece, sides)
         return np.moveaxis(sums, 0, -1)
 
 
@@ -337,5 +325,5 @@ def _spread(deviations: np.ndarray) -> np.ndarray:
     return np.asarray(np.sqrt(np.where(np.isnan(variance), np.inf, variance) + known**2))
 
 
-def _ratio(own: np.ndarray, plain: np.ndarray) -> np.ndarray:
-    return np.divide(own, plain, out=np.full(own.shape, np.nan), where=plain > 0)
+def _ratio(own: np.ndarray, plain: np.ndarray, unknown: float = np.nan) -> np.ndarray:
+    return np.divide(own, plain, out=np.full(own.shape, unknown), where=plain > 0)

@@ -7,11 +7,12 @@ needs no ground, and does not see what else was done along the seam. For two tex
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
 
-from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells
+from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from .energy_sums import EnergySums
 from .ground import LevelGround
 from .intervals import MIN_CARRIED, MOST_KEPT, MOST_UNEXPLAINED, Kept, together, weighted
@@ -50,62 +51,70 @@ class SeamSums:
         self._energy, self._mixture = EnergySums(count, levels), MixtureSums(count, levels)
 
     def add(
-        self, table: CellTable, mixture: MixtureTable, whole: WholeCells, ground: Sequence[LevelGround | None],
-        piece_of: np.ndarray,
+        self, table: CellTable, mixture: MixtureTable, ground: Sequence[LevelGround | None], piece: np.ndarray
     ) -> None:
-        """Some cells, ``whole`` those of ``table``; ``piece_of`` (cells,): the piece that each belongs to, or -1.
-
-        Numbers of sources in ``mixture`` must mean the same every time.
-        """
-        self._energy.add(table, whole, ground, piece_of)
-        self._mixture.add(mixture, whole, piece_of)
+        """Some cells; ``piece`` (rows of the table,): the one that each belongs to, or -1; all parts of a cell, unless
+        that is -1, to the same. Numbers of sources in ``mixture`` must mean the same every time."""
+        self._energy.add(table, ground, piece)
+        of_cell, known = np.full(len(table.whole), -1), piece >= 0
+        of_cell[table.cell[known]] = piece[known]
+        self._mixture.add(mixture, of_cell[np.searchsorted(table.whole.keys, mixture.keys)])
 
     def profiles(self, levels: int | None = None) -> list[StripProfile]:
         """Profiles of all pieces, in their order; with the bins of so many ``levels``, one at least, all where None."""
-        energy, mixed = self._energy, self._mixture.result()
+        energy, mixed = copy(self._energy), self._mixture.result()
+        left_over, mm = in_strip(mixed.left), in_strip(energy.own)[0]  # with all that was added
         # Beyond what the ground leaves over as well.
-        left_over = in_strip(mixed.left)
-        more_left = np.maximum(left_over - energy.left_by_ground, 0)
-        mm = in_strip(energy.own)  # with all that was added
+        more_left = np.maximum(left_over - in_strip(energy.left_by_ground), 0)
         energy.take_out(mixed.edge, mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
-        # Of the sources before anything came over the mosaic, which may have left what they agree in.
-        by_energy = by_energy.times(np.nan_to_num(mixed.before_in_strip[0], nan=1.0))
-        energy_levels *= np.nan_to_num(mixed.before_in_strip, nan=1.0)
         # Where a mixture is told and does not end, the ground around is mixed as well.
-        is_endless = (mixed.shares()[-1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
-        by_energy = by_energy.times(np.where(is_endless, np.nan, 1.0))
-        left_share = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
-        area, plain, shared = map(in_strip, (energy.area, energy.plain, energy.shared))
-        expected, expected_shared = in_strip(energy.expected)[0], in_strip(energy.expected_shared)[0]
+        is_endless = (mixed.shares()[MIXED_BINS - 1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
+        # Of the sources before anything came over the mosaic, which may have left what they agree in.
+        by_energy = by_energy.times(np.where(is_endless, np.nan, mixed.before_in_strip[0]))
+        area, plain = in_strip(energy.area), in_strip(energy.plain)
+        shared, expected, expected_shared = (
+            in_strip(sums)[0] for sums in (energy.shared, energy.expected, energy.expected_shared)
+        )
         # As much as the ground has of it, where there is ground.
         is_mixed = mixed.carried * plain[0] >= MIN_CARRIED * expected_shared
         is_replaced = ~is_mixed & (more_left[0] > MOST_UNEXPLAINED * expected)
-        is_told, is_mixture = (np.where(which, 1.0, np.nan) for which in (~is_replaced, is_mixed))
-        judged, share = together(by_energy.times(is_told), mixed.kept.times(is_mixture))
-        kept = np.where(share > 0, energy_levels, mixed.levels)
+        judged, share = together(
+            by_energy.times(np.where(is_replaced, np.nan, 1.0)), mixed.kept.times(np.where(is_mixed, 1.0, np.nan))
+        )
+        kept = np.where(share > 0, energy_levels * mixed.before_in_strip, mixed.levels)
         kept[0] = judged.value
-        fit = np.maximum(shared[0], 0) ** 2 / np.maximum(mm[0] * plain[0], 1e-12)
-        texture = mm[0] / np.maximum(plain[0], 1e-12)
-        gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (mm[0], expected)))
-        added = np.where(before > 0, np.maximum(1 - gain**2 / np.maximum(before, 1e-12), 0), 0)
-        width = mixed.feather_widths_px
-        by_bins = [energy.by_bins(level) for level in range(self._levels if levels is None else levels)]
+        gain, amplitude = shared / np.maximum(expected_shared, 1e-12), mm / np.maximum(expected, 1e-12)
+        by_bins = [
+            energy.by_bins(level).times(mixed.before[level])
+            for level in range(self._levels if levels is None else levels)
+        ]
         bins = self._bins(mixed, share, judged, by_bins)
+        added = np.where(amplitude > 0, np.maximum(1 - gain**2 / np.maximum(amplitude, 1e-12), 0), 0)
+        left_share = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
         lost = self._lost(mixed, share, by_bins[0])
+        fit = np.maximum(shared, 0) ** 2 / np.maximum(mm * plain[0], 1e-12)
+        texture = mm / np.maximum(plain[0], 1e-12)
         strips = []
         for number in range(self._count):
             profile = None
             if area[0, number] >= MIN_STRIP_PX and not np.isnan(judged.value[number]):
-                own_bins = tuple(known for one in bins if (known := one[number]) is not None)
+                own_bins = tuple(known_bin for row in bins if (known_bin := row[number]) is not None)
                 finest = [one for one in own_bins if one.level == 1 and not np.isinf(one.far_px)]
                 profile = SeamProfile(
-                    tuple(map(_known, kept[:, number])), float(judged.low[number]), float(judged.high[number]),
-                    band_width_px(finest) if kept[0, number] < BAND_KEPT else 0.0, float(added[number]), own_bins,
-                    _known(width[number]), Measure.of(float(share[number])),
-                    _known(by_energy.value[number]), _known(mixed.kept.value[number]), float(left_share[number]),
-                    float(lost[number]),
-                    tuple((plain / np.maximum(area, 1))[:, number].tolist()),
+                    kept=tuple(map(_known, kept[:, number])),
+                    low=float(judged.low[number]),
+                    high=float(judged.high[number]),
+                    band_width_px=band_width_px(finest) if kept[0, number] < BAND_KEPT else 0.0,
+                    added_beside=float(added[number]),
+                    bins=own_bins,
+                    feather_width_px=_known(mixed.feather_widths_px[number]),
+                    measure=Measure.of(float(share[number])),
+                    by_energy=_known(by_energy.value[number]),
+                    by_mixture=_known(mixed.kept.value[number]),
+                    left_by_mixture=float(left_share[number]),
+                    lost=float(lost[number]),
+                    energy=tuple((plain / np.maximum(area, 1))[:, number].tolist()),
                 )
             strips.append(StripProfile(profile, float(area[0, number]), float(fit[number]), float(texture[number])))
         return strips
@@ -114,45 +123,38 @@ class SeamSums:
         self, mixed: MixedStrips, share: np.ndarray, judged: Kept, by_bins: Sequence[Kept]
     ) -> list[list[ProfileBin | None]]:
         """Bins of every piece, by level and distance, None where there is nothing."""
-        energy, ends = self._energy, [*zip(EDGES_PX, (*EDGES_PX[1:], np.inf))]
-        shares = np.full((len(EDGES_PX), self._count), np.nan)
-        shares[:MIXED_BINS] = mixed.shares()
-        bins = []
+        energy, ends, bins = self._energy, [*zip(EDGES_PX, (*EDGES_PX[1:], np.inf))], []
         for level, by_energy in enumerate(by_bins):
-            area = energy.area[level]
-            before, mixture = np.full((2, *area.shape), np.nan)
-            before[:MIXED_BINS], mixture[:MIXED_BINS] = mixed.before[level], mixed.bins[level]
-            ways = by_energy.times(np.nan_to_num(before, nan=1.0))
+            area, mixture = energy.area[level], mixed.bins[level]
             # As kept itself is taken; there is energy alone beyond where a mixture is looked for.
-            of_energy = np.where(share > 0, 1.0, 0.0) if level else np.where(
-                np.isnan(mixture) & (share > 0), 1.0, share
-            )
+            alone = (share > 0) & (np.isnan(mixture) | (level > 0))
             kept, low, high = (
-                weighted(of_energy, one, factor * mixture) for factor, one in
-                ((1, ways.value), (judged.low / judged.value, ways.low), (judged.high / judged.value, ways.high))
+                weighted(np.where(alone, 1.0, share), by_way, factor * mixture) for factor, by_way in (
+                    (1, by_energy.value), (judged.low / judged.value, by_energy.low),
+                    (judged.high / judged.value, by_energy.high),
+                )
             )
             gain = energy.shared[level] / np.maximum(energy.expected_shared[level], 1e-12)
-            columns = (kept, low, high, gain, area, shares if not level else np.full(area.shape, np.nan))
+            columns = (kept, low, high, gain, area, np.full(area.shape, np.nan) if level else mixed.shares())
             for place, numbers in enumerate(zip(*(column.tolist() for column in columns))):
                 bins.append([
-                    None if number != number or not pixels else
-                    ProfileBin(level + 1, *ends[place], number, bottom, top, beside, pixels, _known(other))
-                    for number, bottom, top, beside, pixels, other in zip(*numbers)
+                    None if np.isnan(share_kept) or not pixels else
+                    ProfileBin(level + 1, *ends[place], share_kept, bottom, top, beside, pixels, _known(other))
+                    for share_kept, bottom, top, beside, pixels, other in zip(*numbers)
                 ])
         return bins
 
     def _lost(self, mixed: MixedStrips, share: np.ndarray, by_energy: Kept) -> np.ndarray:
         """Energy of the finest detail that the seams took, DN squared of the sources, (count,)."""
-        energy = self._energy
+        last, plain = MIXED_BINS - 1, self._energy.plain[0]
         mixture = np.nan_to_num(mixed.bins[0], nan=1.0)
         by_mixture = (mixed.plain[0] * (1 - mixture)).sum(axis=0)
         # A mixture that does not end where it is looked for goes on beyond.
-        shares, farther = mixed.shares()[-1], energy.plain[0, MIXED_BINS:].sum(axis=0)
-        by_mixture += farther * np.where(shares >= UNMIXED_SHARE, 1 - mixture[-1], 0)
-        kept = np.nan_to_num(by_energy.value[:MIXED_BINS] * np.nan_to_num(mixed.before[0], nan=1.0), nan=1.0)
-        source = energy.plain[0, :MIXED_BINS]
+        is_endless = mixed.shares()[last] >= UNMIXED_SHARE
+        by_mixture += plain[MIXED_BINS:].sum(axis=0) * np.where(is_endless, 1 - mixture[last], 0)
+        kept = np.nan_to_num(by_energy.value[:MIXED_BINS], nan=1.0)
         within = np.logical_and.accumulate(kept < BAND_KEPT, axis=0)
-        by_energy = np.where(within, source * (1 - kept), 0).sum(axis=0)
+        by_energy = np.where(within, plain[:MIXED_BINS] * (1 - kept), 0).sum(axis=0)
         return np.asarray(np.where(share > 0, np.maximum(by_energy, by_mixture), by_mixture))
 
 

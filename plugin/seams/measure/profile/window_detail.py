@@ -10,11 +10,11 @@ import numpy as np
 from scipy import ndimage
 
 from ....imagery.wavelets import placed_components
-from ..following.boxes import enlarged
+from ..following.boxes import enlarged, in_squares
 from ..following.expected_mosaic import ExpectedMosaic
 from ..limits import SHARPNESS_TOLERANCE
 from ..seam_cells import UNKNOWN, present
-from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells, whole_cells
+from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from .detail_sums import (
     compared_planes,
     detail_sums,
@@ -42,14 +42,9 @@ class WindowDetail:
     """Most energy of detail that rounding leaves, a pixel, DN squared (``energy_of_rounding``)."""
 
     @cached_property
-    def whole(self) -> WholeCells:
-        """The cells, all bins of each together."""
-        return whole_cells(self.cells)
-
-    @cached_property
     def ground(self) -> list[LevelGround | None]:
         """Ground far from any seam, by level; None where there is too little."""
-        return grounds(self.cells, self.whole)
+        return grounds(self.cells)
 
     @property
     def judged(self) -> CellTable:
@@ -63,10 +58,9 @@ class WindowDetail:
         reach = 0.0 if self.profile is None else (self.profile.feather_width_px or 0.0) / 2
         if reach >= EDGES_PX[MIXED_BINS]:  # it does not end where it is looked for
             return made[rows, columns]
-        far = self.whole.nearest >= np.searchsorted(EDGES_PX, reach)
-        row, column = self.whole.row, self.whole.column
-        within = far & (row < rows.stop) & (column < columns.stop)
-        made[row[within], column[within]] = True
+        cells = self.cells.whole
+        far = cells.chosen((cells.bin >= np.searchsorted(EDGES_PX, reach)) & cells.are_within(self.inside))
+        made[far.row, far.column] = True
         return made[rows, columns]
 
     @property
@@ -77,12 +71,8 @@ class WindowDetail:
     @cached_property
     def profile(self) -> SeamProfile | None:
         """A window is a scan of one piece; None without a seam, or with too little to be measured."""
-        whole = self.whole
-        rows, columns = self.inside
-        judged = (whole.row >= rows.start) & (whole.row < rows.stop)
-        judged &= (whole.column >= columns.start) & (whole.column < columns.stop)
         sums = SeamSums(1, self.cells.levels)
-        sums.add(self.cells, self.mixture, whole, self.ground, np.where(judged, 0, -1))
+        sums.add(self.cells, self.mixture, self.ground, np.where(self.cells.are_within(self.inside), 0, -1))
         measured = sums.profiles()[0].profile if self.has_seam else None
         return None if measured is None or measured.energy[0] <= self.of_rounding else measured
 
@@ -145,24 +135,27 @@ def loss_picture(
     ``labels``, (rows, columns) uint8: the source of every pixel of the window and what was read around it, ``UNKNOWN``
     where none explains it. ``inside``: rows and columns of the window in that; all where None.
     """
-    ground, finest = detail.ground[0], detail.finest
+    ground, cells = detail.ground[0], detail.cells.whole
     if ground is None:
         return None
-    cells = detail.whole
-    is_far = ground.is_far(cells)
-    far = np.zeros([length // CELL_PX for length in labels.shape], bool)
-    far[cells.row[is_far], cells.column[is_far]] = True
+    far, is_ground = cells.chosen(ground.is_far(cells)), np.zeros([length // CELL_PX for length in labels.shape], bool)
+    is_ground[far.row, far.column] = True
     explained = explained_samples(labels)
-    energies = [np.einsum("dij,dij->ij", one, one) for one in finest.swapaxes(0, 1)]
-    mosaic_energy, reference = (_in_cells(one * explained) for one in energies[:2])
-    area = _in_cells(explained) * SAMPLE_PX**2
-    around = _over_neighbours(reference) / np.maximum(_over_neighbours(area), 1)  # of some CELL_PX, as the fit's is
-    expected = reference * ground.amplitude(around)
-    is_told = _in_cells(explained) >= _LEAST_EXPLAINED * _in_cells(np.ones_like(explained))
-    ground_cells = _in_small_cells(far, mosaic_energy.shape)
-    kept, scatter = _smooth_kept(mosaic_energy, expected, is_told, ground_cells, _SMOOTH_CELLS)
-    if scatter > _ROUGH:
-        kept, scatter = _smooth_kept(mosaic_energy, expected, is_told, ground_cells, _SMOOTH_ROUGH_CELLS)
+    energies = [np.einsum("dij,dij->ij", plane, plane) for plane in detail.finest.swapaxes(0, 1)]
+    mosaic, source, area = (_in_cells(plane * explained) for plane in (*energies[:2], np.ones_like(explained)))
+    energy = _over_neighbours(source) / np.maximum(_over_neighbours(area) * SAMPLE_PX**2, 1)  # of some CELL_PX
+    expected = source * ground.amplitude(energy)
+    known = area >= _LEAST_EXPLAINED * _in_cells(np.ones_like(explained))
+    is_ground = known & enlarged(is_ground, CELL_PX // LOSS_CELL_PX, known.shape)
+    for smooth_cells in (_SMOOTH_CELLS, _SMOOTH_ROUGH_CELLS):
+        smooth, smooth_expected = (ndimage.gaussian_filter(cell, smooth_cells) for cell in (mosaic, expected))
+        is_told = known & (smooth_expected > 0)
+        kept = np.full(known.shape, np.nan, np.float32)
+        np.divide(smooth, smooth_expected, out=kept, where=is_told, casting="same_kind")
+        around = kept[is_ground & is_told & (kept > 0)]
+        scatter = float(np.log(around).std()) if around.size else 0.0
+        if scatter <= _ROUGH:
+            break
     may_be_all = kept * np.exp(_SURE * scatter) >= 1
     kept[may_be_all] = np.maximum(kept[may_be_all], 1)
     rows, columns = inside or (slice(0, labels.shape[0]), slice(0, labels.shape[1]))
@@ -170,7 +163,7 @@ def loss_picture(
     samples = tuple(slice(part.start // SAMPLE_PX, part.stop // SAMPLE_PX) for part in (rows, columns))
     kept, labels = kept[own_cells], labels[rows, columns]
     _lower_to_sources(kept, expected[own_cells], energies[0][samples], energies[-1][samples], labels)
-    return LossPicture(kept, seam=np.argwhere(seam_samples(labels)).astype(np.uint16))
+    return LossPicture(kept, seam=np.argwhere(seam_samples(labels)[0]).astype(np.uint16))
 
 
 def _lower_to_sources(
@@ -197,33 +190,11 @@ def _lower_to_sources(
             kept[where] = most_1 * np.float32(lowered)
 
 
-def _smooth_kept(
-    own: np.ndarray, expected: np.ndarray, is_told: np.ndarray, ground: np.ndarray, smooth_cells: float
-) -> tuple[np.ndarray, float]:
-    """float32, NaN where nothing is told, and the scatter of its logarithm over the ground around."""
-    own, expected = (ndimage.gaussian_filter(one, smooth_cells) for one in (own, expected))
-    kept = np.full(own.shape, np.nan, np.float32)
-    known = is_told & (expected > 0)
-    np.divide(own, expected, out=kept, where=known, casting="same_kind")
-    around = kept[ground & known & (own > 0)]
-    return kept, float(np.log(around).std()) if around.size else 0.0
-
-
-def _in_small_cells(cells: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """What larger cells say, (rows, columns) bool, for those of the picture; no where there is none."""
-    found = np.zeros(shape, bool)
-    small = enlarged(cells, CELL_PX // LOSS_CELL_PX)[: shape[0], : shape[1]]
-    found[: small.shape[0], : small.shape[1]] = small
-    return found
-
-
 def _in_cells(samples: np.ndarray) -> np.ndarray:
-    """Sums over the cells, float64; those at the end are smaller where they don't fit. By slices, which take a tenth
-    of the time of ``reduceat``."""
+    """Sums over the cells, float64; those at the end are smaller where they don't fit."""
     side = LOSS_CELL_PX // SAMPLE_PX
-    samples = np.pad(samples.astype(np.float32, copy=False), [(0, -length % side) for length in samples.shape])
-    samples = np.sum([samples[start::side] for start in range(side)], axis=0)
-    return np.sum([samples[:, start::side] for start in range(side)], axis=0, dtype=np.float64)
+    padded = np.pad(samples.astype(np.float32, copy=False), [(0, -length % side) for length in samples.shape])
+    return in_squares(padded, side).sum(axis=1).sum(axis=2, dtype=np.float64)
 
 
 def _over_neighbours(cells: np.ndarray) -> np.ndarray:

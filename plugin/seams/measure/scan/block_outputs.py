@@ -10,7 +10,7 @@ import numpy as np
 from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.records import packed, unpacked
-from ..profile.cell_table import CellTable, whole_cells
+from ..profile.cell_table import CellTable
 from ..profile.ground import EnergyResponse, LevelGround, grounds
 from ..while_measuring import measuring
 from . import messages
@@ -70,8 +70,7 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     chains = cleaned_chains(_labels_around(request, labels), request.tile, LABEL_PX) if request.traces else []
     if scan is None or numbers is None or labels is None:
         return BlockOutputs(key, chains, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
-    whole = whole_cells(scan.cells)
-    ground = grounds(scan.cells, whole, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
+    ground = grounds(scan.cells, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
     try:
         files.save(_ground_name(key), packed({"ground": np.array([_row(one) for one in ground])}))
     except OSError as error:
@@ -80,7 +79,7 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
         )) from None
     picture = None
     if request.cell_px:
-        cells = loss_cells(scan, labels + 1, ground, request.cell_px, whole)
+        cells = loss_cells(scan, labels + 1, ground, request.cell_px)
         picture = packed({_CELLS: cells}, (_CELLS,)) if (cells != NODATA).any() else None
     used = np.flatnonzero(np.bincount(labels.ravel() - NOTHING)[1:]).tolist()
     ground = np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)])

@@ -14,7 +14,7 @@ from ....imagery.gdal_calls import gdal_call, gdal_writing
 from ....imagery.raster_writer import GEOTIFF, whole_raster
 from ....imagery.rasters import Raster
 from ..following.boxes import in_squares
-from ..profile.cell_table import CELL_PX, WholeCells, whole_cells
+from ..profile.cell_table import CELL_PX
 from ..profile.ground import LevelGround
 from .blocks.block_grid import BLOCK_PX, LABEL_PX
 from .blocks.scan_block import BlockScan
@@ -26,17 +26,15 @@ SOURCE_BAND = BANDS.index("source") + 1  # as GDAL counts
 
 
 def loss_cells(
-    scan: BlockScan, labels: np.ndarray, ground: Sequence[LevelGround | None], cell_px: int,
-    whole: WholeCells | None = None,
+    scan: BlockScan, labels: np.ndarray, ground: Sequence[LevelGround | None], cell_px: int
 ) -> np.ndarray:
     """One block's pixels, (5, rows, columns) float32 of whole blocks, ``NODATA`` where nothing was measured.
 
     ``labels``: (rows, columns) int of the block, numbers of sources in the band's names, 0 where none is followed.
-    ``whole``: ``whole_cells`` of its table, where those are known.
     """
     side, step = BLOCK_PX // cell_px, cell_px // CELL_PX
     made = empty_cells(side)
-    cells = whole_cells(scan.cells) if whole is None else whole
+    cells = scan.cells.whole
     per_block = BLOCK_PX // CELL_PX
     place = (cells.row % per_block) // step * side + (cells.column % per_block) // step
     mm, cc, mc = (np.bincount(place, values[0], side * side) for values in (cells.mm, cells.cc, cells.mc))

@@ -9,7 +9,7 @@ import numpy as np
 
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
-from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, whole_cells
+from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..profile.ground import FAR_PX, LevelGround
 from ..profile.seam_profile import strip_bins
@@ -175,23 +175,22 @@ class PieceSums:
         """The cells of one block. ``mixture`` has numbers of sources that mean the same in all blocks. ``grey``: means
         of the mosaic as ``BlockScan`` has them, None where not known."""
         index = self._index.near(window, REACH_PX)
-        whole = whole_cells(table)
-        beside = np.flatnonzero(whole.nearest < MIXED_BINS)
+        whole = table.whole
+        beside = np.flatnonzero(whole.bin < MIXED_BINS)
         if not len(beside) or not len(index):
             return
         number, distance = index.nearest(
             (whole.column[beside] + 0.5) * CELL_PX, (whole.row[beside] + 0.5) * CELL_PX, REACH_PX
         )
-        nearest = np.array(EDGES_PX)[whole.nearest[beside]]
+        nearest = np.array(EDGES_PX)[whole.bin[beside]]
         is_its_own = (distance <= nearest + MOST_ASIDE_PX) | (nearest >= FAR_PX)
         place = np.searchsorted(self._numbers, number).clip(0, len(self._numbers) - 1)
-        piece_of = np.full(len(whole.keys), -1)
+        piece_of = np.full(len(whole), -1)
         piece_of[beside] = np.where(is_its_own & (self._numbers[place] == number), place, -1)
-        near = table.bin < MIXED_BINS
-        table, whole = table.chosen(near), replace(whole, of_row=whole.of_row[near])
+        piece = np.where(table.bin < MIXED_BINS, piece_of[table.cell], -1)
         if grey is not None:
-            self._add_grey(table, grey, piece_of[whole.of_row])
-        self._sums.add(table, mixture, whole, ground, piece_of)
+            self._add_grey(table, grey, piece)
+        self._sums.add(table, mixture, ground, piece)
 
     def profiles(self) -> list[StripProfile]:
         """Profiles of every piece, in their order."""

@@ -6,8 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, MixtureTable
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, FARTHEST, CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.profile.energy_sums import EnergySums
+from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.profile.intervals import Kept, together
 from seam_inspector.plugin.seams.measure.profile.mixture import LEAST_ERROR, MixedStrips, MixtureSums
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
@@ -24,14 +25,14 @@ def afterwards(made: Blend, seed: int) -> np.ndarray:
 
 def mixture_of(detail: WindowDetail) -> MixedStrips:
     sums = MixtureSums(1, LEVELS)
-    sums.add(detail.mixture, detail.whole, np.zeros(len(detail.whole.keys), int))
+    sums.add(detail.mixture, np.zeros(len(detail.mixture), int))
     return sums.result()
 
 
 def energy_of(detail: WindowDetail, mixture: MixedStrips | None = None) -> Kept:
     """Its own edge taken out."""
     sums = EnergySums(1, LEVELS)
-    sums.add(detail.cells, detail.whole, detail.ground, np.zeros(len(detail.whole.keys), int))
+    sums.add(detail.cells, detail.ground, np.zeros(len(detail.cells), int))
     mixture = mixture or mixture_of(detail)
     sums.take_out(mixture.edge, mixture.soft_left)
     return sums.kept()[0]
@@ -70,6 +71,31 @@ def test_no_interval_is_too_wide_to_say_anything() -> None:
         assert soft.profile(afterwards(soft, seed)).high < 0.8
 
 
+@pytest.mark.parametrize("width", [0, 33])
+def test_each_measure_alone_is_sure_enough_to_judge(width: int) -> None:
+    """Where one of them says nothing, the other would hide it."""
+    made = blend(width)
+    detail = made.detail(afterwards(made, 3))
+    for measure, most in ((energy_of(detail), 1.5), (mixture_of(detail).kept, 1.2)):
+        assert holds(measure, made.truth())
+        assert ratio(measure) < most
+
+
+@pytest.mark.parametrize("spread", [0.1, 0.3])
+def test_the_ground_scatters_as_its_blocks_do(spread: float) -> None:
+    """Cells all alike, of which the mosaic kept more or less in blocks of 32 px."""
+    row, column = (place.ravel().astype(np.int32) for place in np.mgrid[:80, :80])
+    factor = 1 + spread * np.random.default_rng(5).standard_normal((40, 40))
+    energy = np.full((1, row.size), 2560.0, np.float32)
+    own = energy * factor[row // 2, column // 2]
+    (ground,) = grounds(CellTable(
+        row, column, np.full(row.size, FARTHEST, np.uint8), np.full_like(energy, CELL_PX**2), own, energy, own
+    ))
+    assert ground is not None
+    assert ground.scatter == pytest.approx(factor.std() / factor.mean(), rel=0.01)
+    assert ground.blocks == pytest.approx(1600)
+
+
 def test_the_mixture_of_uneven_ground_is_less_sure() -> None:
     """The jackknife says so: what is mixed differs from block to block along the seam."""
     made, hard = blend(33), blend(0)
@@ -88,7 +114,7 @@ def test_the_mixture_is_never_surer_than_its_floor() -> None:
 def test_a_strip_without_detail_keeps_nothing_at_all() -> None:
     detail = blend(0, side=192).detail()
     sums = EnergySums(1, LEVELS)
-    sums.add(detail.cells, detail.whole, detail.ground, np.zeros(len(detail.whole.keys), int))
+    sums.add(detail.cells, detail.ground, np.zeros(len(detail.cells), int))
     sums.take_out(sums.own.copy(), np.zeros_like(sums.own))
     assert sums.kept()[0].value[0] == 0
 
@@ -100,12 +126,11 @@ def test_a_long_seam_is_surer_than_a_short_one() -> None:
     for seed in range(8):
         made = blend(33, seed=seed)
         detail = made.detail(afterwards(made, seed))
-        rows = detail.whole.row
         for place, last in enumerate((4, 30)):
             sums, energy = MixtureSums(1, LEVELS), EnergySums(1, LEVELS)
-            piece = np.where((rows >= 1) & (rows < last), 0, -1)
-            sums.add(detail.mixture, detail.whole, piece)
-            energy.add(detail.cells, detail.whole, detail.ground, piece)
+            beside = slice(1, last), slice(0, 32)
+            sums.add(detail.mixture, np.where(detail.mixture.are_within(beside), 0, -1))
+            energy.add(detail.cells, detail.ground, np.where(detail.cells.are_within(beside), 0, -1))
             mixture = sums.result()
             energy.take_out(mixture.edge, mixture.soft_left)
             widths[place] += np.log(ratio(mixture.kept)), np.log(ratio(energy.kept()[0]))
@@ -142,13 +167,13 @@ def test_rows_of_another_piece_say_nothing_of_this_one() -> None:
     made, hard = blend(33), blend(0)
     half = np.arange(512)[:, np.newaxis] < 256
     detail = replace(made, weights=np.where(half, made.weights, hard.weights)).detail()
-    piece = (detail.whole.row >= 256 // CELL_PX).astype(int)
+    piece = (detail.mixture.row >= 256 // CELL_PX).astype(int)
     forth, back = MixtureSums(2, LEVELS), MixtureSums(2, LEVELS)
-    forth.add(detail.mixture, detail.whole, piece)
+    forth.add(detail.mixture, piece)
     cut = np.arange(len(detail.mixture)) % 3
     for part in (2, 0, 1):
-        back.add(detail.mixture.chosen(cut == part), detail.whole, piece)
-    back.add(MixtureTable.empty(LEVELS), detail.whole, piece)
+        back.add(detail.mixture.chosen(cut == part), piece[cut == part])
+    back.add(MixtureTable.empty(LEVELS), piece[:0])
     one, other = forth.result(), back.result()
     assert one.kept.value[0] < 0.75
     assert one.kept.value[1] == pytest.approx(1, abs=0.03)
@@ -160,5 +185,6 @@ def test_rows_of_another_piece_say_nothing_of_this_one() -> None:
 def test_a_piece_with_hardly_any_pixels_beside_another_source_has_no_mixture() -> None:
     detail = blend(33).detail()
     sums = MixtureSums(2, LEVELS)
-    sums.add(detail.mixture, detail.whole, np.where(detail.whole.row == 5, 0, np.where(detail.whole.row > 8, 1, -1)))
+    rows = detail.mixture.row
+    sums.add(detail.mixture, np.where(rows == 5, 0, np.where(rows > 8, 1, -1)))
     assert np.isnan(sums.result().kept.value).tolist() == [True, False]

@@ -119,6 +119,15 @@ def test_what_the_seam_took_counts_over_all_distances() -> None:
         assert lost == pytest.approx(expected, rel=0.2)
 
 
+def test_what_a_brush_took_is_told_by_the_energy_alone() -> None:
+    made = blend(0)
+    found = beside(made, ndimage.gaussian_filter(made.made, 0.5))
+    band = [one for one in found.bins if one.level == 1 and one.far_px <= BAND_PX + 4]
+    expected = sum(one.area_px * found.energy[0] * (1 - one.kept) for one in band)
+    assert found.by_mixture == pytest.approx(1, abs=0.02)
+    assert found.lost == pytest.approx(expected, rel=0.1)
+
+
 # --- the cut's own edge -----------------------------------------------------------------------------------------
 
 
@@ -189,12 +198,12 @@ def test_where_they_contradict_each_other_the_lower_one_judges() -> None:
 def test_a_soft_brush_is_no_mixture_whatever_the_tones(sigma: float, gain: float) -> None:
     """A blur along a seam fits a feather of its width, of which only the weights tell that it has too little."""
     made = blend(0)
-    plain = beside(made, ndimage.gaussian_filter(made.made, sigma))
+    found = beside(made, ndimage.gaussian_filter(made.made, sigma))
     toned = made.profile(gain * np.where(made.distance < BAND_PX, ndimage.gaussian_filter(made.made, sigma), made.made))
-    for profile in (plain, toned):
-        assert profile.measure is Measure.ENERGY
-        assert profile.high < 0.2
-    assert toned.kept[0] == pytest.approx(plain.kept[0], abs=0.01)
+    for one in (found, toned):
+        assert one.measure is Measure.ENERGY
+        assert one.high < 0.2
+    assert toned.kept[0] == pytest.approx(found.kept[0], abs=0.01)
 
 
 def test_energies_that_no_seam_has_do_not_judge() -> None:
@@ -202,6 +211,15 @@ def test_energies_that_no_seam_has_do_not_judge() -> None:
     assert judged(kept(1.2, MOST_KEPT + 0.001, 1.4), mixture) == (0.98, Measure.MIXTURE)
     assert judged(kept(1.2, MOST_KEPT, 1.4), mixture)[1] is Measure.BOTH
     assert judged(kept(1.2, 1.1, 1.4), NOTHING) == (1.2, Measure.ENERGY)
+
+
+def test_where_they_agree_each_weighs_by_its_precision() -> None:
+    energy, mixture = kept(0.8, 0.64, 1.0), kept(0.9, 0.81, 1.0)  # one twice as wide as the other, on the logarithm
+    found, share = together(energy, mixture)
+    expected = np.log(0.9 / 0.81) ** 2 / (np.log(0.9 / 0.81) ** 2 + np.log(0.8 / 0.64) ** 2)
+    assert share[0] == pytest.approx(expected)
+    for end, first, second in zip(found, energy, mixture):
+        assert np.log(end[0]) == pytest.approx(expected * np.log(first[0]) + (1 - expected) * np.log(second[0]))
 
 
 @given(

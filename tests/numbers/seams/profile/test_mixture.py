@@ -46,7 +46,7 @@ def products_of(
 
 def fitted(products: np.ndarray, spread: float = 0.01) -> Mixtures:
     """Each share with the same standard deviation."""
-    return fit_mixtures(products, np.full((1, SLOTS), spread))
+    return fit_mixtures(products[:, np.newaxis], np.full((1, SLOTS), spread))
 
 
 def linear(width: float) -> np.ndarray:
@@ -59,14 +59,14 @@ def test_shares_are_found_whatever_gain_and_noise_came_after(gain: float, noise:
     expected = linear(60)
     found = fitted(products_of(expected, gain=gain, noise=noise))
     np.testing.assert_allclose(found.other[0], expected, atol=0.01)
-    np.testing.assert_allclose(found.left[0], gain**2 * noise * 1000, atol=gain**2 * 10)
+    np.testing.assert_allclose(found.left[0, 0], gain**2 * noise * 1000, atol=gain**2 * 10)
 
 
 def test_a_whole_edge_is_a_cut_that_mixes_nothing_and_its_energy_is_taken_out() -> None:
     products = products_of(np.zeros(SLOTS), edge=1.0)
     found = fitted(products)
     np.testing.assert_allclose(found.other, 0, atol=1e-3)
-    np.testing.assert_allclose(products[..., 1] - found.edge, products[..., PRODUCTS.index("ss")], rtol=1e-3)
+    np.testing.assert_allclose(products[..., 1] - found.edge[:, 0], products[..., PRODUCTS.index("ss")], rtol=1e-3)
 
 
 def test_what_the_mosaic_has_of_neither_source_is_no_mixture() -> None:
@@ -74,7 +74,7 @@ def test_what_the_mosaic_has_of_neither_source_is_no_mixture() -> None:
     products[..., 2:5] = 0  # m is a stranger
     found = fitted(products)
     np.testing.assert_allclose(found.other, 0, atol=1e-9)
-    np.testing.assert_allclose(found.left, products[..., 1], rtol=1e-3)
+    np.testing.assert_allclose(found.left[:, 0], products[..., 1], rtol=1e-3)
 
 
 def test_a_bin_without_pixels_follows_its_neighbours() -> None:

@@ -12,7 +12,6 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
     EDGES_PX,
     CellTable,
     MixtureTable,
-    whole_cells,
 )
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure
@@ -267,13 +266,13 @@ def test_a_table_without_rows_adds_nothing() -> None:
 
 def test_cells_of_several_bins_are_put_together() -> None:
     table = blend(33).detail().cells
-    whole = whole_cells(table)
+    whole = table.whole
     assert len(whole.row) == (SIDE // CELL_PX) ** 2
     for name in ("area", "mm", "cc", "mc"):
         expected = spread(table, getattr(table, name), SIDE // CELL_PX).sum(axis=1).reshape(LEVELS, -1)
         assert getattr(whole, name) == pytest.approx(expected, rel=1e-5, abs=1e-2)
     area = spread(table, table.area[0], SIDE // CELL_PX)
-    assert (whole.nearest == (area > 0).argmax(axis=0).ravel()).all()
+    assert (whole.bin == (area > 0).argmax(axis=0).ravel()).all()
 
 
 def test_a_block_with_little_ground_takes_its_neighbours() -> None:
