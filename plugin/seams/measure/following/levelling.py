@@ -25,6 +25,7 @@ _FEWEST_FOR_TREND = 150
 _NEAR_SQUARES = 5  # a side: what is wider than that is background
 _SMOOTH_SQUARES = 2.0  # sigma of the bias
 _EVEN = 0.01  # of the standard deviation of what squares differ by from those around
+_ROUNDING = 1e-6  # of the largest value: what single precision makes of means of even ground, and as much again
 _RIDGE = 0.01  # so that ground which says nothing of a term leaves it out
 _ROUNDS = 3
 
@@ -125,7 +126,7 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
     places = np.flatnonzero(where)
     x, y = (np.take(_off_near(band, where, patch), places).astype(np.float64) for band in (source, mosaic))
     # Even ground tells nothing of a gain, and where there is much of it residuals would seem to be none.
-    telling = np.abs(x) > _EVEN * x.std()
+    telling = np.abs(x) > max(_EVEN * x.std(), _ROUNDING * float(np.abs(source).max()))
     if np.count_nonzero(telling) < _FEWEST_SQUARES:
         return ones
     places, x, y = (values[telling] for values in (places, x, y))
@@ -147,7 +148,7 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
 def _off_near(means: np.ndarray, where: np.ndarray, patch: int = 0) -> np.ndarray:
     """What squares differ by from the mean of those near them, ``where`` they count, (rows, columns) bool."""
     near, weight = (_near_means(values, patch) for values in (np.where(where, means, 0), where.astype(np.float32)))
-    return means - near / (weight + 1e-6)
+    return means - near / np.maximum(weight, np.float32(1e-6))
 
 
 def _near_means(values: np.ndarray, patch: int) -> np.ndarray:

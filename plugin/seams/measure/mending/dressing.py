@@ -73,7 +73,9 @@ def shown_detail(band: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> float
     source alone, (rows, columns) each, ``own`` bool: 0 to 1; the correlation where they have little in common, as
     compression leaves more. None where the mosaic has no detail but for rounding."""
     both = own[:, _APART_PX:] & own[:, :-_APART_PX]
-    shown, made = ((one[:, _APART_PX:] - one[:, :-_APART_PX])[both] for one in (mosaic.astype(np.float32), band))
+    # What is coarser than squares is the mosaic's tones, which dressing gave the band.
+    fine = (plane - to_pixels(square_means(plane), plane.shape) for plane in (mosaic.astype(np.float32), band))
+    shown, made = ((plane[:, _APART_PX:] - plane[:, :-_APART_PX])[both] for plane in fine)
     energy, common, held = float(shown @ shown), float(shown @ made), float(made @ made)
     if energy <= (0.0 if mosaic.dtype.kind == "f" else _ROUNDED * len(shown)):
         return None
