@@ -70,17 +70,15 @@ def _plane(ground: JudgedGround, source: int) -> int:
 
 def shown_detail(band: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> float | None:
     """How much a dressed band shows of the fine detail that it has in common with the mosaic where that is of its
-    source alone, (rows, columns) each, ``own`` bool: 0 to 1; the correlation where they have little in common, as
-    compression leaves more. None where the mosaic has no detail but for rounding."""
+    source alone, (rows, columns) each, ``own`` bool: 0 to 1; the share of it that is common to both where that is
+    little, as compression leaves more. None where the mosaic has no detail but for rounding."""
     both = own[:, _APART_PX:] & own[:, :-_APART_PX]
-    # What is coarser than squares is the mosaic's tones, which dressing gave the band.
-    fine = (plane - to_pixels(square_means(plane), plane.shape) for plane in (mosaic.astype(np.float32), band))
-    shown, made = ((plane[:, _APART_PX:] - plane[:, :-_APART_PX])[both] for plane in fine)
+    shown, made = ((one[:, _APART_PX:] - one[:, :-_APART_PX])[both] for one in (mosaic.astype(np.float32), band))
     energy, common, held = float(shown @ shown), float(shown @ made), float(made @ made)
     if energy <= (0.0 if mosaic.dtype.kind == "f" else _ROUNDED * len(shown)):
         return None
     alike = common / max(float(np.sqrt(energy * held)), float(np.finfo(np.float32).tiny))
-    return min(held / common, 1.0) if alike > _LEAST_ALIKE else max(alike, 0.0)
+    return min(held / common, 1.0) if alike > _LEAST_ALIKE else max(alike, 0.0) ** 2
 
 
 def tells_tones(own: np.ndarray) -> bool:
