@@ -18,7 +18,7 @@ from .compression import was_compressed
 from .followed_source import high_pass
 from .foreign_ground import IsCompressed
 from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, levelled_by, square_means
-from .likely_source import FINE, LikelySource, Sampling, likely_source
+from .likely_source import FINE, FineDetail, LikelySource, Sampling, likely_source
 from .meeting import by_shares, mixed_shares, where_several_meet
 from .mixed_ground import MixedGround, mixed_ground
 from .placed_sources import PlacedSources
@@ -196,10 +196,9 @@ class _Cutting:
         return min(tried, key=lambda likely: likely.left)
 
     def _likely(self, shown: Mapping[int, np.ndarray], labels: np.ndarray, clear: np.ndarray) -> LikelySource:
-        return likely_source(
-            self.sources.fine[0], shown, labels, clear, self.sources.valid, self.closeness.sampling, self.is_compressed,
-            self.sources.interpolated,
-        )
+        sources = self.sources
+        fine = FineDetail(sources.fine[0], shown, sources.valid, self.is_compressed, sources.interpolated)
+        return likely_source(fine, labels, clear, self.closeness.sampling)
 
     def cut(self, likely: LikelySource, filters: Filters, strange: np.ndarray | bool = True) -> _Cut:
         """Likely labels, and those that are known; ``strange``: where no source may explain the mosaic."""

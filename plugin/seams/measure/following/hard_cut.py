@@ -127,7 +127,8 @@ class JudgedGround:
     def detail(self, wavelet: str, levels: int) -> WindowDetail:
         """What the mosaic has of its sources' detail."""
         valid = {i: one.valid for i, one in enumerate(self.followed.images) if one.valid is not None}
-        return window_detail(self.followed.mosaic.plane, self.expected, valid, wavelet, levels, self.inside)
+        detail = window_detail(self.followed.mosaic.plane, self.expected, valid, wavelet, levels)
+        return detail.judged_inside(*self.inside)
 
 
 def judged_ground(

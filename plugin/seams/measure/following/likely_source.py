@@ -7,7 +7,7 @@ weigh the same. What compression made of weak detail is expected of every source
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import combinations, combinations_with_replacement
 
 import numpy as np
@@ -89,23 +89,27 @@ class LikelySource:
     """Share of the mosaic's fine detail that it leaves over, the less the better."""
 
 
-def likely_source(
-    mosaic: np.ndarray,
-    sources: Mapping[int, np.ndarray],
-    labels: np.ndarray,
-    clear: np.ndarray,
-    valid: Mapping[int, np.ndarray],
-    sampling: Sampling = FINE,
-    is_compressed: IsCompressed = lambda number: False,
-    interpolated: Collection[int] = (),
-) -> LikelySource:
-    """The most likely source of every pixel, of ``sources`` that ``mosaic`` follows by a first estimate; all are
-    high-passed planes, (rows, columns).
+@dataclass(frozen=True, eq=False)
+class FineDetail:
+    """The fine detail of a mosaic and of the sources that it may follow: high-passed planes, (rows, columns)."""
 
-    ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure. ``valid``: pixels that a source has, of
-    those that don't have all. ``interpolated``: those that lie between the mosaic's pixels, which leave more over than
-    others do.
+    mosaic: np.ndarray
+    sources: Mapping[int, np.ndarray]
+    valid: Mapping[int, np.ndarray] = field(default_factory=dict)
+    """(rows, columns) bool: pixels that a source has, of those that don't have all."""
+    is_compressed: IsCompressed = lambda number: False
+    interpolated: Collection[int] = ()
+    """Sources that lie between the mosaic's pixels, which leave more over than others do."""
+
+
+def likely_source(
+    fine: FineDetail, labels: np.ndarray, clear: np.ndarray, sampling: Sampling = FINE
+) -> LikelySource:
+    """The most likely source of every pixel, of those that the mosaic follows by a first estimate.
+
+    ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure.
     """
+    mosaic, sources, valid = fine.mosaic, fine.sources, fine.valid
     near_side, wide_side, step = sampling.near, sampling.wide, sampling.grid_px
     grid = np.s_[::step, ::step]
     first = np.ascontiguousarray(labels[grid])
@@ -147,16 +151,14 @@ def likely_source(
         {i: valid[i][grid][::times, ::times][place] for i in sources if i in valid},
         lambda i, j: square_sums(sources[i], sources[j], CELL_PX),
     )
-    unexplained = enlarged(_unexplained(sums, sampling is FINE, is_compressed, interpolated), times, followed.shape)
+    unexplained = enlarged(_unexplained(sums, fine, sampling is FINE), times, followed.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
     left = float(cost[np.isfinite(cost)].sum()) / max(float(near.sum()), 1e-9)
     return LikelySource(enlarged(followed, step), enlarged(unexplained, step), left)
 
 
-def _unexplained(
-    sums: CellSums, is_window: bool, is_compressed: IsCompressed, interpolated: Collection[int]
-) -> np.ndarray:
+def _unexplained(sums: CellSums, fine: FineDetail, is_window: bool) -> np.ndarray:
     """Cells that the sources explain worse than true ones do, (cell rows, cell columns) bool: by the noise of each
     where anything was compressed, else by the best ground of all, which tells images that are nearly alike as well."""
     own, labels, energies, products = sums.mosaic, sums.labels, sums.energies, sums.shared
@@ -176,8 +178,8 @@ def _unexplained(
     left = np.maximum(wide - np.maximum(product, 0) ** 2 / energy, 0)
     if _is_explained(wide, left, textured):
         return np.zeros_like(textured)
-    if is_compressed(None):
-        return enlarged(foreign_ground(sums, is_compressed, is_window), NOISE_CELL_PX // CELL_PX, own.shape)
+    if fine.is_compressed(None):
+        return enlarged(foreign_ground(sums, fine.is_compressed, is_window), NOISE_CELL_PX // CELL_PX, own.shape)
     # A step of tones leaves over much along a line, and nothing beside it.
     even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
     sharp = textured & (wide >= _AS_STRONG * energy)  # a seam that was brushed soft is followed all the same
@@ -201,7 +203,7 @@ def _unexplained(
         return np.zeros_like(strange)
     # What weights that change within a square leave over of a mixture is as much as of one that stands in.
     cells = replace(cells, left=mixed, sharp=sharp & (mixed > _MIXED_LEFT * left))
-    return cells.strange(interpolated)
+    return cells.strange(fine.interpolated)
 
 
 @dataclass(frozen=True, eq=False)

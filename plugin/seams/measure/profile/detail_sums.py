@@ -8,7 +8,7 @@ Where more than two sources are mixed, o is all that s is mixed with, each by it
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 
 import numpy as np
@@ -63,27 +63,44 @@ class SeamGeometry:
     """int: of distance from the seam; ``len(EDGES_PX)`` where no source explains the mosaic."""
 
 
+@dataclass(frozen=True, eq=False)
+class MeetingSources:
+    """The sources whose details are compared with a mosaic's, and where each is followed."""
+
+    labels: np.ndarray
+    """(rows, columns) uint8: the source that each pixel follows; pixels of ``UNKNOWN`` take no part."""
+    numbers: Sequence[int] = ()
+    """Of the sources among the ``compared_planes``."""
+    valid: Mapping[int, np.ndarray] = field(default_factory=dict)
+    """(rows, columns) bool: pixels that a source has, of those that don't have all."""
+    shares: Mapping[int, np.ndarray] | None = None
+    """As ``ExpectedMosaic`` has them."""
+    is_filtered: bool = False
+    """Whether each source is among the planes in both ways."""
+
+    @classmethod
+    def of(cls, expected: ExpectedMosaic, valid: Mapping[int, np.ndarray]) -> MeetingSources:
+        """Those of an expected mosaic."""
+        return cls(expected.labels, numbers_of(expected), valid, expected.shares, expected.is_filtered)
+
+
 def detail_sums(
-    details: Sequence[np.ndarray], labels: np.ndarray, numbers: Sequence[int] = (),
-    valid: Mapping[int, np.ndarray] | None = None, is_filtered: bool = False,
-    shares: Mapping[int, np.ndarray] | None = None, of_rounding: float = 0.0,
+    details: Sequence[np.ndarray], sources: MeetingSources, of_rounding: float = 0.0
 ) -> tuple[CellTable, MixtureTable]:
     """The cells of one window from the details of ``compared_planes``, level by level as ``placed_components`` gives
     them: (3, 2 + sources or more, rows / 2^r, columns / 2^r).
 
-    ``labels``, (rows, columns): the source that each pixel follows, ``UNKNOWN`` where none explains it; those pixels
-    take no part. ``numbers``: of the sources among the planes. ``valid``: (rows, columns) bool, pixels that a source
-    has, of those that don't have all. ``is_filtered``: whether each source is there in both ways. ``shares``: as
-    ``ExpectedMosaic`` has them. ``of_rounding``: ``energy_of_rounding``; sources with no more have no detail.
+    ``of_rounding``: ``energy_of_rounding``; sources with no more have no detail.
     """
-    rows, columns = (length // CELL_PX for length in labels.shape)
-    place = seam_geometry(labels)
+    numbers, is_filtered = sources.numbers, sources.is_filtered
+    rows, columns = (length // CELL_PX for length in sources.labels.shape)
+    place = seam_geometry(sources.labels)
     levels, per_cell = len(details), CELL_PX // _GRID_PX
     whole = np.s_[: rows * per_cell, : columns * per_cell]  # cells
     followed, other, bins, beside = (
-        plane[whole] for plane in (place.labels, place.other, place.bins, _beside_another(place, numbers, valid or {}))
+        plane[whole] for plane in (place.labels, place.other, place.bins, _beside_another(place, sources))
     )
-    others = _among_others(shares or {}, numbers, place.labels)[(slice(None), *whole)]
+    others = _among_others(sources.shares or {}, numbers, place.labels)[(slice(None), *whole)]
     cell = np.add.outer(*(np.arange(many * per_cell) // per_cell * by for many, by in ((rows, columns), (columns, 1))))
     # What no source explains, and what lies beside no seam, is left out. Each coarser coefficient lies at a finest one.
     of_bin = _numbered(cell * len(EDGES_PX) + bins, bins < len(EDGES_PX))
@@ -103,7 +120,7 @@ def detail_sums(
         detail = np.ascontiguousarray(detail[..., : rows * counted, : columns * counted])
         size = rows * columns * counted**2
         planes = detail.reshape(3, -1)  # by one number each, and whole rows first: a third of the time
-        here, there = (np.take(number, sources[coarse].ravel()) for sources in (followed, other))
+        here, there = (np.take(number, labels[coarse].ravel()) for labels in (followed, other))
         m, c = (detail[:, plane].reshape(3, size) for plane in (MOSAIC, CUT))
         s = np.take(planes, here * size + np.arange(size), axis=1) if numbers else c
         _add(sums[:, level], of_bin.number[coarse], pixels**2, ((m, m), (s, s), (m, s)))
@@ -215,13 +232,11 @@ def seam_samples(labels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return seam, beyond
 
 
-def _beside_another(
-    place: SeamGeometry, numbers: Sequence[int], valid: Mapping[int, np.ndarray]
-) -> np.ndarray:
+def _beside_another(place: SeamGeometry, sources: MeetingSources) -> np.ndarray:
     """Samples that lie beside a seam where the source beyond it is known, bool."""
-    beside = (place.bins < MIXED_BINS) & (place.other != UNKNOWN) & bool(len(numbers))
-    for number, pixels in valid.items():
-        if number in numbers:  # what a source doesn't have the mosaic can't have of it
+    beside = (place.bins < MIXED_BINS) & (place.other != UNKNOWN) & bool(len(sources.numbers))
+    for number, pixels in sources.valid.items():
+        if number in sources.numbers:  # what a source doesn't have the mosaic can't have of it
             beside &= (place.other != number) | pixels[::_GRID_PX, ::_GRID_PX]
     return beside
 

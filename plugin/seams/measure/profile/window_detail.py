@@ -3,7 +3,7 @@ picture of where it lost detail, smooth enough that sound ground is even."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -16,11 +16,11 @@ from ..limits import SHARPNESS_TOLERANCE
 from ..seam_cells import UNKNOWN, present
 from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from .detail_sums import (
+    MeetingSources,
     compared_planes,
     detail_sums,
     energy_of_rounding,
     explained_samples,
-    numbers_of,
     seam_samples,
 )
 from .ground import LevelGround, grounds
@@ -40,6 +40,11 @@ class WindowDetail:
     """Rows and columns of the cells that are judged; those around are ground alone."""
     of_rounding: float
     """Most energy of detail that rounding leaves, a pixel, DN squared (``energy_of_rounding``)."""
+
+    def judged_inside(self, rows: slice, columns: slice) -> WindowDetail:
+        """The same detail, of which these pixels are judged."""
+        rows, columns = (slice(part.start // CELL_PX, part.stop // CELL_PX) for part in (rows, columns))
+        return replace(self, inside=(rows, columns))
 
     @cached_property
     def ground(self) -> list[LevelGround | None]:
@@ -78,13 +83,11 @@ class WindowDetail:
 
 
 def window_detail(
-    mosaic: np.ndarray, expected: ExpectedMosaic, valid: Mapping[int, np.ndarray], wavelet: str, levels: int,
-    inside: tuple[slice, slice] | None = None,
+    mosaic: np.ndarray, expected: ExpectedMosaic, valid: Mapping[int, np.ndarray], wavelet: str, levels: int
 ) -> WindowDetail:
     """Detail of a window, from planes (rows, columns) float32, both multiples of 2^R.
 
-    ``valid``: (rows, columns) bool, pixels that a source has, of those that don't have all. ``inside``: rows and
-    columns of the pixels that are judged; all where None.
+    ``valid``: (rows, columns) bool, pixels that a source has, of those that don't have all.
     """
     planes = compared_planes(mosaic, expected)
     count = len(planes)
@@ -92,13 +95,10 @@ def window_detail(
         planes = np.concatenate([planes, expected.unfiltered[np.newaxis]])
     details = list(placed_components(planes, wavelet, levels))
     of_rounding = energy_of_rounding(mosaic)
-    cells, mixture = detail_sums(
-        details, expected.labels, numbers_of(expected), valid, expected.is_filtered, expected.shares, of_rounding
-    )
+    cells, mixture = detail_sums(details, MeetingSources.of(expected, valid), of_rounding)
     kept = [0, 1, *range(count, len(planes))]
-    rows, columns = inside or (slice(0, mosaic.shape[0]), slice(0, mosaic.shape[1]))
-    place = slice(rows.start // CELL_PX, rows.stop // CELL_PX), slice(columns.start // CELL_PX, columns.stop // CELL_PX)
-    return WindowDetail(details[0][:, kept], cells, mixture, place, of_rounding)
+    rows, columns = (slice(0, length // CELL_PX) for length in mosaic.shape)
+    return WindowDetail(details[0][:, kept], cells, mixture, (rows, columns), of_rounding)
 
 
 LOSS_CELL_PX = 8

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.following.foreign_ground import foreign_patches
-from seam_inspector.plugin.seams.measure.following.likely_source import likely_source
+from seam_inspector.plugin.seams.measure.following.likely_source import FineDetail, likely_source
 
 from benchmarks.aftermaths import jpeg
 from tests.numbers.synthetic import texture
@@ -35,9 +35,8 @@ def unexplained(mosaic: np.ndarray, sources: list[np.ndarray]) -> np.ndarray:
     fine = [high_pass(one) for one in (mosaic, *sources)]
     first = follow_planes(fine)
     given = {i: fine[1 + i] for i in range(len(sources)) if i in first.followed}
-    return likely_source(
-        fine[0], given, first.labels, first.clear, {}, is_compressed=lambda number: number is None or number in given
-    ).unexplained
+    detail = FineDetail(fine[0], given, is_compressed=lambda number: number is None or number in given)
+    return likely_source(detail, first.labels, first.clear).unexplained
 
 
 def cut(*parts: np.ndarray) -> np.ndarray:

@@ -10,6 +10,7 @@ from seam_inspector.plugin.seams.measure.following.followed_source import follow
 from seam_inspector.plugin.seams.measure.following.likely_source import (
     FINE,
     SMALLEST_PART_PX,
+    FineDetail,
     LikelySource,
     likely_source,
     without_islands,
@@ -33,7 +34,8 @@ def found_in(
     fine = [high_pass(one) for one in (mosaic, *planes)]
     rough = follow_planes(fine)
     sources = {i: fine[1 + i] for i in range(len(planes)) if i in rough.followed}
-    return likely_source(fine[0], sources, rough.labels, rough.clear, valid or {}, interpolated=interpolated)
+    detail = FineDetail(fine[0], sources, valid or {}, interpolated=interpolated)
+    return likely_source(detail, rough.labels, rough.clear)
 
 
 def cut_at(border: int, first: np.ndarray, second: np.ndarray) -> np.ndarray:

@@ -49,7 +49,8 @@ class Blend:
         hard = hard.astype(np.float32)
         shown = {i: one.astype(np.float32) for i, one in enumerate(self.planes) if (labels == i).any()}
         expected = ExpectedMosaic(hard, hard, labels, shown, shown)
-        return window_detail(own.astype(np.float32), expected, {}, WAVELET, LEVELS, inside)
+        detail = window_detail(own.astype(np.float32), expected, {}, WAVELET, LEVELS)
+        return detail if inside is None else detail.judged_inside(*inside)
 
     def profile(self, mosaic: np.ndarray | None = None) -> SeamProfile:
         """Profile of the whole window."""

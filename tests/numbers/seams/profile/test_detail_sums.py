@@ -19,6 +19,7 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
     MixtureTable,
 )
 from seam_inspector.plugin.seams.measure.profile.detail_sums import (
+    MeetingSources,
     detail_sums,
     energy_of_rounding,
     seam_geometry,
@@ -45,7 +46,8 @@ def planes() -> np.ndarray:
 def sums_of(planes: np.ndarray, labels: np.ndarray, numbers: Sequence[int] = (0, 1), levels: int = LEVELS,
             valid: dict[int, np.ndarray] | None = None) -> tuple[CellTable, MixtureTable]:
     """Sums of the mosaic, the cut and the sources of these numbers."""
-    return detail_sums(list(detail_components(planes, WAVELET, levels)), labels.astype(np.uint8), numbers, valid)
+    sources = MeetingSources(labels.astype(np.uint8), numbers, valid or {})
+    return detail_sums(list(detail_components(planes, WAVELET, levels)), sources)
 
 
 def coefficients(planes: np.ndarray) -> list[np.ndarray]:
@@ -138,7 +140,7 @@ def test_sums_are_quadratic(a: float, b: float, border: int) -> None:
 
 
 def of_marked(details: list[np.ndarray], labels: np.ndarray) -> CellTable:
-    return detail_sums(details, labels.astype(np.uint8))[0]
+    return detail_sums(details, MeetingSources(labels.astype(np.uint8)))[0]
 
 
 def test_along_a_straight_seam_bins_are_strips_on_both_sides(planes: np.ndarray) -> None:
@@ -268,7 +270,7 @@ def test_sources_before_anything_came_over_them_are_summed_beside_those_as_shown
     labels = halves().astype(np.uint8)
     before = 2 * planes[2:]
     details = list(detail_components(np.concatenate([planes, before]), WAVELET, LEVELS))
-    found = detail_sums(details, labels, (0, 1), None, True)[1].products
+    found = detail_sums(details, MeetingSources(labels, (0, 1), is_filtered=True))[1].products
     plain = sums_of(planes, labels)[1].products
     np.testing.assert_allclose(found[:-3], plain[:-3], rtol=1e-5)
     np.testing.assert_allclose(found[-3:], 4 * plain[-3:], rtol=1e-4)
@@ -309,8 +311,8 @@ def test_what_float32_leaves_of_even_ground_is_no_detail(planes: np.ndarray) -> 
     ground, across = 110 + planes, slice(32, 112)
     ground[:, across] = 110 * (1 + 3e-7 * texture(SHAPE, 0.5, 9)[across])
     details = list(detail_components(ground, WAVELET, LEVELS))
-    found = detail_sums(details, halves(), (0, 1), of_rounding=energy_of_rounding(ground[0]))
-    with_rounding = detail_sums(details, halves(), (0, 1))
+    found = detail_sums(details, MeetingSources(halves(), (0, 1)), energy_of_rounding(ground[0]))
+    with_rounding = detail_sums(details, MeetingSources(halves(), (0, 1)))
     for own, plain in zip(found, with_rounding):
         textured = (own.row + 1) * CELL_PX <= across.start
         assert textured.any()
@@ -332,7 +334,8 @@ def test_what_lies_beyond_whole_cells_is_known_to_them() -> None:
     planes = np.stack([25 * texture(shape, 1.2, seed) for seed in range(5)]).astype(np.float32)
     shares = {number: np.full((9, 11), 1 / 3, np.float32) for number in range(3)}
     valid = {1: np.arange(shape[0])[:, np.newaxis] * np.ones(shape[1]) < 40}
-    cells, beside = detail_sums(list(detail_components(planes, WAVELET, 3)), labels, (0, 1, 2), valid, shares=shares)
+    sources = MeetingSources(labels, (0, 1, 2), valid, shares)
+    cells, beside = detail_sums(list(detail_components(planes, WAVELET, 3)), sources)
     assert (cells.row.max(), cells.column.max()) == (3, 4)
     assert cells.bin[cells.column == 4].min() < FARTHEST
     assert set(beside.other.tolist()) == {1, 2}

@@ -25,7 +25,7 @@ from ...following.placed_sources import (
 )
 from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
-from ...profile.detail_sums import compared_planes, detail_sums, energy_of_rounding, numbers_of
+from ...profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
 from ...seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
 from .block_pixels import JUDGED, BlockPixels, Planes
@@ -95,10 +95,8 @@ def measure_part(
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
     details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
     masks = {number: planes.valid[number] for number in given if number in planes.valid}
-    cells, beside = detail_sums(
-        details, labels, numbers_of(expected), masks, expected.is_filtered, expected.shares,
-        energy_of_rounding(image.plane),
-    )
+    sources = MeetingSources.of(replace(expected, labels=labels), masks)
+    cells, beside = detail_sums(details, sources, energy_of_rounding(image.plane))
     labels = filled_in(labels, guessed)
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]

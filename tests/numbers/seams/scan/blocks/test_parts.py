@@ -10,7 +10,7 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import placed_components
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, FARTHEST, CellTable
-from seam_inspector.plugin.seams.measure.profile.detail_sums import detail_sums
+from seam_inspector.plugin.seams.measure.profile.detail_sums import MeetingSources, detail_sums
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, UNIT_PX
 from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import (
     BLOCK_MARGIN_PX,
@@ -59,7 +59,7 @@ def kept(table: CellTable, near: int, far: int) -> float:
 def true_cells(made: np.ndarray, given: Sequence[np.ndarray], labels: np.ndarray) -> CellTable:
     """Cells of the whole mosaic at once, by labels that are known."""
     planes = np.stack([made, np.choose(labels, given), *given]).astype(np.float32)
-    return detail_sums(list(placed_components(planes, WAVELET, LEVELS)), labels, (0, 1))[0]
+    return detail_sums(list(placed_components(planes, WAVELET, LEVELS)), MeetingSources(labels, (0, 1)))[0]
 
 
 LABELS_TRUE = (np.indices(SHAPE)[1] + 0.5 > SEAM).astype(np.uint8)
