@@ -8122,42 +8122,42 @@
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="374"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="378"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="377"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="381"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="380"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="384"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="382"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="386"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="384"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="388"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="429"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="433"/>
         <source>{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s SEAMLINES to measure all of them.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="435"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="439"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="437"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="441"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
@@ -8752,192 +8752,192 @@
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="170"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
         <source>As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is accepted, and the next one is inspected normally.</source>
         <translation>Liczba niezgodnych odcinków leży między Ac {acceptance} a Re {rejection} kontroli ulgowej: ta partia jest przyjęta, a następna podlega kontroli normalnej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="285"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="283"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
         <source>A piece fails when it keeps less than 0, which none can, so every measured piece passes.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="286"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="290"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="290"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
         <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="293"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="295"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="296"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="300"/>
         <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="305"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
         <source>The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok do {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
         <source>Both operators judged {count} windows and agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="330"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="334"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="336"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="337"/>
         <source>The layers of seams are empty; choose those of a scan that found seams.</source>
         <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="334"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="338"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="337"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="341"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="341"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="345"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="344"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="348"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="347"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="351"/>
         <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="350"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="354"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="356"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="360"/>
         <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="361"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="365"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="363"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="367"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="364"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="368"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="370"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="374"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
@@ -10891,137 +10891,137 @@
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, scan with a longer PIECE, or judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki z co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy obok nich, skanuj z dłuższym PIECE albo oceń tam okna wzrokowo (JUDGE observer); pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="226"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
         <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
         <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="391"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="395"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="439"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="443"/>
         <source>The run was stopped: there is neither report nor XML.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="441"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="445"/>
         <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="445"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="449"/>
         <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="446"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="450"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="447"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="451"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="448"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="452"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="449"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="453"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="450"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="454"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="451"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="455"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="452"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="456"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="453"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="457"/>
         <source>the file does not say where it lies</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="454"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="458"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="455"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="459"/>
         <source>its pixels are {pixel:.4g} m instead of {wanted:.4g} m</source>
         <translation>piksel ma {pixel:.4g} m zamiast {wanted:.4g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="456"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="460"/>
         <source>its reference system is another one</source>
         <translation>ma inny układ odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="457"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="461"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="458"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="462"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="459"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="463"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="462"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="466"/>
         <source>whether it has data everywhere can&apos;t be told</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
@@ -11498,42 +11498,42 @@
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
         <source>{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted</source>
         <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, {consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected</source>
         <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
         <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="365"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="369"/>
         <source>The {parameter} {value} is none of the standard&apos;s; known are {known}.</source>
         <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="433"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="437"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
@@ -11937,7 +11937,7 @@
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="352"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="356"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
         <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
     </message>
@@ -12092,7 +12092,7 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="343"/>
         <source>{metres:.0f} m of the seams lie on others and count again</source>
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
@@ -12102,7 +12102,7 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="367"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="371"/>
         <source>{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; inspect the whole lot instead (PLAN all), or draw a sample by stated risks (&apos;Plan an inspection&apos;, PLAN risk with BAD_SHARE {value}).</source>
         <translation>{parameter} {value} nie występuje w dostępnych tu tablicach ISO 2859-2, które mają {known}; zamiast tego skontroluj całą partię (PLAN all) albo wylosuj próbę według podanych ryzyk („Zaplanuj kontrolę”, PLAN risk, BAD_SHARE {value}).</translation>
     </message>
@@ -12234,22 +12234,22 @@
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}. Of many more seams made in the same way {low:.2%} to {high:.2%} would fail (95 % interval); this does not decide.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}. Z wielu dalszych linii mozaikowania wykonanych w ten sam sposób niezgodne byłoby od {low:.2%} do {high:.2%} (przedział 95 %); to nie rozstrzyga.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
         <source>{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have no line.</source>
         <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="359"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="363"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="443"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="447"/>
         <source>{parameter} is &apos;{value}&apos;, which is no date; write it as 2026-11-23 or 23.11.2026.</source>
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
     </message>
@@ -12756,27 +12756,27 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
         <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>Failures that end at the edge of a sheet where no seam goes on: {count}, {metres:.1f} m (no. {numbers}); they may be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.</source>
         <translation>Usterki kończące się na brzegu arkusza, za którym nie biegnie żadna linia mozaikowania: {count}, {metres:.1f} m (nr {numbers}); za brzegiem mogą być dłuższe. Aby to sprawdzić, przeskanuj arkusz razem z sąsiednimi jako jedną ortofotomapę (VRT).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
         <source>Sheets were scanned apart, so pieces begin anew where seams cross their borders ({count}). With other pieces, as in one scan of all sheets, the failed metres may differ by {within:.0f} m (95 % interval), and by what only one of the scans can measure.</source>
         <translation>Arkusze zeskanowano osobno, więc odcinki zaczynają się od nowa tam, gdzie linie mozaikowania przecinają ich brzegi ({count}). Przy innych odcinkach, jak w jednym skanie wszystkich arkuszy, liczba niezgodnych metrów może się różnić o {within:.0f} m (przedział 95 %) oraz o to, co zmierzy tylko jeden ze skanów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
         <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.</source>
         <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają wartość graniczną ({metres:.0f} m, odcinków: {count}). Oceń okna na nich wzrokowo albo skanuj z dłuższym PIECE, które daje węższe przedziały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
         <source>What would decide it: a scan with a shorter PIECE. Failures end inside of pieces, so a sum of pieces of {piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszym PIECE. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
@@ -12904,7 +12904,7 @@
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="409"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
         <source>{name}: the seamlines name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
         <translation>{name}: linie mozaikowania wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
@@ -13259,92 +13259,92 @@
         <translation>oceniono {judged:.0f} m linii mozaikowania, a według skanu ortofotomapa zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="206"/>
         <source>A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Ciąg odcinków, których nie zmierzono, wraz z niezgodnymi wśród nich, jest dłuższy, niż może być usterka: {metres:.1f} m w miejscu {x:.1f}, {y:.1f} w {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
         <source>There are {count} more such rows.</source>
         <translation>Dalszych takich ciągów: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with all SEAMLINES, or without any.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi SEAMLINES albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
         <source>What would decide it: the files that were scanned, given as MOSAIC and SOURCES, or a scan of those that are there now.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki ortofotomapy i ortoobrazów, podane jako MOSAIC i SOURCES, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
         <source>What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge windows there by eye (JUDGE observer), or scan with a longer PIECE; the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki z ciągów odcinków dłuższych niż {limit:.0f} m, których nie zmierzono. Oceń tam okna wzrokowo (JUDGE observer) albo skanuj z dłuższym PIECE; pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
         <source>What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
         <source>Files that are as they were scanned: {count}.</source>
         <translation>Pliki takie, jak je skanowano: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
         <source>Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again what the decision rests on.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="395"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="399"/>
         <source>{name}: the mosaic passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
         <translation>{name}: ortofotomapa przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="399"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="403"/>
         <source>{name}: along {metres:.0f} m of the given seamlines the mosaic shows one orthoimage on both sides; they are no seams.</source>
         <translation>{name}: wzdłuż {metres:.0f} m podanych linii mozaikowania ortofotomapa pokazuje po obu stronach ten sam ortoobraz; nic się tam nie łączy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="403"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="407"/>
         <source>{name}: {share:.1%} of the mosaic within its outline have no pixels, most of it around {place}.</source>
         <translation>{name}: {share:.1%} ortofotomapy w obrębie jej obrysu nie ma pikseli, najwięcej przy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="406"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="410"/>
         <source>{name}: {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.</source>
         <translation>{name}: obejrzano {share:.0%} ortofotomapy, w obrębie CORRIDOR; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="421"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="425"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make sure that they are the ones that the mosaic was made from.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="460"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="464"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="461"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="465"/>
         <source>it is no part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
@@ -13547,22 +13547,22 @@
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
         <source>What would decide it: all mosaics of the delivery given as MOSAIC, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie jako MOSAIC wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>What would decide it: a scan with a PIECE of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece keeps enough though a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z PIECE najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
         <source>The layers of seams are of {count} mosaics, and none is given as MOSAIC: whether all of these belong to the delivery is not known.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano jako MOSAIC: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="387"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="391"/>
         <source>Without what a scan with orthoimages tells of the ground, in Python told=, nothing is known of seams that are in no row: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
@@ -13587,17 +13587,17 @@
         <translation>Niepodobny do ortofotomapy wszędzie, gdzie je porównano: inny nalot, mapa albo obraz położony gdzie indziej; odznacz, jeśli nie jest jednym z ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="417"/>
         <source>{name}: orthoimages that are the mosaic, or nearly so, wherever they were compared ({names}). Where such an image was made from the mosaic it hides every loss: make sure that it is an original.</source>
         <translation>{name}: ortoobrazy, które wszędzie, gdzie je porównano, są ortofotomapą albo prawie nią ({names}). Gdy taki obraz powstał z ortofotomapy, ukrywa każdą stratę: upewnij się, że to oryginał.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="417"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="421"/>
         <source>{count} mosaics were scanned one by one: a seam along the border between two of them is in no figure. Scan sheets that meet as one mosaic.</source>
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="425"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="429"/>
         <source>{name}: the seams are those of the given seamlines; one that lacks shows where it is longer than some 150 pixels.</source>
         <translation>{name}: linie mozaikowania są podane; brakującą widać, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
@@ -13605,6 +13605,11 @@
         <location filename="../plugin/seams/words.py" line="257"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
+        <source>{judged:.0f} m of seam are judged and along {unchanged:.0f} m of them the mosaic does not change its orthoimage; {limit:.0%} may differ</source>
+        <translation>oceniono {judged:.0f} m linii mozaikowania, a na {unchanged:.0f} m z nich ortofotomapa nie zmienia ortoobrazu; różnica może wynosić {limit:.0%}</translation>
     </message>
 </context>
 </TS>

@@ -147,6 +147,10 @@ SEAMS_DIFFER = Message(
     "{unseen:.0f} m of these are in no figure (the longest around {place}), and along {unchanged:.0f} m nothing "
     "changes; {limit:.0%} may differ", INFO
 )
+SEAMS_UNCHANGED = Message(
+    "{judged:.0f} m of seam are judged and along {unchanged:.0f} m of them the mosaic does not change its orthoimage; "
+    "{limit:.0%} may differ", INFO
+)
 BORDER_WITHOUT_SEAM = Message(
     "along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and "
     "{limit:.1f} m may fail without a break", INFO
