@@ -30,8 +30,9 @@ RESPONSE_ERROR = 0.5
 """Share of what it makes of the logarithm of kept that weaker detail is shown otherwise, taken as its error: where
 tones were evened out place by place, strong and weak detail differ by where they are."""
 SURE_LEFT = 0.5
-"""Share of what a soft feather leaves over that is taken for what its ramp makes of what the sources differ by, and its
-error: as well it may be detail of theirs that a codec changed, or that a part of the piece without a feather kept."""
+"""Share of what a soft feather leaves over that is taken for what its ramp makes of what the sources differ by; and
+share of what any mixture leaves over that is its error and the energy's: as well it may be detail of the sources that a
+codec changed, or that a part of the piece without a feather kept."""
 BLOCK_CELLS = 2
 """A side of the blocks whose scatter the interval follows from: as much ground as 64 px of strip."""
 

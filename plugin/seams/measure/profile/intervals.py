@@ -44,6 +44,12 @@ class Kept(NamedTuple):
         """kept so many times as much, with its interval."""
         return Kept(*(end * factor for end in self))
 
+    def less_sure(self, error: np.ndarray) -> Kept:
+        """kept with another error, a standard deviation of its logarithm, beside those that its interval has."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            factor = np.exp(np.minimum(np.hypot(self.width / 2, critical_t(CONFIDENCE, np.inf) * error), _WIDEST))
+        return Kept(self.value, self.value / factor, self.value * factor)
+
     @property
     def width(self) -> np.ndarray:
         """Width of the logarithm's interval, (n,)."""

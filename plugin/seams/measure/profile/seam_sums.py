@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable
-from .energy_sums import EnergySums
+from .energy_sums import SURE_LEFT, EnergySums
 from .ground import LevelGround
 from .intervals import MIN_CARRIED, MOST_KEPT, MOST_UNEXPLAINED, Kept, together, weighted
 from .mixture import MOST_EVERYWHERE, MixedStrips, MixtureSums
@@ -76,11 +76,14 @@ class SeamSums:
         shared, expected, expected_shared = (
             in_strip(sums)[0] for sums in (energy.shared, energy.expected, energy.expected_shared)
         )
+        # Of what the mosaic would have of the sources, by the ground where there is any.
+        left_share = more_left[0] / np.maximum(np.where(expected > 0, expected, in_strip(mixed.plain)[0]), 1e-12)
         # As much as the ground has of it, where there is ground.
         is_mixed = mixed.carried * plain[0] >= MIN_CARRIED * expected_shared
         is_replaced = ~is_mixed & (more_left[0] > MOST_UNEXPLAINED * expected)
         judged, share = together(
-            by_energy.times(np.where(is_replaced, np.nan, 1.0)), mixed.kept.times(np.where(is_mixed, 1.0, np.nan))
+            by_energy.times(np.where(is_replaced, np.nan, 1.0)),
+            mixed.kept.times(np.where(is_mixed, 1.0, np.nan)).less_sure(SURE_LEFT * left_share),
         )
         kept = np.where(share > 0, energy_levels * mixed.before_in_strip, mixed.levels)
         kept[0] = judged.value
@@ -91,7 +94,6 @@ class SeamSums:
         ]
         bins = self._bins(mixed, share, judged, by_bins)
         added = np.where(amplitude > 0, np.maximum(1 - gain**2 / np.maximum(amplitude, 1e-12), 0), 0)
-        left_share = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
         lost = self._lost(mixed, share, by_bins[0])
         fit = np.maximum(shared, 0) ** 2 / np.maximum(mm * plain[0], 1e-12)
         texture = mm / np.maximum(plain[0], 1e-12)

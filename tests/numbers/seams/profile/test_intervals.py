@@ -46,6 +46,25 @@ def holds(kept: Kept, truth: float) -> bool:
     return bool(kept.low[0] <= truth <= kept.high[0])
 
 
+def test_another_error_widens_an_interval_by_its_square() -> None:
+    """Deviations of 3 and 4 % are one of 5 %."""
+    value, freedom = np.array([0.8]), np.array([np.inf])
+    kept = Kept.of(value, np.array([0.03]), freedom)
+    np.testing.assert_allclose(kept.less_sure(np.array([0.04])), Kept.of(value, np.array([0.05]), freedom))
+    np.testing.assert_allclose(kept.less_sure(np.array([0.0])), kept)
+
+
+def test_detail_that_no_mixture_explains_makes_it_less_sure() -> None:
+    """Noise along the strip alone: the mixture is as before, and its interval reaches farther than by its own error."""
+    feathered = blend(13)
+    near = feathered.distance < 12
+    noisy = feathered.made + near * 10 * np.random.default_rng(0).standard_normal(near.shape)
+    profile, detail = feathered.profile(noisy), feathered.detail(noisy)
+    alone = mixture_of(detail).kept
+    assert profile.left_by_mixture > 0.05
+    assert profile.high / profile.low > 1.05 * ratio(alone)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("width", [0, 13, 33, 66])
 def test_of_sixty_windows_nine_in_ten_intervals_hold_the_truth(width: int) -> None:
