@@ -9,12 +9,12 @@ import numpy as np
 
 from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
+from ....imagery.record_store import RecordFiles
 from ....imagery.records import packed, unpacked
 from ..profile.cell_table import CellTable
 from ..profile.ground import EnergyResponse, LevelGround, grounds
 from ..while_measuring import measuring
 from . import messages
-from .block_files import BlockFiles
 from .block_runs import NOTHING, block_labels, global_numbers, whole_block
 from .blocks.block_grid import LABEL_PX, LABELS, UNITS, BlockKey
 from .blocks.scan_block import NOT_LOOKED
@@ -28,7 +28,7 @@ _CELLS = "cells"
 class OutputsRequest:
     """All that is needed for it, in plain data that can cross threads and processes."""
 
-    files: BlockFiles
+    files: RecordFiles
     key: BlockKey
     tile: LabelTile
     """Its samples of the labels."""
@@ -86,7 +86,7 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     return BlockOutputs(key, chains, picture, used, ground)
 
 
-def held_ground(files: BlockFiles, key: BlockKey) -> list[LevelGround | None]:
+def held_ground(files: RecordFiles, key: BlockKey) -> list[LevelGround | None]:
     """What ``block_outputs`` kept of one block, by level; nothing where that was not measured. Raises
     SettingsError where it can't be read any more."""
     try:
@@ -117,7 +117,7 @@ def _labels_around(request: OutputsRequest, own: np.ndarray | None) -> np.ndarra
     return found
 
 
-def _cells_around(files: BlockFiles, key: BlockKey) -> list[CellTable]:
+def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
     """Cells of the neighbours that were measured."""
     row, column = key
     near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
