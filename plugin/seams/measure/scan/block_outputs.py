@@ -20,6 +20,7 @@ from .blocks.block_grid import LABEL_PX, LABELS, UNITS, BlockKey
 from .blocks.scan_block import NOT_LOOKED
 from .lines.label_borders import MARGIN, Chain, LabelTile, cleaned_chains
 from .loss_raster import NODATA, loss_cells
+from .scan_journal import not_saved
 
 _CELLS = "cells"
 
@@ -74,9 +75,7 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     try:
         files.save(_ground_name(key), packed({"ground": np.array([_row(one) for one in ground])}))
     except OSError as error:
-        raise SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
-            path=files.folder, error=system_reason(error), done=len(files.names)
-        )) from None
+        raise not_saved(files, system_reason(error)) from None
     picture = None
     if request.cell_px:
         cells = loss_cells(scan, labels + 1, ground, request.cell_px)

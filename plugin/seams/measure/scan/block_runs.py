@@ -29,7 +29,7 @@ from . import messages
 from .blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
 from .blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
 from .mosaic_reading import ALL_READ, BlockReading
-from .scan_journal import INCOMPLETE, ScanJournal
+from .scan_journal import INCOMPLETE, ScanJournal, not_saved
 from .scan_request import ScanRequest
 
 _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
@@ -132,7 +132,7 @@ class JournaledBlocks:
 
     def _step(self, look: BlockLook, one: LookedAt) -> ScanStep:
         if one.trouble:
-            raise self._journal.not_saved(one.trouble)
+            raise not_saved(self._journal.files, one.trouble)
         if one.record is not None:
             self._journal.is_shared = False
             self._journal.save(_name(look, one.key, one.notices), one.record)

@@ -23,7 +23,7 @@ from ....imagery.file_identity import OF_NO_CONSEQUENCE, local_state, local_stat
 from ....imagery.gdal_paths import is_remote, local_file
 from ....imagery.messages import system_reason
 from ....imagery.rasters import Raster, RasterRef
-from ....imagery.record_store import RecordFolder
+from ....imagery.record_store import RecordFiles, RecordFolder
 from ..source_images import Source
 from . import messages
 
@@ -218,10 +218,9 @@ class ScanJournal(RecordFolder):
         try:
             self.files.save(name, payload)
         except OSError as error:
-            raise self.not_saved(system_reason(error)) from None
+            raise not_saved(self.files, system_reason(error)) from None
 
-    def not_saved(self, reason: Message | str) -> SettingsError:
-        """Why a block could not be kept."""
-        return SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
-            path=self.files.folder, error=reason, done=len(self.files.names)
-        ))
+
+def not_saved(files: RecordFiles, reason: Message | str) -> SettingsError:
+    """Why something could not be kept."""
+    return SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(path=files.folder, error=reason, done=len(files.names)))
