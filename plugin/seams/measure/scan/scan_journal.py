@@ -194,9 +194,9 @@ def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | N
     except OSError as error:
         raise SettingsError(messages.SCAN_JOURNAL_NOT_OPENED(path=path, error=system_reason(error))) from None
     except SettingsError as error:
-        is_in_use = error.message.template == imagery_messages.RECORDS_IN_USE.template
-        refusal = messages.SCAN_JOURNAL_IN_USE if is_in_use else messages.SCAN_JOURNAL_FOREIGN
-        raise SettingsError(refusal(path=path)) from None
+        if error.message.template == imagery_messages.RECORDS_IN_USE.template:
+            raise SettingsError(messages.SCAN_JOURNAL_IN_USE(path=path)) from None
+        raise SettingsError(messages.SCAN_JOURNAL_FOREIGN(path=path)) from None
     if journal.was_of is not None and journal.was_of != fingerprint:
         return journal, messages.SCAN_ANEW(what=what_changed(journal.was_of, fingerprint))
     done = sum(not name.startswith(INCOMPLETE) for name in journal.files.names)
