@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from fuzz.breakages import of_bytes, of_growth, of_layers, of_rasters, of_several, of_texts, of_vrts
-from fuzz.breakages.broken import BREAKAGES, Broken, copied
+from fuzz.breakages.broken import BREAKAGES, Broken, copied, kind_of
 from fuzz.breakages.of_values import other_input, other_value
 from fuzz.calls import CALLS, FOLDERS, Address, Call, placed
 from fuzz.running import created
@@ -108,7 +108,7 @@ def _broken(
     path = value.path if isinstance(value, Address) else value
     copy = copied(samples / path, folder)
     if copy.is_dir():  # one of its files
-        inside = [one for one in sorted(copy.iterdir()) if one.suffix.lower() in registered.endings]
+        inside = [one for one in sorted(copy.rglob("*")) if one.is_file() and kind_of(one) in registered.endings]
         registered.breaks(Broken(chance.choice(inside), samples, chance, outside, scale))
         return str(copy)
     given = registered.breaks(Broken(copy, samples, chance, outside, scale))

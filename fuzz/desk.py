@@ -21,7 +21,7 @@ from qgis.PyQt.QtCore import QObject
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.record_store import RecordStore
+from seam_inspector.plugin.imagery.record_store import RecordFolder
 from seam_inspector.plugin.imagery.records import NotUnderstoodError
 from seam_inspector.plugin.seams.desk import keeping, unsaved_windows
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import LayerPlaces, load_inputs, save_inputs
@@ -29,7 +29,6 @@ from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judgi
 from seam_inspector.plugin.seams.desk.keeping import RESULTS, UNSAVED, Keeping
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
 from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
-from seam_inspector.plugin.seams.measure.scan.block_files import BlockFiles
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import BlockScan, scan_block
 from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
@@ -42,7 +41,7 @@ from seam_inspector.plugin.seams.measure.window.window_tables import result_reco
 from seam_inspector.plugin.toolkit.translation import sentence
 
 NAME, FOLDER = "desk", "FOLDER"
-SCAN, BLOCK, FINGERPRINT = "windows.scan", "windows.block", "settings=sound"
+SCAN, BLOCK, FINGERPRINT = "windows.scan", "block 0 0", "settings=sound"
 STALE, LEVELS = "seam_inspector/stale", 3
 
 
@@ -105,7 +104,7 @@ def _go_on_with_scan(path: Path, feedback: QgsProcessingFeedback) -> None:
     if notice is not None:
         feedback.pushWarning(sentence(notice))
     with suppress(OSError, NotUnderstoodError):
-        if (record := BlockFiles(path.parent).load(BLOCK)) is not None:
+        if (record := journal.files.load(BLOCK)) is not None:
             scan_of(record)
     journal.close()
 
@@ -123,16 +122,15 @@ def make_folder(folder: Path, windows: Path) -> None:
     save_judging(project, JudgingSettings())
     assert project.write(str(folder / "windows.qgs"))
     project.clear()
-    kept = RecordStore(Path(f"{path}{UNSAVED}"), unsaved_windows._KIND)
-    kept.save("1", json.dumps({"number": 1, "wkb": None, "values": {"remark": "a"}, "stale": True}).encode())
+    kept = RecordFolder(Path(f"{path}{UNSAVED}"), unsaved_windows._KIND)
+    kept.files.save("1", json.dumps({"number": 1, "wkb": None, "values": {"remark": "a"}, "stale": True}).encode())
     kept.close()
-    results = RecordStore(Path(f"{path}{RESULTS}"), keeping._KIND + keeping._VERSION)
-    results.save("1", result_record(_inspected(folder.parent)))
+    results = RecordFolder(Path(f"{path}{RESULTS}"), keeping._KIND, keeping._VERSION)
+    results.files.save("1", result_record(_inspected(folder.parent)))
     results.close()
     journal, _ = open_journal(folder / SCAN, FINGERPRINT)
-    journal.files.save("block 0 0", b"of no meaning")
+    journal.files.save(BLOCK, record_of(_scanned(folder.parent / "scan")))
     journal.close()
-    BlockFiles(folder).save(BLOCK, record_of(_scanned(folder.parent / "scan")))
 
 
 def _inspected(folder: Path) -> WindowResult:

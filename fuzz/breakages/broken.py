@@ -10,11 +10,15 @@ from typing import Any, Callable
 RASTERS = (".tif", ".jpg", ".png", ".bmp", ".vrt")
 LAYERS = (".gpkg", ".shp", ".geojson")
 DOCUMENTS = (".json", ".xml", ".yaml", ".csv", ".points", ".rpb", ".txt", ".qgs")
-STORES = (".unsaved", ".results", ".scan")
-RECORDS = (*STORES, ".block")
-"""What the desk and a scan keep beside a layer or a picture: stores of records, and a block of a scan."""
+RECORDS = (".unsaved", ".results", ".scan")
+"""Folders of what the desk and a scan keep beside a layer or a picture."""
 TEXTS = (*DOCUMENTS, ".geojson", ".vrt")
 FILES = (*RASTERS, *LAYERS, *DOCUMENTS, *RECORDS)
+
+
+def kind_of(path: Path) -> str:
+    """The ending by which a file is chosen: its own, or that of the folder of records that it lies in."""
+    return (path.parent if path.parent.suffix in RECORDS else path).suffix.lower()
 
 
 @dataclass

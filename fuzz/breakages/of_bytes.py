@@ -2,12 +2,11 @@
 from __future__ import annotations
 
 import os
-import sqlite3
-import zlib
-from contextlib import closing
 from typing import Any
 
-from fuzz.breakages.broken import FILES, LAYERS, RASTERS, STORES, Broken, breakage
+from seam_inspector.plugin.imagery.record_store import RecordFiles
+
+from fuzz.breakages.broken import FILES, LAYERS, RASTERS, RECORDS, Broken, breakage
 
 
 def _part(broken: Broken) -> Any:
@@ -153,19 +152,7 @@ def _spoilt(broken: Broken, payload: bytes) -> bytes:
     return bytes(content)
 
 
-@breakage(*STORES)
-def payloads(broken: Broken) -> None:
-    """Records that say something else, their checksums right."""
-    with closing(sqlite3.connect(broken.path)) as database:
-        for key, held in database.execute("SELECT key, payload FROM records").fetchall():
-            said = _spoilt(broken, bytes(held))
-            values = zlib.crc32(said), said, key
-            database.execute("UPDATE records SET checksum = ?, payload = ? WHERE key = ?", values)
-        database.commit()
-
-
-@breakage(".block")
-def block_payload(broken: Broken) -> None:
-    """A block of a scan that says something else, its checksum right."""
-    said = _spoilt(broken, broken.path.read_bytes()[:-4])
-    broken.path.write_bytes(said + zlib.crc32(said).to_bytes(4, "little"))
+@breakage(*RECORDS)
+def payload(broken: Broken) -> None:
+    """A record that says something else, its checksum right."""
+    RecordFiles(broken.folder).save(broken.path.name, _spoilt(broken, broken.path.read_bytes()[:-4]))

@@ -6,10 +6,9 @@ from __future__ import annotations
 
 import json
 import re
-import sqlite3
-import zlib
-from contextlib import closing
 from xml.sax.saxutils import escape
+
+from seam_inspector.plugin.imagery.record_store import RecordFiles
 
 from fuzz.breakages.broken import RASTERS, Broken, breakage
 from fuzz.breakages.of_several import wrapped
@@ -113,7 +112,5 @@ def many_records(broken: Broken) -> None:
         records = [("1", _long(broken, broken.random.choice(("[", '{"a":', "9", '"'))))]
     else:
         records = [(str(number), json.dumps({**window, "number": number})) for number in range(2, count)]
-    with closing(sqlite3.connect(broken.path)) as database:
-        rows = ((key, zlib.crc32(said.encode()), said.encode()) for key, said in records)
-        database.executemany("INSERT OR REPLACE INTO records (key, checksum, payload) VALUES (?, ?, ?)", rows)
-        database.commit()
+    for name, said in records:
+        RecordFiles(broken.folder).save(name, said.encode())

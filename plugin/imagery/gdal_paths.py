@@ -11,13 +11,13 @@
 | `layers`, `point_tables`, `feature_sinks` | a file that QGIS has open, or that was just written | `FEATURES` |
 | `geopackages` | a file of ours that is being written | `FEATURES` |
 | `raster_writer`, `orthorectification`, `mended_mosaic` | what was read or written just before | `RASTERS` |
+| `record_store` | `.unsaved`, `.results`, `.scan`, which nobody chose | Python, of files alone, up to a size |
 | `window_layer` | `windows*.gpkg` beside a project, which nobody chose | SQLite, after `holds_only_tables` |
 | `keeping` | the windows of a project that had no file, to move them | SQLite, as QGIS has them open |
 | `outputs` | a database that is to be written, to see whether others write it | SQLite |
 | `delivery_layers`, `mosaic_scans`, `swiped_layer`, `line_layers` | what the user chose, or was just written | QGIS |
 | `inspection_record`, `file_identity` | the bytes of inputs, for fingerprints | Python, of files alone |
 | `mark_tables` | the layers in a folder of marks | QGIS, after `is_layer_file` |
-| `record_store` | `.unsaved`, `.results`, `.scan`, which nobody chose | SQLite, of our own tables only |
 | `documents` | XML, JSON, rules, camera files | Python, after `is_endless`, up to a size |
 
 Checked is by ``check_raster_path``. QGIS itself opens the layers of projects, and the vector inputs of algorithms once

@@ -137,10 +137,9 @@ REMOTE_IN_PART = Message(
     "{name} came over the network only in part, also when asked again; check that it is complete on its server."
 )
 REMOTE_NOT_OPENED = Message("{name} can't be read over the network ({why}); check its address and GDAL's settings.")
-# files of records
+# folders of records
 RECORDS_IN_USE = Message("another QGIS has it open")
-RECORDS_FOREIGN = Message("the file there is something else")
-RECORDS_DAMAGED = Message("the file there is damaged")
+RECORDS_FOREIGN = Message("something else is there")
 # a file with rules
 RULES_NOT_READABLE = Message("The rules in {name} can't be read ({error}); give a JSON file with rules.")
 RULES_NOT_TEXT = Message("The rules in {name} are no text in UTF-8; give a JSON file with rules.")

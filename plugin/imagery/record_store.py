@@ -1,247 +1,209 @@
-"""Payloads by key in a SQLite database of our own, of which one process at a time has the reading and writing.
+"""Records in a folder, a file each: there whole or not at all, whatever ends the process that writes them.
 
-It is written ahead (WAL), so a process that dies loses nothing that it saved, and a failing power only what was not
-synced. The database is locked as a whole, for which SQLite needs no memory that processes share: it may lie on a disk
-of the network. A ``RecordKeeper`` has a thread of its own for it, so that nobody waits for a slow disk.
+Whoever sees the folder reads and writes its ``RecordFiles``, be it a thread or another machine. As a ``RecordFolder``
+one process at a time has it, which knows what its records are of. A ``RecordKeeper`` has a thread of its own for it, so
+that nobody waits for a slow disk.
 """
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
-import sqlite3
+import shutil
 import stat
-import time
+import sys
 import zlib
-from collections.abc import Iterator
+from collections.abc import Collection
 from concurrent.futures import Future, ThreadPoolExecutor, wait
-from contextlib import suppress
+from contextlib import ExitStack, suppress
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO, Callable
+from uuid import uuid4
 
 from . import messages
 from .errors import SeamInspectorError, SettingsError
 
-_FLAGS = ("O_BINARY", "O_NOFOLLOW", "O_NONBLOCK")
-"""What is not known on every system; of a pipe that nobody writes to the opening would wait for ever."""
+if sys.platform == "win32":
+    import msvcrt
+
+    def _lock(file: BinaryIO) -> None:
+        """Raises PermissionError where another process has it."""
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+else:
+    import fcntl
+
+    def _lock(file: BinaryIO) -> None:
+        """Raises BlockingIOError where another process has it."""
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
-def open_own_file(path: Path) -> BinaryIO:
-    """Open it for reading and writing, made when it is not there.
-
-    A folder of somebody else may hold links, pipes or devices by the names that we give: raises OSError for these.
-    """
-    flags = sum(getattr(os, name, 0) for name in _FLAGS)
-    if path.is_symlink():  # where the system can't be asked to refuse
-        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
-    file = os.fdopen(os.open(path, os.O_RDWR | os.O_CREAT | flags, 0o666), "r+b", buffering=0)
-    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-        file.close()
-        raise OSError(errno.EINVAL, os.strerror(errno.EINVAL))
-    return file
+_CHECKSUM_BYTES = 4
+_MOST_BYTES = 2**30  # of a record; the largest of ours is a twentieth of it
+_ABOUT, _LOCK, _UNFINISHED = ".about", ".lock", ".unfinished-"
+"""Names of what is no record, which begin with a dot: what the records are of, the lock, files that are being
+written."""
 
 
-_MAKE = (
-    "CREATE TABLE about (kind TEXT)",
-    "CREATE TABLE records (number INTEGER PRIMARY KEY, key TEXT UNIQUE, checksum INTEGER, payload BLOB)",
-)
-_SAVE = (
-    "INSERT INTO records (key, checksum, payload) VALUES (?, ?, ?)"
-    " ON CONFLICT (key) DO UPDATE SET checksum = excluded.checksum, payload = excluded.payload"
-)
-_MALFORMED = "malformed"  # in what SQLite says of damaged pages
-_MOST_KEPT = 64  # MB of what is written ahead, before SQLite itself moves it to its place
+@dataclass(frozen=True)
+class RecordFiles:
+    """Payloads by name. Names are words and numbers of ours; links, pipes and folders by these names are no records."""
 
-
-class RecordStore:
-    """Made when it is not there. Of equal keys the last one counts.
-
-    A record that the disk damaged is as if it were not there. For one thread at a time. All methods raise OSError; the
-    constructor SettingsError too, where another process has the store open, or the file is damaged or something else.
-    """
-
-    def __init__(self, path: Path, kind: str, replaced: str | None = None) -> None:
-        """``kind`` is what such stores are for, and their version. With ``replaced``, what the kinds of all versions
-        begin with, the records of another version are given up, and those that can't be read any more
-        (``was_damaged``).
-        """
-        self.path, self.was_damaged = path, False
-        while True:
-            with open_own_file(path) as own:  # made, and never what a link of that name leads to
-                found = os.fstat(own.fileno())
-                if replaced is not None and own.read(len(replaced)) == replaced.encode():  # as it was before SQLite
-                    own.truncate(0)
-            self._database = sqlite3.connect(path, timeout=0, isolation_level=None, check_same_thread=False)
-            try:
-                with _as_system_errors():
-                    self._open(kind, replaced)
-            except BaseException as error:
-                self._database.close()
-                is_damaged = isinstance(error, SettingsError) and error.message == messages.RECORDS_DAMAGED
-                if is_damaged and replaced is not None and not self.was_damaged:
-                    self.was_damaged = True
-                    path.unlink()
-                elif _is_at(path, found):
-                    if isinstance(error, OSError) and not path.stat().st_size:  # made here, and no room for more
-                        path.unlink()
-                    raise
-            else:
-                if _is_at(path, found):
-                    return
-                self._database.close()  # another process removed it between our opening and our lock
-
-    def _open(self, kind: str, replaced: str | None) -> None:
-        try:
-            self._database.execute("PRAGMA locking_mode = EXCLUSIVE")
-            self._database.execute("BEGIN IMMEDIATE")
-            found = self._database.execute("SELECT sql FROM sqlite_master WHERE sql IS NOT NULL")
-            made = {statement for (statement,) in found}
-            if made and made != set(_MAKE):  # a view by one of our names may never end
-                raise SettingsError(messages.RECORDS_FOREIGN())
-            held = self._database.execute("SELECT kind FROM about").fetchone() if made else None
-        except sqlite3.DatabaseError as error:
-            if "locked" in str(error):
-                raise SettingsError(messages.RECORDS_IN_USE()) from None
-            if "not a database" in str(error):
-                raise SettingsError(messages.RECORDS_FOREIGN()) from None
-            if _MALFORMED in str(error):
-                raise SettingsError(messages.RECORDS_DAMAGED) from None
-            raise
-        if held != (kind,):
-            if made and (held is None or replaced is None or not str(held[0]).startswith(replaced)):
-                raise SettingsError(messages.RECORDS_FOREIGN())
-            for statement in ("DELETE FROM about", "DELETE FROM records") if made else _MAKE:
-                self._database.execute(statement)
-            self._database.execute("INSERT INTO about VALUES (?)", (kind,))
-        found = self._database.execute("SELECT key FROM records ORDER BY number")
-        self._keys = dict.fromkeys(key for (key,) in found)
-        self._database.execute("COMMIT")
-        self._database.execute("PRAGMA journal_mode = WAL")
-        self._database.execute("PRAGMA synchronous = NORMAL")
-        self._database.execute(f"PRAGMA wal_autocheckpoint = {_MOST_KEPT * 2**20 // 4096}")
+    folder: Path
 
     @property
-    def keys(self) -> dict[str, None]:
-        """In the order in which they came first. For any thread."""
-        return self._keys
+    def names(self) -> set[str]:
+        """Names of all there is: nothing where the folder is not, as its disk may be gone. Whoever saves is told."""
+        files = set[str]()
+        with suppress(OSError), os.scandir(self.folder) as found:
+            files = {one.name for one in found if one.is_file(follow_symlinks=False)}
+        return {name for name in files if not name.startswith(".")}
 
-    def load(self, key: str) -> bytes | None:
-        """The payload; None where there is none, or it was damaged."""
-        with _as_system_errors():
-            try:
-                found = self._database.execute("SELECT checksum, payload FROM records WHERE key = ?", (key,))
-                row = found.fetchone()
-            except sqlite3.DatabaseError as error:
-                if _MALFORMED not in str(error):
-                    raise
-                return None
-        return bytes(row[1]) if row is not None and zlib.crc32(row[1]) == row[0] else None
+    def save(self, name: str, payload: bytes, is_synced: bool = False) -> None:
+        """Keep a payload in the place of an earlier one; it outlives the process, and if ``is_synced`` the power.
 
-    def items(self) -> Iterator[tuple[str, bytes]]:
-        """All that can be read."""
-        for key in list(self._keys):
-            if (payload := self.load(key)) is not None:
-                yield key, payload
+        Raises OSError: FileNotFoundError where nobody sees the folder from here, as on a machine that does not share
+        the disk.
+        """
+        unfinished = self.folder / f"{_UNFINISHED}{uuid4().hex}"
+        try:
+            with open(unfinished, "xb") as file:
+                file.write(payload)
+                file.write(zlib.crc32(payload).to_bytes(_CHECKSUM_BYTES, "little"))
+                if is_synced:
+                    file.flush()
+                    os.fsync(file.fileno())
+            os.replace(unfinished, self.folder / name)
+        except OSError:
+            with suppress(OSError):
+                unfinished.unlink()
+            raise
 
-    def save(self, key: str, payload: bytes) -> None:
-        """Keep a payload in the place of an earlier one; it outlives the process at once, and the power after sync."""
-        with _as_system_errors():
-            self._database.execute(_SAVE, (key, zlib.crc32(payload), payload))
-        self._keys[key] = None
+    def load(self, name: str) -> bytes | None:
+        """The payload, None where there is none. Raises OSError where it can't be read, or the disk damaged it."""
+        path = self.folder / name
+        try:
+            found = path.lstat()
+        except FileNotFoundError:
+            return None
+        held = path.read_bytes() if stat.S_ISREG(found.st_mode) and found.st_size <= _MOST_BYTES else b""
+        payload, checksum = held[:-_CHECKSUM_BYTES], held[-_CHECKSUM_BYTES:]
+        if zlib.crc32(payload).to_bytes(_CHECKSUM_BYTES, "little") != checksum:
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        return payload
 
-    def forget(self, key: str) -> None:
-        """There is none of that key any more."""
-        with _as_system_errors():
-            self._database.execute("DELETE FROM records WHERE key = ?", (key,))
-        self._keys.pop(key, None)
+    def forget(self, name: str) -> None:
+        """There is none of that name any more. Raises OSError."""
+        with suppress(FileNotFoundError):
+            (self.folder / name).unlink()
 
-    def sync(self) -> None:
-        """Wait for the disk. For any thread: nobody waits for who does."""
-        with contextlib.suppress(FileNotFoundError), open(f"{self.path}-wal", "r+b") as ahead:
-            os.fsync(ahead.fileno())
+
+class RecordFolder:
+    """Records of one thing, for this process alone; the lock ends with it. Made when it is not there."""
+
+    def __init__(self, folder: Path, kind: str, of: str = "") -> None:
+        """``kind``: what such folders are for; ``of``: what the records are of, in one line. Records of something else
+        are deleted, and what one is that was not written whole.
+
+        Raises OSError where nothing can be written, SettingsError where another process has the folder, or something
+        else is there, which is left as it is.
+        """
+        self.files = RecordFiles(folder)
+        self.was_of: str | None = None
+        """What the records there were of."""
+        self._lock = _locked(folder)
+        try:
+            self._begin(kind, of)
+        except BaseException:
+            self.close()
+            raise
+
+    def _begin(self, kind: str, of: str) -> None:
+        about = self.files.load(_ABOUT)
+        if about is not None:
+            was_kind, _, self.was_of = about.decode(errors="replace").partition("\n")
+            if was_kind != kind:
+                raise SettingsError(messages.RECORDS_FOREIGN())
+        for unfinished in self.files.folder.glob(f"{_UNFINISHED}*"):
+            unfinished.unlink()
+        if self.was_of != of:
+            for name in self.files.names:
+                self.files.forget(name)
+            self.files.save(_ABOUT, f"{kind}\n{of}".encode(), is_synced=True)
 
     def close(self) -> None:
-        """Let go of the file."""
-        with contextlib.suppress(sqlite3.Error):
-            self._database.close()
+        """Let go of the folder, which stays."""
+        self._lock.close()
 
     def remove(self) -> None:
-        """Delete the file, before others can have it where the system lets us."""
-        try:
-            self.path.unlink()
-        except OSError:  # on Windows, where no open file can be deleted
+        """Delete all of it, records first: if the process dies meanwhile, what is left is still known as ours."""
+        for name in self.files.names:
+            with suppress(OSError):
+                self.files.forget(name)
+        if os.name == "nt":  # where no open file can be deleted
             self.close()
-            with contextlib.suppress(OSError):
-                self.path.unlink()
+        shutil.rmtree(self.files.folder, ignore_errors=True)
         self.close()
-        with contextlib.suppress(OSError):  # SQLite leaves it where it finds its file gone
-            Path(f"{self.path}-wal").unlink()
+        with suppress(OSError):  # on a disk of the network, where the lock took room in it until now
+            self.files.folder.rmdir()
 
 
-def _is_at(path: Path, found: os.stat_result) -> bool:
-    try:
-        return os.path.samestat(found, path.stat())
-    except FileNotFoundError:
-        return False
-
-
-@contextlib.contextmanager
-def _as_system_errors() -> Iterator[None]:
-    """SQLite's as the OSError that they stand for."""
-    try:
-        yield
-    except sqlite3.Error as error:
-        number = errno.ENOSPC if "full" in str(error) else errno.EIO
-        raise OSError(number, os.strerror(number)) from error
-
-
-_SYNC_SECONDS = 2.0  # of work that may be lost when the power fails; a process that dies loses nothing
+def _locked(folder: Path) -> BinaryIO:
+    """The lock in a folder, which is made when it is not there. Raises OSError, SettingsError."""
+    while True:
+        with suppress(FileExistsError):
+            folder.mkdir()
+        if folder.is_symlink() or not folder.is_dir():
+            raise SettingsError(messages.RECORDS_FOREIGN())
+        names = os.listdir(folder)
+        if _ABOUT not in names and not all(name.startswith((_LOCK, _UNFINISHED)) for name in names):
+            raise SettingsError(messages.RECORDS_FOREIGN())
+        flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0)  # a link in a folder of somebody else
+        with ExitStack() as stack:
+            file = stack.enter_context(os.fdopen(os.open(folder / _LOCK, flags, 0o666), "r+b", buffering=0))
+            try:
+                _lock(file)
+            except (BlockingIOError, PermissionError):
+                raise SettingsError(messages.RECORDS_IN_USE()) from None
+            with suppress(FileNotFoundError):  # another process removed it between our opening and our lock
+                if os.path.samestat(os.fstat(file.fileno()), os.stat(folder / _LOCK)):
+                    stack.pop_all()
+                    return file
 
 
 class RecordKeeper:
-    """Does in turn what it is asked. The file is opened, and made, by the first thing that needs it."""
+    """Does in turn what it is asked. The folder is opened, and made, by the first thing that needs it."""
 
-    def __init__(
-        self, path: Path, kind: str, failed: Callable[[object], None], replaced: str | None = None
-    ) -> None:
-        """``failed`` is told from the thread why something can't be kept: a text or a Message. A file that begins with
-        ``replaced``, as those of other versions do, is begun anew.
+    def __init__(self, folder: Path, kind: str, failed: Callable[[object], None], of: str = "") -> None:
+        """``failed`` is told from the thread why something can't be kept: a text or a Message. ``kind``, ``of``: as a
+        ``RecordFolder`` takes them.
         """
-        self.path = path
-        self._kind = kind
-        self._replaced = replaced
+        self.folder = folder
+        self._kind, self._of = kind, of
         self._failed = failed
-        self._file: RecordStore | None = None
-        self._synced = time.monotonic()
+        self._records: RecordFolder | None = None
+        self._names: set[str] = set()
         self._last: Future[Any] | None = None  # of all that was asked
         self._worker = ThreadPoolExecutor(1, "keeper")
-        self._syncer = ThreadPoolExecutor(1, "syncer")  # apart, as it takes the longest and nobody waits for it
 
-    def save(self, key: str, make: Callable[[], bytes]) -> None:
-        """Keep the payload that ``make`` makes in the thread."""
-        self._do(lambda: self._save(key, make()))
+    def save(self, name: str, make: Callable[[], bytes], is_synced: bool = False) -> None:
+        """Keep the payload that ``make`` makes in the thread; ``is_synced`` as for ``RecordFiles.save``."""
+        self._do(lambda: self._save(name, make(), is_synced))
 
-    def load(self, key: str) -> bytes | None:
-        """The payload, with all that was asked before; None where there is none."""
-        found: bytes | None = self._do(lambda: self._opened().load(key) if self._is_there() else None).result()
-        return found
+    def load(self, name: str) -> bytes | None:
+        """The payload, with all that was asked before; None where there is none, or it was damaged."""
+        return self.all([name]).get(name)
 
-    def holds(self, key: str) -> bool:
-        """Whether a payload is in the file by now, be it an earlier one; nobody is waited for."""
-        return self._file is not None and key in self._file.keys
+    def holds(self, name: str) -> bool:
+        """Whether a payload is in the folder by now, be it an earlier one; nobody is waited for."""
+        return name in self._names
 
-    def all(self) -> dict[str, bytes]:
-        """All payloads; none where there is no file, or it can't be had."""
-        found = self._do(lambda: dict(self._opened().items()) if self._is_there() else {})
-        return found.result() or {}
+    def all(self, names: Collection[str] | None = None) -> dict[str, bytes]:
+        """All payloads that can be read, or those of these names; none where there is no folder, or it can't be had."""
+        return self._do(lambda: self._all(names)).result() or {}
 
     def remove(self) -> None:
-        """Delete the file; it is made again when there is something to keep."""
+        """Delete the folder; it is made again when there is something to keep."""
         self._do(self._remove)
-
-    def flush(self) -> None:
-        """Wait until all that was asked is done."""
-        self._do(lambda: None).result()
 
     def wait(self, seconds: float) -> None:
         """Wait, but no longer than that, until all that was asked is done."""
@@ -249,10 +211,9 @@ class RecordKeeper:
             wait([self._last], seconds)
 
     def close(self) -> None:
-        """Do what was asked, and let go of the file."""
+        """Do what was asked, and let go of the folder."""
         self._do(self._close)
         self._worker.shutdown()
-        self._syncer.shutdown()
 
     # In the thread
 
@@ -269,32 +230,32 @@ class RecordKeeper:
             self._failed(error.message)
         return None
 
-    def _opened(self) -> RecordStore:
-        if self._file is None:
-            self._file = RecordStore(self.path, self._kind, self._replaced)
-        return self._file
+    def _opened(self) -> RecordFiles:
+        if self._records is None:
+            self._records = RecordFolder(self.folder, self._kind, self._of)
+            self._names = self._records.files.names
+        return self._records.files
 
-    def _save(self, key: str, payload: bytes) -> None:
-        file = self._opened()
-        file.save(key, payload)
-        if time.monotonic() - self._synced > _SYNC_SECONDS:
-            self._synced = time.monotonic()
-            self._syncer.submit(_sync, file)
+    def _save(self, name: str, payload: bytes, is_synced: bool) -> None:
+        self._opened().save(name, payload, is_synced)
+        self._names.add(name)
 
-    def _is_there(self) -> bool:
-        return self._file is not None or self.path.is_file()
+    def _all(self, names: Collection[str] | None) -> dict[str, bytes]:
+        found: dict[str, bytes] = {}
+        if self._records is not None or self.folder.is_dir():
+            files = self._opened()
+            for name in self._names if names is None else names:
+                with suppress(OSError):  # damaged: as if it were not there
+                    if (payload := files.load(name)) is not None:
+                        found[name] = payload
+        return found
 
     def _remove(self) -> None:
-        if self._file is not None:
-            self._file.remove()
-            self._file = None
+        if self._records is not None:
+            self._records.remove()
+            self._records, self._names = None, set()
 
     def _close(self) -> None:
-        if self._file is not None:
-            self._file.close()
-            self._file = None
-
-
-def _sync(file: RecordStore) -> None:
-    with suppress(OSError):  # a disk that can't
-        file.sync()
+        if self._records is not None:
+            self._records.close()
+            self._records = None

@@ -28,10 +28,9 @@ from .windows.window_watch import WindowWatch
 
 UNSAVED, RESULTS = ".unsaved", ".results"
 """What ``path_beside`` ends with: for what is not saved in a layer yet, and for the results of its windows."""
-_LEFT_S = 60  # a file without windows is that of a project that was discarded, and not one that is just being made
+_LEFT_S = 60  # s; a file without windows is that of a project that was discarded, and not one that is just being made
 _FOLDER = "seam_inspector"  # of the user's profile of QGIS
-_KIND = "Seam Inspector: results of windows, "
-_VERSION = "3"
+_KIND, _VERSION = "Seam Inspector: results of windows", "3"
 
 
 class Keeping(QObject):
@@ -58,7 +57,7 @@ class Keeping(QObject):
         unsaved = UnsavedWindows(layer, path, self._is_stale, self, path.parent == unsaved_folder())
         unsaved.failed.connect(partial(self._failed, layer.id(), str(path)))
         self._kept[layer.id()] = unsaved, results
-        left = unsaved.left() if path.is_file() and not layer.isModified() else []
+        left = unsaved.left() if path.is_dir() and not layer.isModified() else []
         if not left:
             return
         try:
@@ -103,7 +102,7 @@ class Keeping(QObject):
             record, written = _named(path, "", UNSAVED), _written(path)
             if str(path) in there or written is None or time.time() - written < _LEFT_S:
                 continue
-            if record.is_file() and ((left := left_by(record)) is None or left.unsaved):
+            if record.is_dir() and ((left := left_by(record)) is None or left.unsaved):
                 continue
             if window_layer.count_windows(path) == 0:
                 _remove(path, UNSAVED, RESULTS)
@@ -187,7 +186,7 @@ class KeptResults(QObject):
 
     def __init__(self, path: Path, parent: QObject) -> None:
         super().__init__(parent)
-        self._keeper = RecordKeeper(path, _KIND + _VERSION, self.failed.emit, _KIND)
+        self._keeper = RecordKeeper(path, _KIND, self.failed.emit, _VERSION)
         self._missing: set[int] = set()
 
     def keep(self, result: WindowResult) -> None:
@@ -266,10 +265,10 @@ def move(layer: QgsVectorLayer, folder: Path) -> Path:
     new = free_path(folder, window_layer.TABLE)
     try:
         _copy(old, new)
-        if (results := path_beside(layer, RESULTS)) is not None and results.is_file():
+        if (results := path_beside(layer, RESULTS)) is not None and results.is_dir():
             copied = _named(new, _table_of(layer), RESULTS)
-            copied.unlink(missing_ok=True)  # it may be a link to somewhere else
-            shutil.copyfile(results, copied)
+            _delete(copied)
+            shutil.copytree(results, copied, symlinks=True)
     except (OSError, sqlite3.Error) as error:
         with contextlib.suppress(OSError):
             new.unlink(missing_ok=True)
@@ -287,7 +286,15 @@ def _remove(windows: Path, *records: str) -> None:
     for path in (*(Path(f"{windows}{ending}") for ending in ("", "-wal", "-shm")),
                  *(_named(windows, "", ending) for ending in records)):
         with contextlib.suppress(OSError):  # one that is open elsewhere stays
-            path.unlink(missing_ok=True)
+            _delete(path)
+
+
+def _delete(path: Path) -> None:
+    """A file, a folder of records, or a link by the name of one, whatever that leads to. Raises OSError."""
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
 
 
 def _copy(old: Path, new: Path) -> None:

@@ -210,7 +210,7 @@ def _is_ours(files: ScanFiles) -> bool:
     if os.path.lexists(files.layers) or any(os.path.islink(one) for one in (files.picture, files.so_far)):
         return False
     journal = files.picture.with_name(files.picture.name + JOURNAL_ENDING)
-    return journal.is_file() or not files.picture.exists()
+    return journal.is_dir() or not files.picture.exists()
 
 
 _REPAINT_MS = 1000

@@ -1,13 +1,14 @@
 """What was changed in a window layer and is not saved in it yet, on disk at once; and how it comes back.
 
 QGIS keeps changes in memory until the operator saves the layer, and saving empties undo; so they are written into a
-file beside the layer's own, window by window, which goes when the layer is saved or rolled back. What such a file holds
-when a layer is opened is what a QGIS left that ended without either.
+folder beside the layer's file, window by window, which goes when the layer is saved or rolled back. What such a folder
+holds when a layer is opened is what a QGIS left that ended without either.
 """
 from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from contextlib import closing, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, NamedTuple
@@ -20,7 +21,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...imagery.documents import json_document
 from ...imagery.errors import SettingsError, WindowLayerError
 from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.record_store import RecordKeeper, RecordStore
+from ...imagery.record_store import RecordFolder, RecordKeeper
 from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.connections import Connections
@@ -35,7 +36,7 @@ _AT_ONCE = 25  # windows read and written in one step, some ms
 _PATIENCE_S = 0.04  # with a disk that is busy
 _NUMBER = "window_id"
 _LARGEST = 2**63
-_OWNER, _NOBODY = "project", b"\0"
+_OWNER = "project"
 _KEPT = (bool, int, float, str)
 _PRIMARY_KEY = "fid"  # of a GeoPackage, which gives it itself
 
@@ -87,13 +88,14 @@ class UnsavedWindows(QObject):
         self._read_numbers()
         if layer.isModified():
             self._touch_all()
-        elif is_alone and not path.is_file():
+        elif is_alone and not path.is_dir():
             self._keep_owner()
 
     def left(self) -> list[UnsavedWindow]:
         """What a QGIS left that ended without saving."""
         held = self._keeper.all()
-        return [one for key, payload in held.items() if key != _OWNER and (one := _read(payload)) is not None]
+        found = (_read(payload) for name, payload in held.items() if name != _OWNER)
+        return sorted((one for one in found if one is not None), key=lambda one: one.number)
 
     def drop(self) -> None:
         """What was left has been dealt with."""
@@ -153,35 +155,36 @@ class UnsavedWindows(QObject):
         self._numbers = {fid: number for fid, number in numbers.items() if number is not None}
 
     def _write(self, most: int = _AT_ONCE) -> None:
-        """In the keeper's thread, some ms later on the disk; only the next action waits for that."""
+        """In the keeper's thread, some ms later on the disk; only the next action waits for that. The last window is
+        safe from a power cut too, which is the only one unless many change at once."""
         fids = list(self._touched)[:most]
         for fid in fids:
             del self._touched[fid]
         there = {one.id(): one for one in self._layer.getFeatures(QgsFeatureRequest().setFilterFids(fids))}
         for fid in fids:
-            before, feature = self._numbers.pop(fid, None), there.get(fid)
+            before, feature, is_last = self._numbers.pop(fid, None), there.get(fid), fid == fids[-1]
             number = None if feature is None else _number_of(feature)
             if before is not None and before != number:
-                self._keep(UnsavedWindow(before, None, {}))
+                self._keep(UnsavedWindow(before, None, {}), is_last)
             if feature is not None and number is not None:
                 self._numbers[fid] = number
                 wkb, is_stale = bytes(feature.geometry().asWkb()), self._is_stale(self._layer, number)
-                self._keep(UnsavedWindow(number, wkb, kept_values(feature), is_stale))
+                self._keep(UnsavedWindow(number, wkb, kept_values(feature), is_stale), is_last)
         if self._touched:
             self._writer.start()
 
     def _keep_owner(self) -> None:
         if not self._has_owner:
             self._has_owner, owner = True, QgsProject.instance().fileName().encode()
-            self._keeper.save(_OWNER, lambda: owner or _NOBODY)
+            self._keeper.save(_OWNER, lambda: owner)
 
-    def _keep(self, window: UnsavedWindow) -> None:
+    def _keep(self, window: UnsavedWindow, is_synced: bool) -> None:
         self._keep_owner()
         payload = json.dumps(
             {"number": window.number, "wkb": window.wkb and window.wkb.hex(), "values": window.values,
              "stale": window.is_stale}
         ).encode()  # fmt: skip
-        self._keeper.save(str(window.number), lambda: payload)
+        self._keeper.save(str(window.number), lambda: payload, is_synced)
 
 
 class Left(NamedTuple):
@@ -196,16 +199,13 @@ class Left(NamedTuple):
 def left_by(path: Path) -> Left | None:
     """What a record says; None for one that a QGIS has open, or that can't be read."""
     try:
-        file = RecordStore(path, _KIND)
+        records = RecordFolder(path, _KIND)
     except (OSError, SettingsError):
         return None
-    try:
-        owner = file.load(_OWNER)
-        return None if owner is None else Left(owner.rstrip(_NOBODY).decode(errors="replace"), len(file.keys) - 1)
-    except OSError:
-        return None
-    finally:
-        file.close()
+    with closing(records), suppress(OSError):
+        if (owner := records.files.load(_OWNER)) is not None:
+            return Left(owner.decode(errors="replace"), len(records.files.names) - 1)
+    return None
 
 
 def _number_of(feature: QgsFeature) -> int | None:

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
@@ -35,13 +34,3 @@ def test_parts_of_arrays_and_other_orders_are_what_they_show() -> None:
 def test_runs_are_stored_small_where_that_is_asked_for() -> None:
     even = {"labels": np.zeros((512, 512), np.uint8)}
     assert len(packed(even, ["labels"])) < 4096 < len(packed(even))
-
-
-def test_the_same_arrays_give_the_same_bytes() -> None:
-    arrays_by_name = {"a": np.arange(5), "b": np.linspace(0, 1, 7)}
-    assert packed(arrays_by_name, ["b"]) == packed({name: one.copy() for name, one in arrays_by_name.items()}, ["b"])
-
-
-def test_what_was_read_is_not_written_to() -> None:
-    with pytest.raises(ValueError, match="read-only"):
-        unpacked(packed({"a": np.zeros(3)}))["a"][0] = 1

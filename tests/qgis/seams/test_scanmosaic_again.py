@@ -12,8 +12,8 @@ from typing import Any
 
 import pytest
 from osgeo import ogr
+from seam_inspector.plugin.imagery.record_store import RecordFiles
 from seam_inspector.plugin.seams.measure.scan import loss_raster
-from seam_inspector.plugin.seams.measure.scan.block_files import BlockFiles
 from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
 from seam_inspector.plugin.toolkit.algorithms import feature_sinks
 from seam_inspector.plugin.toolkit.algorithms.run import Run as AlgorithmRun
@@ -25,7 +25,7 @@ pytestmark = pytest.mark.usefixtures("provider")
 
 SHAPE = 300, 6200
 """4 blocks in a row."""
-JOURNAL = ["loss.tif.scan", "loss.tif.scan-blocks"]
+JOURNAL = ["loss.tif.scan"]
 LAYERS = ("SEAMS", "CELLS", "WORST")
 DATE = re.compile(r"\d{4}-\d\d-\d\dT[\d:.]+Z")
 
@@ -156,7 +156,7 @@ def test_killed_while_the_picture_is_written_there_is_none(
 
     died(work)
     left = {path.name for path in tmp_path.iterdir() if not path.name.startswith(".")}
-    assert left == {*JOURNAL, "loss.tif.scan-wal"}
+    assert left == {*JOURNAL}
     assert scan(files, tmp_path).complaint is None
     assert_like(tmp_path, whole)
 
@@ -195,15 +195,15 @@ def test_what_is_no_journal_is_left_alone(files: Files, tmp_path: Path) -> None:
 def test_a_full_disk_keeps_the_blocks_that_are_done(
     files: Files, whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    save = BlockFiles.save
+    save = RecordFiles.save
 
-    def full(self: BlockFiles, name: str, payload: bytes) -> None:
+    def full(self: RecordFiles, name: str, payload: bytes, is_synced: bool = False) -> None:
         if name == "block 0 2":
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        save(self, name, payload)
+        save(self, name, payload, is_synced)
 
     with monkeypatch.context() as patched:
-        patched.setattr(BlockFiles, "save", full)
+        patched.setattr(RecordFiles, "save", full)
         failed = scan(files, tmp_path)
     assert_sentence(failed.complaint, r"\(No space left on device\). What was measured is kept \(blocks done: [1-9]")
     assert sorted(path.name for path in tmp_path.iterdir()) == JOURNAL
@@ -245,7 +245,7 @@ def test_without_a_picture_a_scan_goes_on_beside_its_first_layer(files: Files, w
     wanted = {**outputs(tmp_path), "LOSS": None}
     stopped = run("scanmosaic", StopAt(50.0), **files.given(**wanted))
     assert any("goes on from here" in said for said in stopped.log.infos), stopped.complaint
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["SEAMS.gpkg.scan", "SEAMS.gpkg.scan-blocks"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["SEAMS.gpkg.scan"]
     again = run("scanmosaic", **files.given(**wanted))
     assert again.complaint is None
     assert any("goes on where it stopped" in said for said in again.log.infos)

@@ -59,10 +59,10 @@ def test_it_goes_on_where_it_was_killed(start: Started, files: Files, tmp_path: 
     assert results["SEAM_METRES"] > 50, errors
     assert results["FAILED_METRES"] <= results["SEAM_METRES"]
     asked = arguments(files, tmp_path / "killed")
-    journal, blocks = (tmp_path / "killed" / f"loss.tif.scan{ending}" for ending in ("", "-blocks"))
+    journal = tmp_path / "killed" / "loss.tif.scan"
     first = start(*asked)
     deadline = time.monotonic() + PATIENCE_SECONDS
-    while not list(blocks.glob("block*")) and time.monotonic() < deadline:
+    while not list(journal.glob("block*")) and time.monotonic() < deadline:
         time.sleep(0.005)
     first.send_signal(signal.SIGKILL)
     first.communicate()

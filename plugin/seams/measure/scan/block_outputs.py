@@ -9,17 +9,18 @@ import numpy as np
 
 from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
+from ....imagery.record_store import RecordFiles
 from ....imagery.records import packed, unpacked
 from ..profile.cell_table import CellTable
 from ..profile.ground import EnergyResponse, LevelGround, grounds
 from ..while_measuring import measuring
 from . import messages
-from .block_files import BlockFiles
 from .block_runs import NOTHING, block_labels, global_numbers, whole_block
 from .blocks.block_grid import LABEL_PX, LABELS, UNITS, BlockKey
 from .blocks.scan_block import NOT_LOOKED
 from .lines.label_borders import MARGIN, Chain, LabelTile, cleaned_chains
 from .loss_raster import NODATA, loss_cells
+from .scan_journal import not_saved
 
 _CELLS = "cells"
 
@@ -28,7 +29,7 @@ _CELLS = "cells"
 class OutputsRequest:
     """All that is needed for it, in plain data that can cross threads and processes."""
 
-    files: BlockFiles
+    files: RecordFiles
     key: BlockKey
     tile: LabelTile
     """Its samples of the labels."""
@@ -74,9 +75,7 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     try:
         files.save(_ground_name(key), packed({"ground": np.array([_row(one) for one in ground])}))
     except OSError as error:
-        raise SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
-            path=files.folder, error=system_reason(error), done=len(files.names)
-        )) from None
+        raise not_saved(files, system_reason(error)) from None
     picture = None
     if request.cell_px:
         cells = loss_cells(scan, labels + 1, ground, request.cell_px)
@@ -86,7 +85,7 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     return BlockOutputs(key, chains, picture, used, ground)
 
 
-def held_ground(files: BlockFiles, key: BlockKey) -> list[LevelGround | None]:
+def held_ground(files: RecordFiles, key: BlockKey) -> list[LevelGround | None]:
     """What ``block_outputs`` kept of one block, by level; nothing where that was not measured. Raises
     SettingsError where it can't be read any more."""
     try:
@@ -117,7 +116,7 @@ def _labels_around(request: OutputsRequest, own: np.ndarray | None) -> np.ndarra
     return found
 
 
-def _cells_around(files: BlockFiles, key: BlockKey) -> list[CellTable]:
+def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
     """Cells of the neighbours that were measured."""
     row, column = key
     near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]

@@ -18,6 +18,7 @@ import numpy as np
 
 from ....imagery.errors import Message, SettingsError
 from ....imagery.messages import system_reason
+from ....imagery.record_store import RecordFiles
 from ....imagery.records import NotUnderstoodError, packed, understanding, unpacked
 from ..following.boxes import enlarged
 from ..following.source_filters import UNTOUCHED, Filters, Learned
@@ -25,11 +26,10 @@ from ..inspection import in_order, unforeseen
 from ..profile.cell_table import CellTable, MixtureTable
 from ..seam_cells import UNKNOWN
 from . import messages
-from .block_files import BlockFiles
 from .blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
 from .blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
 from .mosaic_reading import ALL_READ, BlockReading
-from .scan_journal import INCOMPLETE, ScanJournal
+from .scan_journal import INCOMPLETE, ScanJournal, not_saved
 from .scan_request import ScanRequest
 
 _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
@@ -132,7 +132,7 @@ class JournaledBlocks:
 
     def _step(self, look: BlockLook, one: LookedAt) -> ScanStep:
         if one.trouble:
-            raise self._journal.not_saved(one.trouble)
+            raise not_saved(self._journal.files, one.trouble)
         if one.record is not None:
             self._journal.is_shared = False
             self._journal.save(_name(look, one.key, one.notices), one.record)
@@ -157,11 +157,11 @@ def several(requests: Iterable[_One], ahead: int) -> Iterator[list[_One]]:
         yield some
 
 
-def _looked_at(look: BlockLook, files: BlockFiles, requests: Sequence[Request]) -> list[LookedAt]:
+def _looked_at(look: BlockLook, files: RecordFiles, requests: Sequence[Request]) -> list[LookedAt]:
     return [_looked_at_one(look, files, request) for request in requests]
 
 
-def _looked_at_one(look: BlockLook, files: BlockFiles, request: Request) -> LookedAt:
+def _looked_at_one(look: BlockLook, files: RecordFiles, request: Request) -> LookedAt:
     scan = _kept_before(look, files, request)
     if scan is not None:
         return LookedAt(scan.key, look.brief(scan), was_held=True)
@@ -172,7 +172,7 @@ def _looked_at_one(look: BlockLook, files: BlockFiles, request: Request) -> Look
     return _kept(look, files, scan)
 
 
-def _kept_before(look: BlockLook, files: BlockFiles, request: Request) -> Scan | None:
+def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan | None:
     """What an earlier run has measured; what is of no such block is forgotten."""
     name = _name(look, request.key)
     try:
@@ -188,7 +188,7 @@ def _kept_before(look: BlockLook, files: BlockFiles, request: Request) -> Scan |
     return None
 
 
-def _kept(look: BlockLook, files: BlockFiles, scan: Scan) -> LookedAt:
+def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> LookedAt:
     record = look.record_of(scan)
     told = LookedAt(scan.key, look.brief(scan), scan.notices, reading=look.reading(scan))
     try:
@@ -200,12 +200,12 @@ def _kept(look: BlockLook, files: BlockFiles, scan: Scan) -> LookedAt:
     return told
 
 
-def _failed(look: BlockLook, files: BlockFiles, requests: Sequence[Request], reason: Message) -> list[LookedAt]:
+def _failed(look: BlockLook, files: RecordFiles, requests: Sequence[Request], reason: Message) -> list[LookedAt]:
     """Where who was to measure them failed in a way that nobody foresaw."""
     return [_kept(look, files, look.nothing(request, (reason.as_warning(),))) for request in requests]
 
 
-def held(look: BlockLook, files: BlockFiles, key: BlockKey) -> Scan | None:
+def held(look: BlockLook, files: RecordFiles, key: BlockKey) -> Scan | None:
     """What was kept of one block. Raises SettingsError where that can't be read any more; it is then measured again
     when the scan is started again."""
     record = held_record(look, files, key)
@@ -217,7 +217,7 @@ def held(look: BlockLook, files: BlockFiles, key: BlockKey) -> Scan | None:
         raise _lost(look, files, key, str(error)) from None
 
 
-def held_record(look: BlockLook, files: BlockFiles, key: BlockKey) -> bytes | None:
+def held_record(look: BlockLook, files: RecordFiles, key: BlockKey) -> bytes | None:
     """Record of one block as it was kept. Raises SettingsError as ``held`` does."""
     try:
         record = files.load(_name(look, key))
@@ -226,7 +226,7 @@ def held_record(look: BlockLook, files: BlockFiles, key: BlockKey) -> bytes | No
         raise _lost(look, files, key, system_reason(error)) from None
 
 
-def _lost(look: BlockLook, files: BlockFiles, key: BlockKey, reason: Message | str) -> SettingsError:
+def _lost(look: BlockLook, files: RecordFiles, key: BlockKey, reason: Message | str) -> SettingsError:
     files.forget(_name(look, key))
     return SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=reason))
 
@@ -288,7 +288,7 @@ def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
     return Learned(Filters(dict(zip(numbers, taps)), bool(over_cuts)), frozenset(numbers)) if numbers else None
 
 
-def learned_in(files: BlockFiles, key: BlockKey) -> Learned | None:
+def learned_in(files: RecordFiles, key: BlockKey) -> Learned | None:
     """What the first look at a block told of what came over the mosaic. Raises SettingsError as ``held`` does."""
     record = held_record(FIRST_LOOK, files, key)
     try:
@@ -380,14 +380,14 @@ SECOND_LOOK = BlockLook(
 FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=BlockBrief.of)
 
 
-def whole_block(files: BlockFiles, key: BlockKey) -> BlockScan | None:
+def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:
     """What was measured of one block by both looks, None where nothing was. Raises SettingsError as ``held`` does."""
     first, second = (held(look, files, key) for look in (FIRST_LOOK, SECOND_LOOK))
     return first if first is None or second is None else both_looks(first, second)
 
 
 def block_labels(
-    files: BlockFiles, key: BlockKey, numbers: Mapping[str, int],
+    files: RecordFiles, key: BlockKey, numbers: Mapping[str, int],
     place: tuple[slice, slice] = (slice(LABELS), slice(LABELS)),
 ) -> np.ndarray | None:
     """(rows, columns) int32 of the labels of one block by both looks, ``numbers`` of the sources by their paths,

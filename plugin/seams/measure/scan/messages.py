@@ -108,7 +108,6 @@ SEAM_FEATURES_NOT_TRANSFORMED = Message(
 # the journal of a scan that can go on where it stopped
 SCAN_GOES_ON = Message("The scan goes on where it stopped; blocks that are done already: {done}.", INFO)
 SCAN_ANEW = Message("The scan starts anew, since {what} changed since it stopped.", WARNING)
-SCAN_ANEW_DAMAGED = Message("The scan starts anew, since nothing in {path} can be read any more.", WARNING)
 SCAN_INPUT_CHANGED = Message(
     "While the mosaic was scanned {name} changed, so what was read of it before can't be used; start the scan again "
     "with the same output, and it is measured anew."

@@ -9,6 +9,7 @@ import numpy as np
 
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
+from ....imagery.record_store import RecordFiles
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..profile.ground import FAR_PX, LevelGround
@@ -16,7 +17,6 @@ from ..profile.seam_profile import strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
 from ..visibility import visibility
 from ..while_measuring import measuring
-from .block_files import BlockFiles
 from .block_outputs import held_ground
 from .block_runs import block_labels, global_numbers, whole_block
 from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, BlockGrid, BlockKey
@@ -35,7 +35,7 @@ MOST_ASIDE_PX = 40.0
 class PiecesRequest:
     """All that is needed to measure some pieces, in plain data that can cross threads and processes."""
 
-    files: BlockFiles
+    files: RecordFiles
     pieces: Sequence[SeamPiece]
     numbers: np.ndarray
     """(pieces,) int: of each in the index, ascending."""

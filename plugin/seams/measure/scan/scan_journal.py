@@ -23,10 +23,9 @@ from ....imagery.file_identity import OF_NO_CONSEQUENCE, local_state, local_stat
 from ....imagery.gdal_paths import is_remote, local_file
 from ....imagery.messages import system_reason
 from ....imagery.rasters import Raster, RasterRef
-from ....imagery.record_store import RecordStore
+from ....imagery.record_store import RecordFiles, RecordFolder
 from ..source_images import Source
 from . import messages
-from .block_files import BlockFiles
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
 _PLACES = (".wld", ".prj", ".tab")
@@ -159,11 +158,7 @@ def plugin_version() -> str:
     return found.group(1).strip() if found else ""
 
 
-_KIND = "Seam Inspector: journal of a scan, "
-_VERSION = "4"
-_FINGERPRINT = ""  # the key of what the scan is of
-_BLOCKS = "-blocks"
-"""What the name of the folder of blocks beside the journal ends with."""
+_KIND = "Seam Inspector: journal of a scan"
 INCOMPLETE = "again"
 """Begins the name of a block that lacks something; a later run measures it anew."""
 
@@ -175,7 +170,7 @@ def journal_beside(
     """The journal beside an output, for this run alone, and what became of an earlier run; ``seams`` as for
     ``fingerprint_of``. What was killed while it wrote the output leaves nothing.
 
-    Raises SettingsError where no file can be, or another run is under way there.
+    Raises SettingsError as ``open_journal`` does.
     """
     place = mosaic.geotransform, mosaic.own_wkt
     fingerprint = fingerprint_of(mosaic.ref, sources, settings, seams, place)
@@ -188,53 +183,34 @@ def journal_beside(
 
 
 def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | None]:
-    """The journal in a file, for this scan alone, and what the user should know of an earlier one there.
+    """The journal in a folder, for this scan alone, and what the user should know of an earlier one there.
 
-    An earlier scan of the same ``fingerprint`` goes on: what its process had not written whole when it died is
-    dropped. Of another fingerprint nothing is kept.
+    An earlier scan of the same ``fingerprint`` goes on. Of another fingerprint nothing is kept.
 
-    Raises SettingsError where no file can be, another scan has it open, or it is something else.
+    Raises SettingsError where no folder can be, another scan has it, or it is something else.
     """
-    files, store = BlockFiles(path.with_name(path.name + _BLOCKS)), None
     try:
-        store = _opened(path)
-        held = store.load(_FINGERPRINT)
-        if held == fingerprint.encode():
-            files.make()
-            done = sum(not name.startswith(INCOMPLETE) for name in files.names)
-            return ScanJournal(store, files), messages.SCAN_GOES_ON(done=done) if done else None
-        is_damaged = store.was_damaged or (bool(store.keys) and held is None)
-        if store.keys:
-            store.remove()
-            store = _opened(path)
-        files.remove()
-        files.make()
-        store.save(_FINGERPRINT, fingerprint.encode())
+        journal = ScanJournal(path, _KIND, fingerprint)
     except OSError as error:
-        if store is not None:
-            store.close()
         raise SettingsError(messages.SCAN_JOURNAL_NOT_OPENED(path=path, error=system_reason(error))) from None
-    if held is not None:
-        notice = messages.SCAN_ANEW(what=what_changed(held.decode(errors="replace"), fingerprint))
-        return ScanJournal(store, files), notice
-    return ScanJournal(store, files), messages.SCAN_ANEW_DAMAGED(path=path) if is_damaged else None
+    except SettingsError as error:
+        if error.message.template == imagery_messages.RECORDS_IN_USE.template:
+            raise SettingsError(messages.SCAN_JOURNAL_IN_USE(path=path)) from None
+        raise SettingsError(messages.SCAN_JOURNAL_FOREIGN(path=path)) from None
+    if journal.was_of is not None and journal.was_of != fingerprint:
+        return journal, messages.SCAN_ANEW(what=what_changed(journal.was_of, fingerprint))
+    done = sum(not name.startswith(INCOMPLETE) for name in journal.files.names)
+    return journal, messages.SCAN_GOES_ON(done=done) if done else None
 
 
-class ScanJournal:
-    """What a scan is of, and what it has measured so far; the lock on its file ends with it, or with the process.
+class ScanJournal(RecordFolder):
+    """What a scan is of, and what it has measured so far.
 
     What is measured outlives the process; what was written last may be lost with the power, and is measured again.
     """
 
-    def __init__(self, store: RecordStore, files: BlockFiles) -> None:
-        self._store, self.files = store, files
-        self.is_shared = True
-        """Whether all who measure see the files."""
-
-    @property
-    def path(self) -> Path:
-        """Path of its file."""
-        return self._store.path
+    is_shared = True
+    """Whether all who measure see the files."""
 
     def save(self, name: str, payload: bytes) -> None:
         """Keep what somebody measured who could not. Raises SettingsError when the disk is full; what was saved before
@@ -242,30 +218,9 @@ class ScanJournal:
         try:
             self.files.save(name, payload)
         except OSError as error:
-            raise self.not_saved(system_reason(error)) from None
-
-    def not_saved(self, reason: Message | str) -> SettingsError:
-        """Why a block could not be kept."""
-        return SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
-            path=self.files.folder, error=reason, done=len(self.files.names)
-        ))
-
-    def close(self) -> None:
-        """Let go of the file, which stays for a scan that goes on."""
-        self._store.close()
-
-    def remove(self) -> None:
-        """Delete all of it, as its scan is complete."""
-        self.files.remove()
-        self._store.remove()
+            raise not_saved(self.files, system_reason(error)) from None
 
 
-def _opened(path: Path) -> RecordStore:
-    """The store, made if there is none. Raises OSError, or SettingsError when another scan has it, or it is something
-    else."""
-    try:
-        return RecordStore(path, _KIND + _VERSION, _KIND)
-    except SettingsError as error:
-        if error.message.template == imagery_messages.RECORDS_IN_USE.template:
-            raise SettingsError(messages.SCAN_JOURNAL_IN_USE(path=path)) from None
-        raise SettingsError(messages.SCAN_JOURNAL_FOREIGN(path=path)) from None
+def not_saved(files: RecordFiles, reason: Message | str) -> SettingsError:
+    """Why something could not be kept."""
+    return SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(path=files.folder, error=reason, done=len(files.names)))

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from seam_inspector.plugin.imagery.record_store import RecordFiles
 from seam_inspector.plugin.imagery.records import packed, unpacked
-from seam_inspector.plugin.seams.measure.scan.block_files import BlockFiles
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
@@ -63,7 +63,7 @@ def test_a_foreign_record_is_measured_again(tmp_path: Path, foreign: str) -> Non
     request, _ = scan_request(made.mosaic, made.sources, ScanSettings())
     output = tmp_path / "loss.tif"
     expected, _ = scanned(request, output, is_last=False)
-    files = BlockFiles(tmp_path / "loss.tif.scan-blocks")
+    files = RecordFiles(tmp_path / "loss.tif.scan")
     record = files.load("block 0 0")
     assert record is not None
     files.save("block 0 0", FOREIGN[foreign](record))

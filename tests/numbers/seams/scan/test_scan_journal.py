@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 from seam_inspector.plugin.imagery.errors import INFO, WARNING, Message, SettingsError
+from seam_inspector.plugin.imagery.record_store import RecordFiles
 from seam_inspector.plugin.seams.measure.scan import messages
-from seam_inspector.plugin.seams.measure.scan.block_files import BlockFiles
 from seam_inspector.plugin.seams.measure.scan.block_runs import FIRST_LOOK, held
 from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanJournal, open_journal
 
@@ -101,11 +101,11 @@ def test_what_changed_is_said_and_nothing_of_the_other_scan_is_kept(path: Path, 
 
 
 def test_a_damaged_record_is_measured_again(path: Path) -> None:
-    damaged = written(path).with_name("loss.tif.scan-blocks") / "block 0 0"
+    damaged = written(path) / "block 0 0"
     whole = bytearray(damaged.read_bytes())
     whole[1] ^= 4
     damaged.write_bytes(whole)
-    files = BlockFiles(damaged.parent)
+    files = RecordFiles(damaged.parent)
     with pytest.raises(OSError, match="Input/output error"):
         files.load("block 0 0")
     with pytest.raises(SettingsError, match=r"can't be read any more .*; start the scan again"):
@@ -113,26 +113,22 @@ def test_a_damaged_record_is_measured_again(path: Path) -> None:
     assert reopened(path)[0] == {key: payload for key, payload in RESULTS.items() if key != "block 0 0"}
 
 
-def test_a_damaged_fingerprint_starts_anew_and_is_told(path: Path) -> None:
-    whole = bytearray(written(path).read_bytes())
-    whole[whole.index(b"mosaic=")] ^= 4
-    path.write_bytes(whole)
-    found, notice = reopened(path)
-    assert found == {}
-    assert str(notice) == f"The scan starts anew, since nothing in {path} can be read any more."
-
-
-def test_a_journal_of_an_earlier_version_is_begun_anew(path: Path) -> None:
-    path.write_bytes(b"Seam Inspector: journal of a scan, 2\nand its records")
-    assert reopened(path) == ({}, None)
-
-
-@pytest.mark.parametrize("other", [b"II*\0 a picture, perhaps the only one", bytes(100_000), b"\0" * 50 + b"x"])
-def test_a_file_of_somebody_else_is_left_as_it_is(path: Path, other: bytes) -> None:
-    path.write_bytes(other)
-    with pytest.raises(SettingsError, match="was not left by a scan; move it away"):
-        open_journal(path, PRINT)
-    assert path.read_bytes() == other
+@pytest.mark.parametrize("kind", ["file", "folder", "another scan through a link"])
+def test_what_is_of_somebody_else_is_left_as_it_is(path: Path, kind: str) -> None:
+    theirs = path.with_name("outside")
+    if kind == "file":
+        path.write_bytes(b"II*\0 a picture, perhaps the only one")
+    elif kind == "folder":
+        path.mkdir()
+        (path / "block 0 0").write_bytes(b"mine")
+    else:
+        path.symlink_to(written(theirs))
+    for _ in range(2):
+        with pytest.raises(SettingsError, match="was not left by a scan; move it away"):
+            open_journal(path, "another fingerprint")
+    assert not path.is_file() or path.read_bytes() == b"II*\0 a picture, perhaps the only one"
+    assert kind != "folder" or (path / "block 0 0").read_bytes() == b"mine"
+    assert not theirs.exists() or reopened(theirs)[0] == RESULTS
 
 
 def test_a_folder_that_is_not_there_gets_a_sentence(tmp_path: Path) -> None:
@@ -148,7 +144,7 @@ def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> N
             journal.save("block 1", b"y" * 200_000)
         journal.save("block 2", b"z" * 1000)  # a small one still finds room
     assert str(caught.value) == (
-        f"{path}-blocks can't be written (File too large). What was measured is kept (blocks done: 1); make room on "
+        f"{path} can't be written (File too large). What was measured is kept (blocks done: 1); make room on "
         "the disk and start the scan again with the same output to go on."
     )
     journal.save("block 1", b"y" * 200_000)
@@ -215,7 +211,7 @@ def test_a_journal_by_somebody_else_names_no_file(tmp_path: Path) -> None:
     folder = tmp_path / "handed over"
     folder.mkdir()
     path = written(folder / "loss.tif.scan")
-    (folder / "loss.tif.scan-blocks" / "block 9 9").symlink_to(outside)
+    (path / "block 9 9").symlink_to(outside)
     assert set(reopened(path)[0]) == set(RESULTS)
     for fingerprint in (str(outside), "version=../outside mosaic=../outside"):
         journal, _ = open_journal(path, fingerprint)
@@ -223,39 +219,3 @@ def test_a_journal_by_somebody_else_names_no_file(tmp_path: Path) -> None:
         journal.remove()
     assert list(folder.iterdir()) == []
     assert outside.read_bytes() == b"mine"
-
-
-@pytest.mark.skipif(os.name == "nt", reason="links of POSIX")
-def test_a_folder_of_blocks_that_is_a_link_is_refused_and_left(path: Path) -> None:
-    outside = path.with_name("outside")
-    outside.mkdir()
-    (outside / "block 0 0").write_bytes(b"mine")
-    path.with_name("loss.tif.scan-blocks").symlink_to(outside)
-    for _ in range(2):
-        with pytest.raises(SettingsError, match="can't be written"):
-            open_journal(path, PRINT)
-    assert [one.read_bytes() for one in outside.iterdir()] == [b"mine"]
-
-
-@pytest.mark.skipif(os.name == "nt", reason="links and pipes of POSIX")
-@pytest.mark.parametrize("kind", ["link", "link to nothing", "pipe"])
-def test_a_journal_that_is_a_link_or_a_pipe_is_refused(path: Path, kind: str) -> None:
-    outside = path.with_name("outside")
-    if kind == "link":
-        written(outside)  # the journal of another scan, which would be begun anew
-    if kind == "pipe":
-        os.mkfifo(path)
-    else:
-        path.symlink_to(outside)
-    before = outside.read_bytes() if kind == "link" else None
-    with pytest.raises(SettingsError, match="can't be written"):
-        open_journal(path, "another fingerprint")
-    assert (outside.read_bytes() if outside.exists() else None) == before
-
-
-def test_of_a_disk_that_is_gone_nothing_is_held_and_saving_says_so(tmp_path: Path) -> None:
-    """A folder of the network may be gone while a scan goes on."""
-    files = BlockFiles(tmp_path / "blocks")
-    assert files.names == set()
-    with pytest.raises(FileNotFoundError):
-        files.save("block", b"payload")

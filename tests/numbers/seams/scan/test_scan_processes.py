@@ -11,7 +11,7 @@ from typing import Any, Callable
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.scan.block_files import BlockFiles
+from seam_inspector.plugin.imagery.record_store import RecordFiles
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 
@@ -114,7 +114,7 @@ class Unseeing(Executor):
         self.tasks += 1
         done: Future[Any] = Future()
         with self._monkeypatch.context() as elsewhere:
-            elsewhere.setattr(BlockFiles, "save", save)
+            elsewhere.setattr(RecordFiles, "save", save)
             done.set_result(fn(*args, **kwargs))
         return done
 

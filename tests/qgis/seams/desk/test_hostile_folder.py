@@ -17,7 +17,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QObject
-from seam_inspector.plugin.imagery.record_store import RecordStore
+from seam_inspector.plugin.imagery.record_store import RecordFolder
 from seam_inspector.plugin.resolution.line_layers import create_bar_layer
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
 from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging
@@ -52,11 +52,11 @@ def test_what_was_not_saved_brings_words_and_names_no_file(desk: Desk, tmp_path:
     assert desk.project.write(str(tmp_path / "project.qgz"))
     desk.project.clear()
     (found,) = tmp_path.glob("windows*.gpkg")
-    kept = RecordStore(found.with_name(f"{found.name}.unsaved"), _KIND)
-    kept.save("project", str(outside).encode())
+    kept = RecordFolder(found.with_name(f"{found.name}.unsaved"), _KIND)
+    kept.files.save("project", str(outside).encode())
     for place, record in enumerate((*BAD, ODD)):
-        kept.save(f"{OUTSIDE[1]}{place}", json.dumps(record).encode())
-    kept.save("deep", b"[" * 100_000)
+        kept.files.save(f"outside{place}", json.dumps(record).encode())
+    kept.files.save("deep", b"[" * 100_000)
     kept.close()
     desk.project.setPresetHomePath("")
     assert desk.project.read(str(tmp_path / "project.qgz"))
@@ -117,7 +117,7 @@ def test_a_scan_takes_no_names_that_are_taken(tmp_path: Path) -> None:
         name.unlink()
     files.picture.write_bytes(b"somebody else's")
     assert not _is_ours(files)
-    files.picture.with_name("a_loss.tif.scan").write_bytes(b"")
+    files.picture.with_name("a_loss.tif.scan").mkdir()
     assert _is_ours(files)
 
 

@@ -2,12 +2,15 @@
 from __future__ import annotations
 
 import os
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from qgis.core import QgsVectorLayer
+from seam_inspector.plugin.imagery.record_store import RecordFiles
+from seam_inspector.plugin.seams.desk.keeping import _KIND
 
 from tests.qgis.scenes import BLURRED, SHARP, outline, saved, windows
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle
@@ -40,9 +43,8 @@ def test_results_are_there_on_reopening(desk: Desk, tmp_path: Path) -> None:
         assert (found.loss is None) == (had.loss is None)
         if found.loss is not None and had.loss is not None:
             np.testing.assert_allclose(found.loss.kept, had.loss.kept, rtol=6e-4)
-    sizes = [path.stat().st_size for path in tmp_path.glob("*.results")]
-    assert len(sizes) == 1
-    assert sizes[0] < 30_000
+    (folder,) = tmp_path.glob("*.results")
+    assert sum(path.stat().st_size for path in folder.iterdir()) < 30_000
 
 
 def test_a_layer_that_is_removed_and_added_again_finds_its_results(desk: Desk) -> None:
@@ -81,16 +83,16 @@ def test_what_cannot_be_read_is_measured_again(desk: Desk, tmp_path: Path, damag
     desk.add()
     assert desk.project.write(str(tmp_path / "project.qgz"))
     desk.project.clear()
-    (path,) = tmp_path.glob("*.results")
-    held = path.read_bytes()
+    (folder,) = tmp_path.glob("*.results")
+    held = (folder / "1").read_bytes()
     if damage == "garbage":
-        path.write_bytes(held[:200] + os.urandom(len(held) - 200))
+        (folder / "1").write_bytes(held[:200] + os.urandom(len(held) - 200))
     elif damage == "cut":
-        path.write_bytes(held[: len(held) // 2])
+        (folder / "1").write_bytes(held[: len(held) // 2])
     elif damage == "older":
-        path.write_bytes(held.replace(b"windows, 3", b"windows, 1"))
+        RecordFiles(folder).save(".about", f"{_KIND}\n1".encode())
     else:
-        path.unlink()
+        shutil.rmtree(folder)
     desk.project.setPresetHomePath("")
     assert desk.project.read(str(tmp_path / "project.qgz"))
     desk.wait_for_opening()
@@ -106,9 +108,8 @@ def test_what_cannot_be_read_is_measured_again(desk: Desk, tmp_path: Path, damag
 
 def test_a_folder_that_cannot_be_written_to_is_told_once(desk: Desk, tmp_path: Path) -> None:
     path = saved(windows(BLURRED, SHARP), tmp_path / "given.gpkg")
-    (tmp_path / "given.gpkg.given.results").mkdir()
-    (tmp_path / "given.gpkg.given.unsaved").mkdir()
-    (tmp_path / "given.gpkg.unsaved").mkdir()
+    for ending in ("given.results", "given.unsaved"):
+        (tmp_path / f"given.gpkg.{ending}").write_text("somebody else's")
     desk.use(QgsVectorLayer(path, "given", "ogr"))
     desk.session.inspect_pending()
     desk.wait()

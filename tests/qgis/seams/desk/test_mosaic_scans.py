@@ -102,7 +102,7 @@ def test_stopping_keeps_what_is_done_and_starting_goes_on(desk: ScanDesk) -> Non
     desk.scans.stop()
     wait_until(lambda: not desk.scans.is_busy, "for the end")
     settle(0.1)
-    assert names(desk.folder) == ["ortho_loss.tif.scan", "ortho_loss.tif.scan-blocks", "ortho_loss_so_far.tif"]
+    assert names(desk.folder) == ["ortho_loss.tif.scan", "ortho_loss_so_far.tif"]
     assert desk.titles()[0] == "Picture of losses, so far"
     assert desk.messages == ["The scan was stopped; started again with the same output it goes on from here."]
     desk.messages.clear()
@@ -177,8 +177,7 @@ def test_closing_the_desk_leaves_no_task_and_no_layer_of_its_own(desk: ScanDesk)
     assert not QgsApplication.taskManager().activeTasks()
     assert not any("losses" in title for title in desk.titles())
     assert not desk.project.layerTreeRoot().findGroup("Scan of ortho")
-    journal = ["ortho_loss.tif.scan", "ortho_loss.tif.scan-blocks"]
-    assert names(desk.folder) in (journal, ["ortho_loss.tif", "ortho_scan.gpkg"])
+    assert names(desk.folder) in (["ortho_loss.tif.scan"], ["ortho_loss.tif", "ortho_scan.gpkg"])
 
 
 def test_a_folder_that_takes_no_files_is_told_in_one_sentence(desk: ScanDesk) -> None:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 from pathlib import Path
 
 import pytest
@@ -62,8 +63,8 @@ def test_where_they_can_not_be_moved_they_stay_and_it_is_said(unsaved: Desk, tmp
     desk, home = unsaved, tmp_path / "project"
     home.mkdir()
     desk.add()
-    (tmp_path / "windows.gpkg.results").unlink()
-    (tmp_path / "windows.gpkg.results").mkdir()
+    shutil.rmtree(tmp_path / "windows.gpkg.results")
+    (tmp_path / "windows.gpkg.results").write_text("somebody else's")
     taken = home / "windows.gpkg"
     taken.write_text("somebody else's")
     assert desk.project.write(str(home / "project.qgz"))
@@ -74,12 +75,13 @@ def test_where_they_can_not_be_moved_they_stay_and_it_is_said(unsaved: Desk, tmp
 def crash(desk: Desk, folder: Path) -> None:
     """What is on the disk stays as it is; then QGIS starts anew."""
     settle(0.1)
-    held = {path: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+    held = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     if desk.layer().isEditable():
         desk.layer().rollBack()
     desk.project.clear()
     settle()
     for path, content in held.items():
+        path.parent.mkdir(exist_ok=True)
         path.write_bytes(content)
     desk.project.clear()
     settle()
