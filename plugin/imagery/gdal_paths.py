@@ -84,11 +84,12 @@ def _driver(path: str, kind: int) -> str:
 def is_endless(path: str) -> bool:
     """Whether a path is no file with an end: a device, a pipe, a socket, what is typed, or what the system makes up."""
     try:
-        mode = os.stat(path).st_mode
+        found = os.stat(path)
     except (OSError, ValueError):
         return path.startswith("/vsistdin")
-    is_made_up = os.path.realpath(path).startswith(("/dev/", "/proc/", "/sys/"))
-    return not stat.S_ISDIR(mode) and (is_made_up or not stat.S_ISREG(mode))
+    if stat.S_ISREG(found.st_mode):
+        return found.st_size == 0 and os.path.realpath(path).startswith("/proc/")
+    return not stat.S_ISDIR(found.st_mode)
 
 
 def is_layer_file(path: Path) -> bool:

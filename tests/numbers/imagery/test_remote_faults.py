@@ -77,9 +77,9 @@ def test_no_answer_once_is_asked_again(server: RangeServer, folder: Path) -> Non
          "The server of cog.tif refuses it (HTTP 403); give GDAL the credentials, or ask for access."),
         (Fault(status=503), "The server of cog.tif fails (HTTP 503); try again later."),
         (Fault(status=418), "The server of cog.tif fails (HTTP 418); try again later."),
-        (Fault(dropped=True),
-         "cog.tif can't be read over the network (Empty reply from server); check the network and GDAL's settings, or copy "
-         "it to a local disk."),
+        (Fault(dropped=True), (
+            "cog.tif can't be read over the network (Empty reply from server); check the network and GDAL's settings, "
+            "or copy it to a local disk.")),
     ],
 )
 @pytest.mark.parametrize("while_reading", [False, True])
