@@ -63,8 +63,6 @@ class SeamInspectorPlugin:
         self._iface.pluginHelpMenu().addAction(self._help)
 
     def unload(self) -> None:
-        from .imagery.remote_files import wait_for_left_alone
-
         while self._desks:
             self._desks.pop().remove()
         if self._help is not None and self._iface is not None:
@@ -75,7 +73,6 @@ class SeamInspectorPlugin:
             QgsApplication.processingRegistry().removeProvider(self._provider)
             self._provider = None
         self._translation.remove()
-        wait_for_left_alone()
 
     def desk(self, name: str) -> Desk:
         """The desk whose action has this object name."""

@@ -6,6 +6,8 @@ import zipfile
 from dataclasses import replace
 from pathlib import Path
 
+from seam_inspector.plugin.imagery.gdal_paths import is_endless
+
 from fuzz.breakages.broken import BREAKAGES, FILES, RASTERS, Broken, breakage
 
 
@@ -36,8 +38,9 @@ def twice(broken: Broken) -> str | None:
 
 @breakage(*RASTERS)
 def packed(broken: Broken) -> str:
-    """In an archive, a VRT, or several of them in each other."""
-    return wrapped(broken, _again(broken, broken.random.choice((0, 1, 1, 2))) or str(broken.path))
+    """In an archive, a VRT, or several of them in each other; but for pipes and devices, which VRTs may lead to."""
+    path = _again(broken, broken.random.choice((0, 1, 1, 2))) or str(broken.path)
+    return path if is_endless(path) else wrapped(broken, path)
 
 
 def wrapped(broken: Broken, path: str) -> str:

@@ -35,6 +35,7 @@ from .gdal_paths import (
     open_dataset,
     readable_path,
     vrt_parts,
+    with_parts,
 )
 from .remote_files import forget_fetched
 
@@ -171,19 +172,16 @@ def _read_with(given: DataPlace) -> Iterator[DataPlace]:
     is_table = file != given.path and is_database(file)
     yield DataPlace(file, given.path.rpartition(":")[2] if is_table else given.table)
     yield from map(DataPlace, _dataset_files(given.path))
-    yield from _parts(() if is_table else vrt_parts(given.path))
+    yield from _parts(vrt_parts(given.path))
 
 
 def _parts(paths: Iterable[str]) -> Iterator[DataPlace]:
     """Files that something is made of, and those that they are made of in turn."""
-    seen, waiting = set[str](), [*paths]
-    while waiting:
-        if (part := waiting.pop()) in seen or is_remote(part):
+    for part in dict.fromkeys(chain.from_iterable(map(with_parts, paths))):
+        if is_remote(part):
             continue
-        seen.add(part)
         yield from (DataPlace(part), DataPlace(local_file(part)))
-        if inner := vrt_parts(part):
-            waiting += inner
+        if vrt_parts(part):
             yield from map(DataPlace, _dataset_files(part))
 
 
@@ -318,18 +316,6 @@ def states_in(text: str) -> list[PlacedState]:
                 for path, size, time_ns, digest in json_document(text or "[]")]  # fmt: skip
     except (ValueError, TypeError, OverflowError):
         return []
-
-
-def with_parts(path: str) -> Iterator[str]:
-    """A raster of this machine, and those that it is made of where it is a VRT or a tile index."""
-    seen = {path}
-    waiting = [path]
-    while waiting:
-        one = waiting.pop()
-        yield one
-        parts = [part for part in dict.fromkeys(() if is_remote(one) else vrt_parts(one)) if part not in seen]
-        seen.update(parts)
-        waiting += parts
 
 
 def local_state(path: str) -> FileState | None:

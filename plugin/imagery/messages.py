@@ -19,13 +19,6 @@ SERVICE = Message("{name} is a service or a database, not a file; save the part 
 DRIVER_NOT_USED = Message(
     "{name} is read by GDAL's driver {driver}, which may lead to other files; save it as GeoTIFF."
 )
-NO_FILE_BESIDE = Message("{path} lies beside {name} and is a device or a pipe, for which GDAL may wait; remove it.")
-VRT_LEADS_OUT = Message("{name} is a VRT that leads to {path}, which is not a file; mend the VRT.")
-LEADS_OUT = Message(
-    "{name} has metadata, overviews or a mask that lead to {path}, which is not a file; remove what lies beside it, or "
-    "save it anew."
-)
-VRT_OF_TOO_MANY = Message("{name} is a VRT of more than {most} files; make VRTs of parts of the block.")
 TOO_MANY_BANDS = Message("{name} has {count} bands and {most} are the most; take out those that are to be measured.")
 BLOCKS_TOO_LARGE = Message(
     "{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles."
@@ -126,17 +119,12 @@ OUTPUT_NAMES_NO_FILE = Message("'{output}' is to be written to {path}, which is 
 REMOTE_NOT_FOUND = Message("{name} is not on its server (HTTP {code}); check its address.")
 REMOTE_REFUSED = Message("The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.")
 REMOTE_FAILING = Message("The server of {name} fails (HTTP {code}); try again later.")
-REMOTE_SILENT = Message("The server of {name} does not answer ({why}); check the network, and try again.")
-REMOTE_SLOW = Message(
-    "The server of {name} sends less than {bytes} bytes a second; try again later, or copy it to a local disk."
-)
-REMOTE_WITHOUT_RANGES = Message(
-    "The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests."
+REMOTE_NOT_READABLE = Message(
+    "{name} can't be read over the network ({why}); check the network and GDAL's settings, or copy it to a local disk."
 )
 REMOTE_IN_PART = Message(
     "{name} came over the network only in part, also when asked again; check that it is complete on its server."
 )
-REMOTE_NOT_OPENED = Message("{name} can't be read over the network ({why}); check its address and GDAL's settings.")
 # folders of records
 RECORDS_IN_USE = Message("another QGIS has it open")
 RECORDS_FOREIGN = Message("something else is there")

@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from typing import Any, Callable, NamedTuple, TypeVar
@@ -19,7 +19,7 @@ from .gdal_paths import RASTERS, check_raster_path, open_dataset
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
-from .remote_files import persistently, remote_parts, remote_settings, unless_cancelled
+from .remote_files import persistently, remote_parts, remote_settings
 
 
 @dataclass(frozen=True)
@@ -122,15 +122,9 @@ class OpenRaster:
 
     def fetched(self, call: Callable[[], Fetched]) -> Fetched:
         """What a call finds in the raster. What comes over the network has an end, whoever reads it: a server that
-        drips is given up, and nobody who cancels waits for it. Raises CancelledError then."""
-        if not self._is_remote:
+        drips is given up."""
+        with remote_settings({}) if self._is_remote else nullcontext():
             return call()
-
-        def remote() -> Fetched:
-            with remote_settings({}):
-                return call()
-
-        return unless_cancelled(remote)
 
     @cached_property
     def raster(self) -> Raster:

@@ -14,21 +14,12 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import Protocol, TypeVar
 
-from .errors import CancelledError, RasterError
+from .errors import RasterError
 from .gdal_paths import is_remote, readable_path
 from .grids import PixelWindow
 from .open_raster import OpenRaster, PixelBlock
 from .rasters import RasterRef
-from .remote_files import (
-    COMPLETE,
-    WITH_OTHERS,
-    asked_by,
-    forget_failures,
-    persistently,
-    read_until,
-    remote_parts,
-    remote_settings,
-)
+from .remote_files import COMPLETE, WITH_OTHERS, forget_failures, persistently, remote_parts, remote_settings
 
 KEPT_OPEN = 16  # rasters per thread: the sources of some blocks, far from the files a process may have open
 
@@ -78,7 +69,7 @@ class KeptRaster(OpenRaster):
     def read(self, window: PixelWindow, size: tuple[int, int] | None = None, averaged: bool = False) -> PixelBlock:
         try:
             return self._read(window, size, averaged)
-        except (RasterError, CancelledError):
+        except RasterError:
             pool = self._pool()
             if pool is not None:
                 pool.drop(self)
@@ -204,14 +195,12 @@ def own_threads(executor: Executor | None = None, ahead: int = 0) -> Iterator[tu
 
 @contextmanager
 def reading_threads(count: int) -> Iterator[Executor]:
-    """Threads that read rasters. The end of the block waits for what they are at, and for nothing over the network."""
-    ended, asked = threading.Event(), asked_by()
-    unwanted = lambda: ended.is_set() or asked()  # noqa: E731
-    with ThreadPoolExecutor(count, "seam-inspector", read_until, (unwanted,)) as executor:
-        try:
-            yield executor
-        finally:
-            ended.set()
+    """Threads that read rasters. The end of the block waits for what they are at, and drops what waits for them."""
+    executor = ThreadPoolExecutor(count, "seam-inspector")
+    try:
+        yield executor
+    finally:
+        executor.shutdown(cancel_futures=True)
 
 
 def ahead_of(workers: int) -> int:
@@ -303,11 +292,10 @@ class _Lane:
     def __init__(self, number: int) -> None:
         self.pool = RasterPool(KEPT_PER_LANE)
         self._turn = 0  # counts how often all was let go
-        self._ended = threading.Event()
         self._thread = ThreadPoolExecutor(1, f"seam-inspector-lane-{number}")
 
     def submit(self, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Future[Found | RasterError]:
-        return self._thread.submit(self._read, self._turn, asked_by(), ref, work)
+        return self._thread.submit(self._read, self._turn, ref, work)
 
     def let_go(self) -> None:
         """Keep nothing open that was asked for until now."""
@@ -315,10 +303,7 @@ class _Lane:
         if kept := self.pool.emptied():
             self._thread.submit(kept.clear)
 
-    def _read(
-        self, turn: int, cancelled: Callable[[], bool], ref: RasterRef, work: Callable[[OpenRaster], Found]
-    ) -> Found | RasterError:
-        read_until(lambda: self._ended.is_set() or cancelled())
+    def _read(self, turn: int, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Found | RasterError:
         try:
             return read_one(self.pool.open, ref, work)
         finally:
@@ -327,5 +312,4 @@ class _Lane:
 
     def close(self) -> None:
         """Read nothing more."""
-        self._ended.set()
         self._thread.shutdown(wait=False, cancel_futures=True)

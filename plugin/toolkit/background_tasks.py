@@ -19,7 +19,6 @@ from qgis.core import QgsApplication, QgsSettings, QgsTask
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ..imagery.errors import CancelledError, Message, SeamInspectorError
-from ..imagery.remote_files import heeding
 from . import messages
 from .version_differences import SILENT_TASK
 
@@ -121,7 +120,7 @@ class BackgroundTask(QgsTask):
 
     def run(self) -> bool:
         try:
-            with interface_first(), heeding(self.isCanceled):
+            with interface_first():
                 for share, result in self._job(self.isCanceled):
                     self.arrived.emit(result)
                     self.setProgress(100 * share)

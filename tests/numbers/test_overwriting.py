@@ -8,9 +8,11 @@ import os
 import re
 import shutil
 import warnings
+import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
+from xml.sax.saxutils import escape, unescape
 
 import numpy as np
 import pytest
@@ -200,6 +202,51 @@ def test_what_virtual_rasters_are_made_of_belongs_to_them(image: Path, tmp_path:
         assert refused(f"{image}.msk", given)
     assert refused(inner, outer)
     assert not refused(outer, inner)
+
+
+SOURCE = "<SourceFilename>{}</SourceFilename>"
+VRT = f'<VRTDataset rasterXSize="16" rasterYSize="16">{SOURCE}</VRTDataset>'
+RELATIVE = VRT.replace("<SourceFilename", "<SourceFilename RelativeToVRT='1'")
+
+
+def zipped(folder: Path, name: str, text: str) -> str:
+    """The path of a text in an archive."""
+    with zipfile.ZipFile(folder / f"{name}.zip", "w") as file:
+        file.writestr(name, text)
+    return f"/vsizip/{folder}/{name}.zip/{name}"
+
+
+@pytest.mark.parametrize("write", [
+    lambda name, at: VRT.format(name), lambda name, at: VRT.format(escape(VRT.format(name))),
+    lambda name, at: VRT.format(f"<![CDATA[{unescape(name)}]]>"), lambda name, at: VRT.format(f"&#47;{name[1:]}"),
+    lambda name, at: VRT.format(f"vrt://{name}?bands=1"), lambda name, at: VRT.format(f"GTIFF_DIR:1:{name}"),
+    lambda name, at: VRT.format(f"/vsisubfile/0_9,{name}"), lambda name, at: VRT.format(f"\n  {name}"),
+    lambda name, at: VRT.format(name).replace("<SourceFilename>", "<sourcefilename SHARED = '0'>"),
+    lambda name, at: VRT.format(f"<Metadata domain='x'><MDI key='X_DATASET'>{name}</MDI></Metadata>"),
+    lambda name, at: VRT.format(f"<Transformer><DEMPath>{name}</DEMPath></Transformer>"),
+    lambda name, at: VRT.format(zipped(at, "inner.vrt", VRT.format(name))),
+    lambda name, at: RELATIVE.format(name.rpartition("/")[2]),
+    lambda name, at: RELATIVE.format("GTIFF_DIR:1:" + name.rpartition("/")[2]),
+])  # fmt: skip
+@pytest.mark.parametrize("given", ["file", "text", "vrt://", "zip"])
+def test_what_a_vrt_names_belongs_to_it_however_it_is_written(
+    tmp_path: Path, write: Callable[[str, Path], str], given: str
+) -> None:
+    image = Path(write_raster(tmp_path / "a]& b.tif", np.full((16, 16), 9, np.uint8)))
+    text, path = write(escape(str(image)), tmp_path), tmp_path / "made.vrt"
+    if "'1'" in text and given in ("text", "zip"):
+        return  # has no folder, or another one
+    path.write_text(text)
+    assert refused(image, {
+        "file": str(path), "text": text, "vrt://": f"vrt://{path}", "zip": zipped(tmp_path, "made", text)
+    }[given])  # fmt: skip
+
+
+def test_a_name_of_bytes_that_are_no_text_belongs_to_its_vrt(tmp_path: Path) -> None:
+    image = os.fsencode(tmp_path) + b"/a\xff\xe9.tif"
+    Path(os.fsdecode(image)).write_bytes(b"II*")
+    (tmp_path / "made.vrt").write_bytes(VRT.encode().replace(b"{}", image))
+    assert refused(os.fsdecode(image), tmp_path / "made.vrt")
 
 
 def test_an_archive_is_the_file_of_what_lies_in_it(image: Path, tmp_path: Path) -> None:

@@ -25,7 +25,6 @@ from qgis.PyQt.QtGui import QIcon
 from ...imagery.atomic_files import leading_to
 from ...imagery.errors import CancelledError, SeamInspectorError
 from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.remote_files import heeding
 from .. import messages
 from ..packages import missing_packages_sentence
 from ..resources import help_url, icon_path
@@ -114,7 +113,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         if missing:
             raise QgsProcessingException(missing)
         try:
-            with gdal_silenced(), heeding(feedback.isCanceled):
+            with gdal_silenced():
                 checked = self._refuse(parameters, context)  # models and scripts may not have checked the values
                 self._leads = checked.leads
                 self.prepare(Run(self, parameters, context, feedback))
@@ -126,7 +125,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         run = Run(self, parameters, context, feedback)
-        with gdal_silenced(), leading_to(self._leads), heeding(feedback.isCanceled):
+        with gdal_silenced(), leading_to(self._leads):
             try:
                 try:
                     results = self.execute(run)

@@ -64,7 +64,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def server(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[RangeServer]:
-    monkeypatch.setattr(remote_files, "DELAYS_S", (0.01, 0.02))
     monkeypatch.setitem(remote_files.SETTINGS, "GDAL_HTTP_RETRY_DELAY", "0.01")
     gdal.VSICurlClearCache()
     with serving(folder) as started, rasters_kept():

@@ -1,15 +1,14 @@
-"""What must not be opened: devices, pipes, memory, and VRTs that lead there; what declares more than memory holds."""
+"""What is opened, by which drivers, where a path leads, and what declares more than memory holds."""
 from __future__ import annotations
 
 import os
 import re
 import sqlite3
 import threading
+import time
 import zipfile
-from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
-from typing import Any
 from xml.sax.saxutils import escape
 
 import numpy as np
@@ -18,8 +17,7 @@ from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery import gdal_paths, limits
 from seam_inspector.plugin.imagery.documents import document_bytes, json_document
 from seam_inspector.plugin.imagery.errors import RasterError
-from seam_inspector.plugin.imagery.gdal_calls import gdal_settings
-from seam_inspector.plugin.imagery.gdal_paths import check_raster_path, holds_only_tables, is_layer_file, vrt_parts
+from seam_inspector.plugin.imagery.gdal_paths import holds_only_tables, is_layer_file, vrt_parts, with_parts
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
@@ -52,63 +50,15 @@ def refusal(path: Path | str) -> str:
 
 def test_pipes_and_devices_are_not_opened(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.tif")
-    assert "pipe.tif is a device, a pipe or memory" in refusal(tmp_path / "pipe.tif")
-    for path in ("/dev/zero", "/proc/self/mem", "/vsistdin/", "MEM:::DATAPOINTER=1,PIXELS=64,LINES=64"):
+    for path in (tmp_path / "pipe.tif", "/dev/zero", "/proc/self/mem", "/vsistdin/"):
         assert "is a device, a pipe or memory" in refusal(path)
-
-
-MEMORY = "MEM:::DATAPOINTER=1,PIXELS=64,LINES=64"
-
-
-def zipped(path: Path, name: str, text: str) -> str:
-    """The path of a text in an archive."""
-    with zipfile.ZipFile(path, "w") as file:
-        file.writestr(name, text)
-    return f"/vsizip/{path}/{name}"
-
+    for path in ("MEM:::DATAPOINTER=1,PIXELS=64,LINES=64", '<GDAL_WMS><Service name="TMS"/></GDAL_WMS>', "PG:dbname=x"):
+        assert "is a service or a database, not a file" in refusal(path)
 
 def vrt(*sources: str, times: int = 0) -> str:
-    """A VRT of sources, escaped; inside so many others, each of them in the name of the next one's source."""
+    """A VRT of sources; inside so many others, each of them in the name of the next one's source."""
     text = VRT.format("".join(SOURCE.format(escape(one)) for one in sources))
     return vrt(text, times=times - 1) if times else text
-
-
-@pytest.mark.parametrize("made", [
-    lambda at: vrt(str(at / "pi]pe")), lambda at: vrt(str(at / "pi<pe")), lambda at: vrt(f"vrt://{at}/pipe?bands=1"),
-    lambda at: vrt(str(at / "pipe"), times=1), lambda at: vrt(str(at / "pipe"), times=3),
-    lambda at: vrt(MEMORY, times=2),
-    lambda at: vrt("&#77;EM:::&#68;ATAPOINTER=1,PIXELS=64,LINES=64", times=1).replace("&amp;#", "&#"),
-    lambda at: f'<?xml version="1.0"?><!-- a > b -->{vrt(str(at / "pipe"))}',
-    lambda at: vrt(str(at / "pipe")).replace("<SourceFilename>", "<SourceFilename shared='a > b'>"),
-    lambda at: vrt("pipe").replace("<SourceFilename>", "<sourcefilename RELATIVETOVRT=' 01x'>"),
-    lambda at: VRT.format(f"<Overview><SourceFilename>{at}/pipe</SourceFilename></Overview>"),
-    lambda at: VRT.format(f"<Metadata domain='x'><MDI key='X_DATASET'>{at}/pipe</MDI></Metadata>"),
-    lambda at: VRT.format(f"<Transformer><RPCTransformer><DEMPath>{at}/pipe</DEMPath></RPCTransformer></Transformer>"),
-    lambda at: vrt(zipped(at / "in.zip", "a.vrt", vrt(str(at / "pipe")))),
-    lambda at: vrt(zipped(at / "in.zip", "a.vrt", vrt(MEMORY))),
-    lambda at: vrt(f"/vsizip/vsigzip/{at}/pipe"), lambda at: vrt(f"/vsisubfile/0_9,{at}/pipe"),
-    lambda at: vrt("/vsisparse/a"),
-    lambda at: vrt(f"GTIFF_DIR:1:{at}/pipe"), lambda at: vrt(f"DERIVED_SUBDATASET:AMPLITUDE:{at}/pipe"),
-    lambda at: vrt(f"/vsicurl/file://{at}/pipe"), lambda at: vrt(f"/vsicurl?url=file%3A%2F%2F{at}/pipe"),
-    lambda at: vrt('<GDAL_WMS><Service name="TMS"/></GDAL_WMS>'), lambda at: vrt("PG:dbname=x"),
-    lambda at: vrt('{"a": 1}'),
-])  # fmt: skip
-@pytest.mark.parametrize("given", ["file", "text", "zip", "vrt://"])
-def test_no_vrt_leads_there_however_it_is_written(tmp_path: Path, made: Callable[[Path], str], given: str) -> None:
-    """In a file, as the raster's path itself, in an archive, or by the address of a VRT."""
-    for name in ("pipe", "pi]pe", "pi<pe"):
-        os.mkfifo(tmp_path / name)
-    text = made(tmp_path)
-    path = tmp_path / "made.vrt"
-    path.write_text(text)
-    if given == "zip":
-        text = text.replace("RELATIVETOVRT=' 01x'>", f">{tmp_path}/")
-    if given == "text":
-        text = text[text.index("<VRTDataset") :].replace("RELATIVETOVRT=' 01x'>", f">{tmp_path}/")
-    paths = {
-        "file": str(path), "text": text, "zip": zipped(tmp_path / "out.zip", "made.vrt", text), "vrt://": f"vrt://{path}"
-    }  # fmt: skip
-    assert "is a VRT that leads to" in refusal(paths[given])
 
 
 def packed_twice(folder: Path, inner: str) -> str:
@@ -122,33 +72,6 @@ def packed_twice(folder: Path, inner: str) -> str:
     return f"/vsizip/{{/vsizip/{{{folder}/outer.zip}}/b/inner.zip}}/a/outer.vrt"
 
 
-@pytest.mark.parametrize("is_named", [False, True])
-@pytest.mark.parametrize("how", ["once", "twice"])
-def test_names_by_a_place_in_an_archive_lead_nowhere(tmp_path: Path, how: str, is_named: bool) -> None:
-    """Given itself, or named by a VRT."""
-    os.mkfifo(tmp_path / "pipe")
-    for target in (str(tmp_path / "pipe"), MEMORY):
-        twice = packed_twice(tmp_path, vrt(target))
-        path = twice if how == "twice" else f"/vsizip/{tmp_path}/inner.zip/a/outer.vrt"
-        (tmp_path / "named.vrt").write_text(vrt(path))
-        assert "is a VRT that leads to" in refusal(tmp_path / "named.vrt" if is_named else path)
-    (tmp_path / "pipe").unlink()
-    twice = packed_twice(tmp_path, vrt(write_raster(tmp_path / "sound.tif", np.ones((1, 64, 64), np.uint8))))
-    for path in (twice, f"/vsizip/{tmp_path}/inner.zip/a/outer.vrt"):
-        assert OpenRaster(RasterRef(path)).read(PixelWindow(0, 0, 64, 64)).bands.all()
-
-
-def test_a_name_of_bytes_that_are_no_text_leads_nowhere(tmp_path: Path) -> None:
-    pipe = os.fsencode(tmp_path) + b"/pipe\xff\xe9.tif"
-    os.mkfifo(pipe)
-    path = tmp_path / "made.vrt"
-    path.write_bytes(vrt("NAME").encode().replace(b"NAME", pipe))
-    assert "made.vrt is a VRT that leads to" in refusal(path)
-    os.unlink(pipe)
-    (tmp_path / "a.tif.aux.xml").write_bytes(bytes(range(1, 256)))
-    OpenRaster(RasterRef(write_raster(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))))
-
-
 def test_sound_ways_to_a_raster_stay_open(tmp_path: Path) -> None:
     pixels = np.arange(64 * 64, dtype=np.uint8).reshape(1, 64, 64)
     path = write_raster(tmp_path / "a.tif", pixels)
@@ -156,86 +79,9 @@ def test_sound_ways_to_a_raster_stay_open(tmp_path: Path) -> None:
         file.write(path, "a.tif")
         file.writestr("a.vrt", vrt("a.tif").replace("<SourceFilename>", "<SourceFilename relativeToVRT='1'>"))
     archive = f"/vsizip/{tmp_path}/a.zip"
-    inside = [f"{archive}/a.tif", f"{archive}/a.vrt"]
+    inside = [f"{archive}/a.tif", f"{archive}/a.vrt", packed_twice(tmp_path, vrt(path))]
     for way in (f"vrt://{path}?bands=1", f"GTIFF_DIR:1:{path}", *inside, vrt(str(path), times=2)):
         np.testing.assert_array_equal(OpenRaster(RasterRef(way)).read(PixelWindow(0, 0, 64, 64)).bands, pixels)
-
-
-@pytest.mark.parametrize("ending", [".ovr", ".msk", ".aux.xml"])
-def test_a_pipe_beside_a_raster_is_not_opened(tmp_path: Path, ending: str) -> None:
-    path = write_raster(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))
-    os.mkfifo(f"{path}{ending}")
-    assert refusal(path).startswith(f"{path}{ending} lies beside a.tif and is a device or a pipe")
-    whole = tmp_path / "b.vrt"
-    whole.write_text(vrt(str(path)))
-    assert f"{path}{ending} lies beside b.vrt" in refusal(whole)
-
-
-def imagine(at: Path, option: str, value: str, ending: str) -> Path:
-    """An Erdas Imagine file whose other part is called differently, and is a pipe."""
-    write_raster(at / "a.tif", np.zeros((1, 512, 512), np.uint8))
-    with gdal_settings(HFA_USE_RRD="YES"):
-        gdal.Translate(str(at / "a.img"), str(at / "a.tif"), format="HFA", creationOptions=[f"{option}={value}"])
-        gdal.Open(str(at / "a.img"), gdal.GA_Update).BuildOverviews("NEAREST", [2])
-    (at / f"a{ending}").unlink()
-    (at / "a.img").write_bytes((at / "a.img").read_bytes().replace(f"a{ending}".encode(), f"b{ending}".encode()))
-    os.mkfifo(at / f"b{ending}")
-    return at / "a.img"
-
-
-@pytest.mark.parametrize(("option", "value", "ending"), [("USE_SPILL", "YES", ".ige"), ("COMPRESSED", "NO", ".rrd")])
-def test_parts_of_an_imagine_file_have_an_end(tmp_path: Path, option: str, value: str, ending: str) -> None:
-    assert "is a device or a pipe" in refusal(imagine(tmp_path, option, value, ending))
-
-
-@pytest.mark.parametrize("name", ["summary.txt", "METADATA.DIM", "RPC-a.txt"])
-def test_metadata_of_other_names_has_an_end(tmp_path: Path, name: str) -> None:
-    """GDAL's readers of satellites' metadata look for some that are not called like the image."""
-    path = write_raster(tmp_path / "IMG-a.tif", np.zeros((1, 64, 64), np.uint8))
-    os.mkfifo(tmp_path / name)
-    assert refusal(path).startswith(f"{tmp_path / name} lies beside IMG-a.tif")
-
-
-@pytest.mark.parametrize("to", [MEMORY, "{pipe}"])
-@pytest.mark.parametrize("ending", [".ovr", ".OVR", ".msk", ".ovr.ovr", ".ovr.aux.xml"])
-@pytest.mark.parametrize("packed", [False, True])
-def test_what_lies_beside_leads_nowhere(tmp_path: Path, to: str, ending: str, packed: bool) -> None:
-    """Overviews, masks and metadata may be VRTs or name others, also beside each other and in an archive."""
-    pipe = tmp_path / "elsewhere" / "pipe"
-    pipe.parent.mkdir()
-    os.mkfifo(pipe)
-    path = write_raster(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))
-    named = to.format(pipe=pipe)
-    overview = f'<Metadata domain="OVERVIEWS"><MDI key="OVERVIEW_FILE">{named}</MDI></Metadata>'
-    text = f"<PAMDataset>{overview}</PAMDataset>" if ending.endswith(".xml") else vrt(named)
-    between = [Path(f"{path}.ovr")] if ending.count(".") > 1 else []
-    for one in between:
-        write_raster(one, np.zeros((1, 32, 32), np.uint8))
-    beside = Path(f"{path}{ending}")
-    beside.write_text(text)
-    if packed:
-        with zipfile.ZipFile(tmp_path / "a.zip", "w") as file:
-            for one in (path, beside, *between):
-                file.write(one, Path(one).name)
-    assert f"that lead to {named}" in refusal(f"/vsizip/{tmp_path}/a.zip/a.tif" if packed else path)
-
-
-def test_overviews_named_inside_an_image_lead_nowhere(tmp_path: Path) -> None:
-    pipe = tmp_path / "elsewhere" / "pipe"
-    pipe.parent.mkdir()
-    os.mkfifo(pipe)
-    path = write_raster(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))
-    gdal.Open(str(path), gdal.GA_Update).SetMetadataItem("OVERVIEW_FILE", str(pipe), "OVERVIEWS")
-    assert f"that lead to {pipe}" in refusal(path)
-
-
-@pytest.mark.parametrize("named", ["{pipe}", MEMORY, ":::BASE:::pipe"])
-def test_auxiliary_data_name_no_overviews_that_never_end(tmp_path: Path, named: str) -> None:
-    path = write_raster(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))
-    os.mkfifo(tmp_path / "pipe")
-    overview = f'<MDI key="OVERVIEW_FILE">{named.format(pipe=tmp_path / "pipe")}</MDI>'
-    Path(f"{path}.aux.xml").write_text(f'<PAMDataset><Metadata domain="OVERVIEWS">{overview}</Metadata></PAMDataset>')
-    assert "has metadata, overviews or a mask that lead to" in refusal(path)
 
 
 @pytest.mark.parametrize(("name", "text", "driver"), [
@@ -244,45 +90,17 @@ def test_auxiliary_data_name_no_overviews_that_never_end(tmp_path: Path, named: 
     ("a.ers", 'DatasetHeader Begin\n\tDataFile = "{pipe}"\nDatasetHeader End\n', "ERS"),
 ])  # fmt: skip
 def test_formats_that_name_other_files_are_not_used(tmp_path: Path, name: str, text: str, driver: str) -> None:
-    os.mkfifo(tmp_path / "pipe")
     (tmp_path / name).write_text(text.format(pipe=tmp_path / "pipe"))
     assert f"is read by GDAL's driver {driver}" in refusal(tmp_path / name)
-    (tmp_path / "b.vrt").write_text(vrt(str(tmp_path / name)))
-    assert f"b.vrt is a VRT that leads to {tmp_path / name}" in refusal(tmp_path / "b.vrt")
 
 
-def test_what_is_looked_at_of_a_vrt_grows_with_its_size_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Elements that never end, many names, elements in elements: of twice the bytes twice the names."""
-    steps: list[int] = []
-    plain = gdal_paths._places
-
-    def counted(*of: Any) -> Any:
-        steps.append(1)
-        return plain(*of)
-
-    monkeypatch.setattr(gdal_paths, "_places", counted)
-    for kind in ("<SourceFilename ", "<SourceFilename>a.tif</SourceFilename>", "<a>", "<SourceFilename>&lt;"):
-        counts = []
-        for times in (2000, 4000):
-            path = tmp_path / f"{len(kind)}_{times}.vrt"
-            path.write_text(f"<VRTDataset>{kind * times}</VRTDataset>")
-            steps.clear()
-            vrt_parts(str(path))
-            counts.append(len(steps))
-        assert counts[1] in (0, 2 * counts[0])
-
-
-def test_a_vrt_of_very_many_elements_is_not_parsed(tmp_path: Path) -> None:
+@pytest.mark.parametrize("unit", ["<SourceFilename ", "<SourceFilename>a.tif</SourceFilename>", "<a>"])
+def test_what_a_long_vrt_names_is_found_soon(tmp_path: Path, unit: str) -> None:
     path = tmp_path / "a.vrt"
-    path.write_text(f"<VRTDataset>{'<a/>' * 4_000_001}</VRTDataset>")
-    assert "a.vrt is a VRT of more than" in refusal(path)
-
-
-def test_names_of_very_many_colons_are_no_files(tmp_path: Path) -> None:
-    """Any part between two of them may be a file's name."""
-    for name in ("ab:" * 1000, "GTIFF_DIR:1:" + "a:" * 1000):
-        (tmp_path / "a.vrt").write_text(vrt(name).replace("<SourceFilename>", "<SourceFilename relativeToVRT='1'>"))
-        assert "a.vrt is a VRT that leads to" in refusal(tmp_path / "a.vrt")
+    path.write_text(f"<VRTDataset>{unit * 100_000}</VRTDataset>")
+    start = time.monotonic()
+    vrt_parts(str(path))
+    assert time.monotonic() - start < 5
 
 
 def holding(path: Path, *statements: str) -> Path:
@@ -298,7 +116,6 @@ ENDLESS = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELEC
 
 @pytest.mark.parametrize("statement", [
     f"CREATE VIEW windows AS {ENDLESS}", "CREATE VIRTUAL TABLE windows USING fts5(a, content='b')",
-    f"CREATE TRIGGER a AFTER INSERT ON b BEGIN INSERT INTO b {ENDLESS.replace('AS verdict', '')}; END",
 ])  # fmt: skip
 def test_databases_that_never_end_are_not_read(tmp_path: Path, statement: str) -> None:
     sound = holding(tmp_path / "a.gpkg", "CREATE TABLE b (a, c)", "CREATE INDEX i ON b (a)")
@@ -316,11 +133,10 @@ def test_a_geopackage_of_gdal_holds_only_tables(tmp_path: Path) -> None:
 
 
 def test_files_of_marks_are_tables_and_lead_nowhere(tmp_path: Path) -> None:
-    os.mkfifo(tmp_path / "pipe")
-    source = f"<SrcDataSource>{tmp_path}/pipe</SrcDataSource>"
+    source = f"<SrcDataSource>{tmp_path}/b.csv</SrcDataSource>"
     (tmp_path / "a.csv").write_text(f"<OGRVRTDataSource>{source}</OGRVRTDataSource>")
     (tmp_path / "b.csv").write_text("mark,x\n1,2\n")
-    assert [is_layer_file(tmp_path / name) for name in ("a.csv", "b.csv", "pipe")] == [False, True, False]
+    assert [is_layer_file(tmp_path / name) for name in ("a.csv", "b.csv")] == [False, True]
 
 
 OPENING = re.compile(
@@ -340,27 +156,12 @@ OPENED_BY = {
 
 
 def test_nobody_else_opens_data_or_reads_documents() -> None:
-    """Who does is told in gdal_paths.py, and does it by what stands there and in documents.py."""
+    """Data of others are opened by what stands in gdal_paths.py, and read by documents.py."""
     found: dict[str, set[str]] = {}
     for module in Path(gdal_paths.__file__).parents[1].rglob("*.py"):
         for one in OPENING.finditer(module.read_text(encoding="utf-8")):
             found.setdefault(module.name, set()).add(one.group().rstrip("("))
     assert found == OPENED_BY
-
-
-@pytest.mark.parametrize("inside", [
-    SOURCE.format("MEM:::DATAPOINTER=1,PIXELS=64,LINES=64"),
-    SOURCE.format("&#77;em:::datapointer=1,PIXELS=64,LINES=64"),
-    SOURCE.format("<![CDATA[/dev/zero]]>"), SOURCE.format("/vsistdin/"), SOURCE.format("{pipe}"),
-    SOURCE.format("{inner}"), "<SourceFilename relativeToVRT='1'>pipe.tif</SourceFilename>",
-])  # fmt: skip
-def test_no_vrt_leads_there(tmp_path: Path, inside: str) -> None:
-    os.mkfifo(tmp_path / "pipe.tif")
-    inner = tmp_path / "inner.xml"  # a VRT by what it says, not by its name
-    inner.write_text(VRT.format(SOURCE.format("/dev/urandom")))
-    path = tmp_path / "made.vrt"
-    path.write_text(VRT.format(inside.format(pipe=tmp_path / "pipe.tif", inner=inner)))
-    assert "made.vrt is a VRT that leads to" in refusal(path)
 
 
 def test_vrts_in_a_ring_are_read_no_further_than_once(tmp_path: Path) -> None:
@@ -370,58 +171,22 @@ def test_vrts_in_a_ring_are_read_no_further_than_once(tmp_path: Path) -> None:
     assert refusal(tmp_path / "0.vrt").endswith(".")
 
 
-@pytest.mark.parametrize(("depth", "times"), [(20, 2), (6, 10)])
-def test_vrts_that_name_each_other_a_million_times_are_refused(tmp_path: Path, depth: int, times: int) -> None:
-    (tmp_path / "0.tif").write_bytes(b"II*")
-    inner = tmp_path / "0.tif"
-    for number in range(depth):
-        outer = tmp_path / f"{number}.vrt"
-        outer.write_text(VRT.format(SOURCE.format(inner) * times))
-        inner = outer
-    with pytest.raises(RasterError, match=r"is a VRT of more than 300000 files"):
-        check_raster_path(str(inner), inner.name)
-
-
-def test_vrts_of_vrts_with_many_bands_name_each_file_once(tmp_path: Path) -> None:
-    """Six levels of 16 bands: each band is read from one file, however often that is named."""
-    (tmp_path / "0.tif").write_bytes(b"II*")
-    inner = tmp_path / "0.tif"
-    for number in range(6):
-        outer = tmp_path / f"{number}.vrt"
-        band = VRT.format(SOURCE.format(inner)).replace("<VRTDataset", "<a").replace("</VRTDataset>", "</a>")
-        outer.write_text(f"<VRTDataset>{band * 16}</VRTDataset>")
-        inner = outer
-    check_raster_path(str(inner), inner.name)
-
-
 def test_what_stays_as_it_is_is_looked_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A mosaic of ten thousand files is opened for every window."""
+    """A mosaic of ten thousand files is opened for every window. One that changed is seen though its size and time are
+    as before."""
     parts = [tmp_path / f"{number}.tif" for number in range(20)]
     for part in parts:
-        part.write_bytes(b"II*")
+        part.write_text(vrt("old.tif"))
     mosaic = tmp_path / "mosaic.vrt"
-    mosaic.write_text(VRT.format("".join(SOURCE.format(part) for part in parts)))
-    check_raster_path(str(mosaic), "mosaic.vrt")
+    mosaic.write_text(vrt(*map(str, parts)))
+    assert list(with_parts(str(mosaic))) == [str(mosaic), *map(str, parts), "old.tif"]
     with monkeypatch.context() as patch:
-        for module, name in ((os.path, "realpath"), (gdal_paths, "_document")):
-            patch.setattr(module, name, lambda *path: pytest.fail("it is looked at again"))
-        check_raster_path(str(mosaic), "mosaic.vrt")
-    parts[7].unlink()
-    parts[7].symlink_to("/dev/zero")
-    with pytest.raises(RasterError, match=r"mosaic\.vrt is a VRT that leads to .*7\.tif"):
-        check_raster_path(str(mosaic), "mosaic.vrt")
-
-
-def test_a_part_that_changed_is_looked_at_though_its_size_and_time_are_as_before(tmp_path: Path) -> None:
-    mosaic, inner = tmp_path / "mosaic.vrt", tmp_path / "inner.vrt"
-    mosaic.write_text(VRT.format(SOURCE.format(inner)))
-    inner.write_text(VRT.format(SOURCE.format("/old/null")))
-    before = inner.stat()
-    check_raster_path(str(mosaic), "mosaic.vrt")
-    inner.write_text(VRT.format(SOURCE.format("/dev/null")))
-    os.utime(inner, ns=(before.st_atime_ns, before.st_mtime_ns))
-    with pytest.raises(RasterError, match="leads to /dev/null"):
-        check_raster_path(str(mosaic), "mosaic.vrt")
+        patch.setattr(gdal_paths, "_document", lambda path: pytest.fail("it is looked at again"))
+        assert len(list(with_parts(str(mosaic)))) == 22
+    before = parts[7].stat()
+    parts[7].write_text(vrt("new.tif"))
+    os.utime(parts[7], ns=(before.st_atime_ns, before.st_mtime_ns))
+    assert list(with_parts(str(mosaic)))[-2:] == ["old.tif", "new.tif"]
 
 
 def test_bands_and_blocks_beyond_all_memory_are_refused(tmp_path: Path) -> None:

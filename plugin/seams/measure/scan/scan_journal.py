@@ -19,8 +19,8 @@ from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import drop_unfinished
 from ....imagery.documents import xml_root
 from ....imagery.errors import Message, SettingsError
-from ....imagery.file_identity import OF_NO_CONSEQUENCE, local_state, local_states, remote_state, with_parts
-from ....imagery.gdal_paths import is_remote, local_file
+from ....imagery.file_identity import OF_NO_CONSEQUENCE, local_state, local_states, remote_state
+from ....imagery.gdal_paths import is_remote, local_file, with_parts
 from ....imagery.messages import system_reason
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.record_store import RecordFiles, RecordFolder
