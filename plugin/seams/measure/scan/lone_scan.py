@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Executor
 from dataclasses import replace
 from functools import lru_cache
 from typing import Callable
@@ -12,6 +11,7 @@ import numpy as np
 
 from ....imagery.errors import Message
 from ....imagery.lines import points_at, vertex_stations
+from ..inspection import Workers
 from . import messages
 from .block_runs import JournaledBlocks, ScanStep, held
 from .blocks.block_grid import BLOCK_PX, BlockKey
@@ -42,7 +42,7 @@ class LoneScanning:
         self._journal, self._blocks = journal, request.blocks
         self._table = lru_cache(_HELD)(self._table_of)
 
-    def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
+    def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """Every block that a seam meets."""
         along = SeamSquares(self._request.seams, self._blocks, beside_px=int(REACH_PX) + _CELLS_BESIDE_PX)
 
@@ -54,7 +54,7 @@ class LoneScanning:
                 grey_factor=self._request.grey_factor, sides=near,
             )
 
-        yield from JournaledBlocks(self._journal, executor, ahead, cancelled).steps(LONE_LOOK, along.met, block)
+        yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, along.met, block)
 
     def result(self, loss_path: str, goes_on: Callable[[float], bool]) -> ScanResult | None:
         """Pieces, worst windows and, where a path is given, the picture of losses; None where ``goes_on`` says no.

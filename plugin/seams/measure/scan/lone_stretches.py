@@ -98,16 +98,15 @@ def lone_stretches(
     count = int(counts.sum())
     nearest = _nearest(table, pieces, numbers, index, counts)
     ratio = table.energy / table.area / _expected(table)[table.cell]
-    own = nearest.belongs[table.cell]
-    stretch, piece = nearest.stretch[table.cell], nearest.order[table.cell]
+    belongs = nearest.belongs[table.cell]
+    piece_of = np.repeat(np.arange(len(counts)), counts)
     zones = len(ZONES_PX) - 1
-    inner = own & (table.zone < zones)
-    zone_area, zone_matched = _means(
-        ratio[inner], table.area[inner], stretch[inner], piece[inner], table.zone[inner], count, zones
-    )
+    inner = belongs & (table.zone < zones)
+    place = table.zone.astype(np.intp) * count + nearest.stretch[table.cell]
+    zone_area, zone_matched = _means(ratio[inner], table.area[inner], place[inner], piece_of, zones)
     # The strip's parts of a cell are one: smaller ones would be capped oftener than the cells of the ground.
     group = _groups(table, nearest.left)
-    used = own & (group != _UNUSED)
+    used = belongs & (group != _UNUSED)
     groups = 1 + 2 * len(RANGES_PX)
     key, merged = np.unique(table.cell[used].astype(np.int64) * groups + group[used], return_inverse=True)
     cell, group = np.divmod(key, groups)
@@ -115,11 +114,9 @@ def lone_stretches(
     plain = np.bincount(merged, table.energy[used], len(key)) / area
     matched = np.bincount(merged, (table.area * ratio)[used], len(key)) / area
     large = area >= _LEAST_PART_PX
-    cell, group, area = cell[large], group[large], area[large]
-    areas, matched_means = _means(
-        matched[large], area, nearest.stretch[cell], nearest.order[cell], group, count, groups
-    )
-    _, plain_means = _means(plain[large], area, nearest.stretch[cell], nearest.order[cell], group, count, groups)
+    area, place = area[large], (group * count + nearest.stretch[cell])[large]
+    areas, matched_means = _means(matched[large], area, place, piece_of, groups)
+    _, plain_means = _means(plain[large], area, place, piece_of, groups)
     shape = len(RANGES_PX), 2, count
     return LoneStretches(
         np.repeat(np.asarray(numbers, dtype=np.intp), counts), np.repeat(lengths / counts, counts),
@@ -136,8 +133,6 @@ class _NearestStretch:
     belongs: np.ndarray
     """bool: whether its piece is one of those asked for."""
     stretch: np.ndarray
-    order: np.ndarray
-    """Place of its piece among those asked for."""
     left: np.ndarray
     """bool: whether it lies on the left."""
 
@@ -146,16 +141,16 @@ def _nearest(
     table: LoneTable, pieces: Sequence[SeamPiece], numbers: Sequence[int], index: PieceIndex, counts: np.ndarray
 ) -> _NearestStretch:
     """``counts``: stretches of each piece that is asked for."""
-    found = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX)
+    seam = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX)
     place = np.full(len(pieces) + 1, -1)
     place[list(numbers)] = np.arange(len(numbers))
-    order = place[found.number]  # -1, no piece, is the last
+    order = place[seam.number]  # -1, no piece, is the last
     belongs = order >= 0
     order = np.where(belongs, order, 0)
     start, length = (np.array([getattr(pieces[n], name) for n in numbers]) for name in ("station_m", "length_m"))
-    share = (found.station_m - start[order]) / length[order]
-    own = np.clip((share * counts[order]).astype(np.intp), 0, counts[order] - 1)
-    return _NearestStretch(belongs, np.cumsum(counts)[order] - counts[order] + own, order, found.on_left)
+    share = (seam.station_m - start[order]) / length[order]
+    within = np.clip((share * counts[order]).astype(np.intp), 0, counts[order] - 1)
+    return _NearestStretch(belongs, np.cumsum(counts)[order] - counts[order] + within, seam.on_left)
 
 
 def _groups(table: LoneTable, left: np.ndarray) -> np.ndarray:
@@ -170,15 +165,18 @@ def _groups(table: LoneTable, left: np.ndarray) -> np.ndarray:
 
 
 def _means(
-    values: np.ndarray, area: np.ndarray, stretch: np.ndarray, piece: np.ndarray, group: np.ndarray, count: int,
-    groups: int,
+    values: np.ndarray, area: np.ndarray, place: np.ndarray, piece_of: np.ndarray, groups: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Areas and means (groups, count) by stretch, with none counted as more than ``CAP`` times its piece's mean."""
-    group = group.astype(np.intp)
-    capped = np.minimum(values, CAP * capped_means(values, area, piece * groups + group)[piece * groups + group])
-    key = group * count + stretch
-    areas = np.bincount(key, area, groups * count)
-    means = np.bincount(key, area * capped, groups * count) / np.where(areas > 0, areas, 1)
+    """Areas and means (groups, stretches), with none counted as more than ``CAP`` times its piece's mean.
+
+    ``place``: the group of each value, times the number of stretches, and its stretch; ``piece_of``: each stretch.
+    """
+    count = len(piece_of)
+    group, stretch = np.divmod(place, count)
+    of_piece = piece_of[stretch] * groups + group
+    capped = np.minimum(values, CAP * capped_means(values, area, of_piece)[of_piece])
+    areas = np.bincount(place, area, groups * count)
+    means = np.bincount(place, area * capped, groups * count) / np.where(areas > 0, areas, 1)
     return areas.reshape(groups, count), means.reshape(groups, count)
 
 
@@ -193,11 +191,11 @@ def _expected(table: LoneTable) -> np.ndarray:
         return expected
     tile_row, tile_column = table.row // _TILE_CELLS, table.column // _TILE_CELLS
     for row, column in np.unique(np.column_stack([tile_row, tile_column]), axis=0):
-        own = (tile_row == row) & (tile_column == column)
+        inside = (tile_row == row) & (tile_column == column)
         beside = known & _near(table.row, row) & _near(table.column, column)
         if np.count_nonzero(beside) < FEWEST_CELLS:
             beside = known
-        expected[own] = expected_energies(table.colour[beside], energy[beside], area[beside], table.colour[own])
+        expected[inside] = expected_energies(table.colour[beside], energy[beside], area[beside], table.colour[inside])
     return expected
 
 
