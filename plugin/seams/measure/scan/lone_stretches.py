@@ -13,6 +13,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ..profile.cell_table import CELL_PX
+from ..profile.ground import bounded, log_link_fit
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece
 from .lone_blocks import REACH_PX, ZONES_PX, LoneTable
@@ -208,10 +209,8 @@ def _near(places: np.ndarray, tile: int) -> np.ndarray:
 CAP = 2.0
 """A cell counts at most as so many times what is expected of it: kerbs and roofs are not what is looked for."""
 
-_ROUNDS = 12  # of reweighting, in a fit and in a capped mean
-_RIDGE = 1e-4  # of the mean of the normal matrix's diagonal: properties that hardly vary tell nothing
+_ROUNDS = 12  # in a fit and in a capped mean: with 5 a fit to JPEG has not ended, and a sound piece is called lossy
 _OUTERMOST = (0.01, 0.99)  # of each property: beyond these quantiles the model is held where it is
-_MOST_EXPONENT = 15.0  # a factor of 3 million either way, so that no round runs away
 
 
 def expected_energies(
@@ -221,13 +220,12 @@ def expected_energies(
 
     ``energies`` and ``weights``: (n,). Returns (m,), all positive.
     """
-    own, asked = properties.astype(np.float64), wanted.astype(np.float64)
-    low, high = np.quantile(own, _OUTERMOST, axis=0)
-    own, asked = np.clip(own, low, high), np.clip(asked, low, high)
-    middle, spread = own.mean(axis=0), np.maximum(own.std(axis=0), 1e-9)
+    low, high = np.quantile(properties.astype(np.float64), _OUTERMOST, axis=0)
+    known, asked = (np.clip(one, low, high) for one in (properties, wanted))
+    middle, spread = known.mean(axis=0), np.maximum(known.std(axis=0), 1e-9)
     level = max(float(np.average(energies, weights=weights)), 1e-12)
-    coefficients = _fitted(_terms((own - middle) / spread), energies / level, weights)
-    return np.asarray(level * np.exp(_bounded(_terms((asked - middle) / spread) @ coefficients)))
+    coefficients = log_link_fit(_terms((known - middle) / spread), energies / level, weights, CAP - 1, _ROUNDS)
+    return np.asarray(level * np.exp(bounded(coefficients @ _terms((asked - middle) / spread))))
 
 
 def capped_means(values: np.ndarray, weights: np.ndarray, groups: np.ndarray) -> np.ndarray:
@@ -242,26 +240,6 @@ def capped_means(values: np.ndarray, weights: np.ndarray, groups: np.ndarray) ->
 
 
 def _terms(properties: np.ndarray) -> np.ndarray:
-    """1, the properties and their products, (n, terms)."""
+    """1, the properties and their products, (terms, n)."""
     first, second = np.triu_indices(properties.shape[1])
-    return np.column_stack([np.ones(len(properties)), properties, properties[:, first] * properties[:, second]])
-
-
-def _fitted(terms: np.ndarray, values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Coefficients of the logarithm of what is expected; ratios above ``CAP`` count as that."""
-    weighted = terms.T * weights
-    normal = weighted @ terms
-    ridge = np.full(len(normal), _RIDGE * np.trace(normal) / len(normal))
-    ridge[0] = 0
-    inverse = np.linalg.inv(normal + np.diag(ridge))
-    exponent = np.zeros(len(values))
-    coefficients = np.zeros(len(normal))
-    for _ in range(_ROUNDS):
-        working = np.minimum(values * np.exp(-exponent), CAP) - 1 + exponent
-        coefficients = inverse @ (weighted @ working)
-        exponent = _bounded(terms @ coefficients)
-    return np.asarray(coefficients)
-
-
-def _bounded(exponents: np.ndarray) -> np.ndarray:
-    return np.clip(exponents, -_MOST_EXPONENT, _MOST_EXPONENT)
+    return np.vstack([np.ones(len(properties)), properties.T, (properties[:, first] * properties[:, second]).T])
