@@ -300,7 +300,11 @@ def seam_rows(result: ScanResult) -> list[Row]:
     mosaic's reference system.
     """
     features = result.features
-    return [{**row, GEOMETRY: _line_wkt(one.piece.vertices)} for row, one in zip(_field_rows(features), features)]
+    rows = []
+    for row, feature in zip(_field_rows(features), features):
+        points = ", ".join(f"{x!r} {y!r}" for x, y in feature.piece.vertices.tolist())
+        rows.append({**row, GEOMETRY: f"LINESTRING ({points})"})
+    return rows
 
 
 def seam_notes(result: ScanResult, settings: ScanSettings, wkt: str) -> dict[str, str]:
@@ -316,7 +320,3 @@ def seam_notes(result: ScanResult, settings: ScanSettings, wkt: str) -> dict[str
 def _field_rows(features: Sequence[JudgedPiece]) -> list[Row]:
     levels = max((len(one.kept) for one in features if one.kept), default=1)
     return list(rows_of(SEAM_COLUMNS, features, levels))
-
-
-def _line_wkt(vertices: np.ndarray) -> str:
-    return f"LINESTRING ({', '.join(f'{x!r} {y!r}' for x, y in vertices.tolist())})"
