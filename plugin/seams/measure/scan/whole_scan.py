@@ -92,13 +92,13 @@ class WholeScan:
                 raise SettingsError(messages.SCAN_INPUT_CHANGED(name=Path(path).name))
         self._reading.check()
         with rasters_kept(), measuring(), own_threads(executor, ahead) as crew:
-            found = self._result(loss_path, goes_on, *crew)
+            result = self._result(loss_path, goes_on, *crew)
         dates = self.request.dates
         files = {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
-        return found and replace(
-            found, told={**found.told, METRES: repr(found.seam_metres), **files},
-            pieces=tuple(dated(one, dates) for one in found.pieces),
-            stretches=tuple(dated(one, dates) for one in found.stretches),
+        return result and replace(
+            result, told={**result.told, METRES: repr(result.seam_metres), **files},
+            pieces=tuple(dated(piece, dates) for piece in result.pieces),
+            stretches=tuple(dated(stretch, dates) for stretch in result.stretches),
         )
 
     def finish(self) -> None:
@@ -160,14 +160,14 @@ def scan(
     picture can't be written.
     """
     path, settings, run = os.fspath(seamlines), settings or ScanSettings(), run or ScanRun()
-    given, told = None, []
+    given, notices = None, []
     if path:
         features, lost = read_seam_features(path, block.mosaic.wkt)
         paths = [source.ref.path for source in block.sources]
         given = given_seams(features, block.mosaic.grid, settings.source_field, paths)
-        told += [] if lost is None else [lost]
-    request, notices = scan_request(block.mosaic, block.sources, settings, given)
-    told += notices
+        notices += [] if lost is None else [lost]
+    request, of_request = scan_request(block.mosaic, block.sources, settings, given)
+    notices += of_request
 
     def goes_on(share: float) -> bool:
         run.progress(MEASURED + (1 - MEASURED) * share)
@@ -177,11 +177,11 @@ def scan(
     with guarding({"loss": os.fspath(loss)} if loss else {}, read), tempfile.TemporaryDirectory() as folder:
         output = Path(os.fspath(loss) or Path(folder) / "loss.tif")
         with whole_scan(request, output) as whole, own_threads(run.executor, run.ahead) as opened:
-            told += [whole.notice] if whole.notice else []
+            notices += [whole.notice] if whole.notice else []
             for step in whole.steps(*opened):
-                told += step.notices
+                notices += step.notices
                 run.progress(MEASURED * step.share)
             result = whole.result(os.fspath(loss), goes_on, *opened)
             assert result is not None  # it goes on
             whole.finish()
-    return replace(result, notices=tuple(dict.fromkeys((*told, *result.notices))))
+    return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))
