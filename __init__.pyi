@@ -24,6 +24,7 @@ from .plugin.seams.measure.window.window_result import PairResult as PairResult
 
 # A whole mosaic
 from .plugin.seams.measure.scan.whole_scan import scan as scan
+from .plugin.seams.measure.scan.whole_scan import ScanRun as ScanRun
 from .plugin.seams.measure.scan.scan_settings import ScanSettings as ScanSettings
 from .plugin.seams.measure.scan.scan_result import ScanResult as ScanResult
 from .plugin.seams.measure.scan.scan_result import JudgedPiece as JudgedPiece

@@ -23,7 +23,7 @@ from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, SidedSeam, cut_in_pieces
-from seam_inspector.plugin.seams.measure.scan.lone_blocks import REACH_PX, ZONES_PX, LoneTable, lone_cells
+from seam_inspector.plugin.seams.measure.scan.lone_blocks import REACH_PX, ZONES_PX, LoneTable, MosaicPixels, lone_cells
 from seam_inspector.plugin.seams.measure.scan.lone_kept import LoneSeams
 from seam_inspector.plugin.seams.measure.scan.lone_stretches import STRIP_PX, LoneStretches, lone_stretches
 from skimage import graph, measure
@@ -145,7 +145,7 @@ def measured(bands: np.ndarray, valid: np.ndarray, pieces: Sequence[SeamPiece], 
     bands, valid = bands[:, : window.height, : window.width], valid[: window.height, : window.width]
     index = PieceIndex(pieces, grid)
     plane = np.tensordot(LUMINANCE, bands.astype(np.float32), 1)
-    table = lone_cells(plane, bands, valid, window, window, index, "coif3")
+    table = lone_cells(MosaicPixels(window, plane, bands, valid), window, index, "coif3")
     found = lone_stretches(table, pieces, range(len(pieces)), index, grid.ground_sample_distance)
     return Measured(found, _energy(table, index, len(pieces)))
 

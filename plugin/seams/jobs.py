@@ -38,9 +38,9 @@ from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
 from .measure.source_images import Source, gather_sources
 from .measure.window.explained_window import WindowComposite, window_composite
 from .measure.window.measured_window import MeasureWindow, measure_window
-from .measure.window.window_request import InspectionSettings, WindowRequest
+from .measure.window.window_request import WindowRequest
 from .measure.window.window_result import WindowClips
-from .measure.window_placing import SeamIndex, place_windows
+from .measure.window_placing import PlacingSettings, SeamIndex, place_windows
 from .tables.scan_layers import write_scan_file
 
 
@@ -71,17 +71,14 @@ def seams_job(lines: Iterable[bytes | None], pixel_size: float) -> Job:
     return lambda _cancelled: iter([(1.0, SeamIndex(find_seams(lines, pixel_size)))])
 
 
-def placing_job(
-    lines: Iterable[bytes | None], mosaic: Raster, side_m: float, spacing_m: float, settings: InspectionSettings
-) -> Job:
+def placing_job(lines: Iterable[bytes | None], mosaic: Raster, settings: PlacingSettings) -> Job:
     """Places windows along the seams of a layer; yields the Placement."""
 
     def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         source = OpenRaster(mosaic.ref)
         seams = find_seams(lines, mosaic.grid.pixel_width)
         placement = place_windows(
-            seams, mosaic.grid, side_m, spacing_m, settings.levels,
-            lambda window: not cancelled() and source.is_valid(window),
+            seams, mosaic.grid, settings, lambda window: not cancelled() and source.is_valid(window)
         )
         if not cancelled():
             yield 1.0, placement
@@ -149,8 +146,8 @@ class PictureSoFar:
             cell_px *= 2
         self._cell_px, self._side = cell_px, BLOCK_PX // cell_px
         self._failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
-        dataset = created_cells(str(path), mosaic, cell_px, BANDS[:1], self._failure)
         with gdal_writing(self._failure):
+            dataset = created_cells(str(path), mosaic, cell_px, BANDS[:1])
             dataset.GetRasterBand(1).Fill(NODATA)
             dataset.FlushCache()
         self.has_content = False

@@ -16,6 +16,7 @@ import seam_inspector
 from osgeo import gdal, ogr, osr
 from seam_inspector import (
     Block,
+    ScanRun,
     SeamInspectorError,
     SeamInspectorWarning,
     decide,
@@ -163,8 +164,8 @@ def test_a_scan_goes_along_seamlines(block: Block, folder: Path, tmp_path: Path,
     shares: list[float] = []
     with ThreadPoolExecutor(1) as executor:
         found = scan(
-            scanned, seamlines=folder / "seamlines.gpkg", loss=tmp_path / "loss.tif", executor=executor, ahead=2,
-            progress=shares.append,
+            scanned, seamlines=folder / "seamlines.gpkg", loss=tmp_path / "loss.tif",
+            run=ScanRun(executor, 2, shares.append),
         )  # fmt: skip
     assert 250 < found.seam_metres < 320
     assert shares == sorted(shares)
@@ -184,7 +185,7 @@ def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        scan(block, loss=tmp_path / "loss.tif", progress=end)
+        scan(block, loss=tmp_path / "loss.tif", run=ScanRun(progress=end))
     assert list(tmp_path.glob("*.scan"))
     found = scan(block, loss=tmp_path / "loss.tif")
     assert "goes on where it stopped" in str(found.notices[0])

@@ -141,7 +141,7 @@ class MendSeams(SeamInspectorAlgorithm):
         from ..measure.inspection import Block
         from ..measure.mending.failed_runs import FIELDS, given_pieces
         from ..measure.scan.scan_result import GEOMETRY, seam_rows
-        from ..measure.scan.whole_scan import scan
+        from ..measure.scan.whole_scan import ScanRun, scan
 
         given, what = run.source(SEAMS), run.text(WHAT)
         if QgsWkbTypes.geometryType(given.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
@@ -153,7 +153,7 @@ class MendSeams(SeamInspectorAlgorithm):
 
         transform = run.transform(given, crs)
         windows = [layers.window_geometry(one, transform) for one in layers.features(given)]
-        found = scan(Block(self._mosaic, tuple(sources)), progress=goes_on)
+        found = scan(Block(self._mosaic, tuple(sources)), run=ScanRun(progress=goes_on))
         run.tell_once(found.notices)
         rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(found)]
         return given_pieces(rows, FIELDS, what, lambda vertices: any(

@@ -15,6 +15,7 @@ from ..measure import limits
 
 if TYPE_CHECKING:
     from ...imagery.grids import PixelWindow
+    from ..measure.window_placing import PlacingSettings
 
 SEAMLINES, SIDE, SPACING, OUTPUT = "SEAMLINES", "SIDE", "SPACING", "OUTPUT"
 
@@ -51,7 +52,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
     def check(self, run: Run) -> None:
         from ..measure.window_placing import window_side_px
 
-        window_side_px(run.mosaic().grid, *self._measures(run))
+        window_side_px(run.mosaic().grid, self._settings(run))
 
     def prepare(self, run: Run) -> None:
         self._mosaic = run.mosaic()
@@ -74,7 +75,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         def is_valid(window: PixelWindow) -> bool:
             return not run.is_cancelled() and source.is_valid(window)
 
-        placement = place_windows(seams, mosaic.grid, *self._measures(run), is_valid)
+        placement = place_windows(seams, mosaic.grid, self._settings(run), is_valid)
         if not run.is_cancelled():
             run.tell(*placement.dropped)
         fields = column_fields(PLACED_COLUMNS)
@@ -90,6 +91,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         run.style(destination, "placed_windows")
         return {OUTPUT: destination}
 
-    def _measures(self, run: Run) -> tuple[float, float, int]:
-        """Side and spacing in metres, and the levels."""
-        return run.real(SIDE), run.real(SPACING), run.whole(common.LEVELS)
+    def _settings(self, run: Run) -> PlacingSettings:
+        from ..measure.window_placing import PlacingSettings
+
+        return PlacingSettings(run.real(SIDE), run.real(SPACING), run.whole(common.LEVELS))

@@ -85,7 +85,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         from ...toolkit.algorithms.window_notices import WindowNotices
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_features, column_fields, column_values, feature
-        from ..measure.inspection import in_order
+        from ..measure.inspection import Workers, in_order
         from ..measure.loss_forecast import forecast_window, not_foretold
         from ..tables.result_tables import FORECAST_COLUMNS, FORECAST_PAIR_COLUMNS
 
@@ -106,7 +106,8 @@ class PredictLoss(SeamInspectorAlgorithm):
             fields = column_fields(FORECAST_COLUMNS, levels)
             output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
             pairs, pairs_id = run.optional_sink(PAIRS, column_fields(FORECAST_PAIR_COLUMNS, levels))
-            for forecast in in_order(requests, forecast_window, not_foretold, executor, ahead, run.is_cancelled):
+            workers = Workers(executor, ahead, run.is_cancelled)
+            for forecast in in_order(requests, forecast_window, not_foretold, workers):
                 geometry, _ = drawn.taken(forecast.window_id)
                 if forecast.extent is not None:
                     geometry = layers.rectangle(forecast.extent)
@@ -160,10 +161,11 @@ class PredictLoss(SeamInspectorAlgorithm):
         drawn: WindowFeatures, sources: list[Source], seamlines: Seamlines | None, wkt: str,
         settings: ForecastSettings,
     ) -> Iterator[ForecastRequest]:
-        from ..measure.loss_forecast import ForecastRequest, forecast_request
+        from ..measure.loss_forecast import ForecastRequest
+        from ..measure.source_images import sources_over
 
         for window in drawn.windows():
-            if window.extent is None:
-                yield ForecastRequest(window.window_id, (), None, wkt, settings, reason=window.reason)
-            else:
-                yield forecast_request(sources, window.window_id, window.extent, wkt, settings, seamlines)
+            extent = window.extent
+            covering = () if extent is None else sources_over(sources, extent)
+            lines = None if extent is None or seamlines is None else seamlines.over(extent)
+            yield ForecastRequest(window.window_id, covering, extent, wkt, settings, lines, window.reason)

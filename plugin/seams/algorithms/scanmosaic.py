@@ -118,7 +118,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         settings, mosaic = self._settings(run), self._mosaic
         crs = layers.mosaic_crs(mosaic)
         sources = self._sources(run, crs)
-        given = self._given_seams(run, crs, [one.ref.path for one in sources])
+        given = self._given_seams(run, crs, [source.ref.path for source in sources])
         request, notices = scan_request(mosaic, sources, settings, given)
         run.tell(*notices)
         loss = self._loss(run)
@@ -156,7 +156,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         if not run.parameters.get(SEAMLINES):
             return None
         features, _ = given_features(run, SEAMLINES, crs)
-        return given_seams(features, self._mosaic.grid, run.text(SOURCE_FIELD), paths)
+        return given_seams(features, self._mosaic.grid, self._settings(run).source_field, paths)
 
     def _scanned(self, run: Run, scan: WholeScan, loss: str) -> ScanResult:
         """What all blocks tell. Raises CancelledError where nobody wants it any more."""
@@ -202,7 +202,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
 
         return ScanSettings(
             *run.decomposition(), run.text(DENSITY), run.whole(CELL), run.real(PIECE), run.real(CORRIDOR),
-            run.whole(WORST_COUNT),
+            run.whole(WORST_COUNT), run.text(SOURCE_FIELD),
         )
 
     @staticmethod

@@ -118,7 +118,7 @@ def make_block(
     """
     kept, notices = gather_sources(sources, indexed, mosaic.wkt, mosaic.ref)
     block = Block(mosaic, tuple(kept), tuple(cells))
-    given = {source_stem(one.ref.name) for one in kept}
+    given = {source_stem(source.ref.name) for source in kept}
     if block.cells and given.isdisjoint(source_stem(cell.source) for cell in block.cells):
         notices.append(messages.CELLS_OF_OTHERS(name=block.cells[0].source))
     return block, notices
@@ -185,7 +185,7 @@ def inspect_windows(
     reason.
     """
     with measuring(), own_threads(executor, ahead) as opened:  # memory is kept from one window to the next
-        yield from in_order(requests, inspect_window, not_comparable, *opened, cancelled)
+        yield from in_order(requests, inspect_window, not_comparable, Workers(*opened, cancelled))
 
 
 def inspect_one(request: WindowRequest, measure: MeasureWindow) -> Iterator[WindowClips | WindowResult]:
@@ -196,31 +196,38 @@ def inspect_one(request: WindowRequest, measure: MeasureWindow) -> Iterator[Wind
         yield not_comparable(request, unforeseen(error))
 
 
+@dataclass(frozen=True, eq=False)
+class Workers:
+    """Who measures, and until when."""
+
+    executor: Executor
+    ahead: int
+    """Most requests under way or waiting to be taken, so that memory does not grow with their number."""
+    cancelled: Callable[[], bool] = lambda: False
+
+
 def in_order(
     requests: Iterable[Request],
     measure: Callable[[Request], Result],
     failed: Callable[[Request, Message], Result],
-    executor: Executor,
-    ahead: int,
-    cancelled: Callable[[], bool] = lambda: False,
+    workers: Workers,
 ) -> Iterator[Result]:
     """Results in the order of the requests, each as soon as it and those before it are ready.
 
-    At most ``ahead`` windows are under way or waiting to be taken, so memory does not grow with their number.
-    ``failed`` makes the result of a request whose measurement raised an error that nobody foresaw. Stops when
-    ``cancelled`` says so, with the results that are ready by then, within a fraction of a second even while a window
-    is under way. Raises WorkersLostError when nobody is left to measure.
+    ``failed`` makes the result of a request whose measurement raised an error that nobody foresaw. Stops when the run
+    is cancelled, with the results that are ready by then, within a fraction of a second even while a window is under
+    way. Raises WorkersLostError when nobody is left to measure.
     """
     waiting: deque[tuple[Request, Future[Result]]] = deque()
     try:
         for request in requests:
-            if cancelled():
+            if workers.cancelled():
                 break
-            waiting.append((request, executor.submit(measure, request)))
-            if len(waiting) >= ahead:
-                yield from _ready(*waiting.popleft(), failed, cancelled)
+            waiting.append((request, workers.executor.submit(measure, request)))
+            if len(waiting) >= workers.ahead:
+                yield from _ready(*waiting.popleft(), failed, workers.cancelled)
         while waiting:
-            yield from _ready(*waiting.popleft(), failed, cancelled)
+            yield from _ready(*waiting.popleft(), failed, workers.cancelled)
     finally:
         for _, future in waiting:
             future.cancel()

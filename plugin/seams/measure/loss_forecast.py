@@ -26,7 +26,6 @@ from . import messages
 from .feather_prediction import (
     Feather,
     KeptDetail,
-    Seamlines,
     assumed_seams,
     drawn_seam,
     expected_ratios,
@@ -36,7 +35,7 @@ from .feather_prediction import (
     place_feather,
 )
 from .limits import COSINE, RAMPS
-from .source_images import Source, covers, sources_over
+from .source_images import Source, covers
 from .while_measuring import measuring
 
 
@@ -120,19 +119,6 @@ class Forecast:
     """Why a source that could not be read or compared did not take part."""
 
 
-def forecast_request(
-    sources: Sequence[Source],
-    window_id: int,
-    extent: Extent,
-    wkt: str,
-    settings: ForecastSettings,
-    seamlines: Seamlines | None = None,
-) -> ForecastRequest:
-    """The request for a rectangle in the reference system of the sources' footprints and the seamlines."""
-    over = None if seamlines is None else seamlines.over(extent)
-    return ForecastRequest(window_id, sources_over(sources, extent), extent, wkt, settings, over)
-
-
 @measuring()
 def forecast_window(request: ForecastRequest) -> Forecast:
     """Clip the sources of one window and foretell each pair of them.
@@ -156,9 +142,9 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     notices = (*unreadable, *refused)
     planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
     wavelet, levels = request.settings.wavelet, request.settings.levels
-    found = feathers(planes, wavelet, levels)
-    expected = expected_ratios(found, levels)
-    kept, assumed = _kept(request, place, planes, found)
+    pairs = feathers(planes, wavelet, levels)
+    expected = expected_ratios(pairs, levels)
+    kept, assumed = _kept(request, place, planes, pairs)
     spectra = [Spectra(plane) for plane in planes]
     mosaic = place.mosaic
     return Forecast(
@@ -166,7 +152,7 @@ def forecast_window(request: ForecastRequest) -> Forecast:
         extent_on(mosaic.grid.window_extent(place.window), mosaic.wkt, request.wkt or mosaic.wkt),
         len(clips),
         band,
-        tuple(_pair(clips, spectra, feather, one) for feather, one in zip_longest(found, kept)),
+        tuple(_pair(clips, spectra, feather, detail) for feather, detail in zip_longest(pairs, kept)),
         expected,
         least_kept(kept) if kept else None,
         _reason(len(clips), expected, notices),
@@ -195,9 +181,9 @@ def _opened(sources: Sequence[Source]) -> tuple[list[OpenRaster], list[Message]]
     notices: list[Message] = []
     for source in sources:
         try:
-            one = OpenRaster(source.ref)
-            placed(one.raster)
-            opened.append(one)
+            raster = OpenRaster(source.ref)
+            placed(raster.raster)
+            opened.append(raster)
         except RasterError as error:
             notices.append(error.message.as_warning())
     return opened, notices
@@ -217,7 +203,7 @@ def _place(request: ForecastRequest, sources: Sequence[OpenRaster]) -> tuple[_Fo
     unfit: list[Message] = []
     finest = min((source.raster.ground_sample_distance for source in sources), default=0.0)
     alike = (1 + imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE) * finest
-    for source in sorted(sources, key=lambda one: max(one.raster.ground_sample_distance, alike)):
+    for source in sorted(sources, key=lambda source: max(source.raster.ground_sample_distance, alike)):
         try:
             place = _place_on(source, request)
         except RasterError as error:
@@ -244,9 +230,9 @@ def _comparable_clips(
     clips: list[Clip] = []
     notices: list[Message] = []
     for source in sources:
-        own = source.ref == place.mosaic.ref
         try:
-            clip = place.clip if own else read_clip(source, place.mosaic, place.window)
+            is_mosaic = source.ref == place.mosaic.ref
+            clip = place.clip if is_mosaic else read_clip(source, place.mosaic, place.window)
             _check_comparable(clip, band)
         except NotCoveredError:
             continue

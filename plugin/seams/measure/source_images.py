@@ -64,11 +64,9 @@ def gather_sources(
     return kept, notices
 
 
-def sources_over(
-    sources: Iterable[Source], extent: Extent, slack_x: float = 0.0, slack_y: float = 0.0
-) -> tuple[Source, ...]:
-    """Those whose footprint covers a rectangle, give or take the share that may be invalid and a slack, map units."""
-    return tuple(source for source in sources if covers(source.extent, extent, slack_x, slack_y))
+def sources_over(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...]:
+    """Those whose footprint covers a rectangle, give or take the share that may be invalid."""
+    return tuple(source for source in sources if covers(source.extent, extent))
 
 
 def sources_in(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...]:

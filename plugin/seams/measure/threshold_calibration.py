@@ -136,13 +136,22 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
         places = Neighbourhoods.of_single_windows(len(visible), len(invisible))
     area, smoothed = roc_area(visible, invisible, places), smoothed_threshold(visible, invisible, places)
     steps = tuple(_steps(np.sort(visible), np.sort(invisible)))
-    best = _best(verdicts, steps, smoothed, most)
+    best, name = _best(verdicts, steps, smoothed, most), verdicts.measure
+    # The range of thresholds that can be set, the given one among them.
+    ends = (min(smoothed.low, best.threshold), max(min(smoothed.high, most), best.threshold)) if best else None
+    notices = (
+        (area.low <= 0.5, messages.NO_BETTER_THAN_CHANCE(measure=name, low=area.low, high=area.high)),
+        (area.value == 1, messages.VERDICTS_FULLY_APART(measure=name)),
+        (best is None, messages.NO_THRESHOLD(measure=name)),
+        (best is not None and smoothed.value >= most,
+         messages.THRESHOLD_TOO_HIGH(measure=name, threshold=smoothed.value, most=most)),
+        (is_one_place, messages.VERDICTS_IN_ONE_PLACE(measure=name)),
+    )  # fmt: skip
     return ThresholdCalibration(
-        verdicts, steps, area, best,
-        best_range=_range(best, smoothed, most) if best else None,
+        verdicts, steps, area, best, ends,
         wanted=wanted_verdicts(area.value, len(visible), len(invisible)),
         neighbourhoods=places.count if verdicts.visible_places and not is_one_place else None,
-        notices=tuple(_notices(verdicts, area, smoothed, best, most, is_one_place)),
+        notices=tuple(notice for is_so, notice in notices if is_so),
     )  # fmt: skip
 
 
@@ -161,12 +170,12 @@ def _negative(verdicts: Verdicts) -> Verdicts:
     return replace(verdicts, visible=visible, invisible=invisible, is_loss=False)
 
 
-def _mirrored(found: ThresholdCalibration, verdicts: Verdicts) -> ThresholdCalibration:
-    """What was found of the negative of these verdicts, as theirs."""
-    steps = tuple(replace(step, threshold=-step.threshold) for step in found.steps)
-    best = found.best and replace(found.best, threshold=-found.best.threshold)
-    ends = found.best_range and (max(-found.best_range[1], 0.0), -found.best_range[0])
-    return replace(found, verdicts=verdicts, steps=steps, best=best, best_range=ends)
+def _mirrored(negative: ThresholdCalibration, verdicts: Verdicts) -> ThresholdCalibration:
+    """What the negative of these verdicts says of them."""
+    steps = tuple(replace(step, threshold=-step.threshold) for step in negative.steps)
+    best = negative.best and replace(negative.best, threshold=-negative.best.threshold)
+    ends = negative.best_range and (max(-negative.best_range[1], 0.0), -negative.best_range[0])
+    return replace(negative, verdicts=verdicts, steps=steps, best=best, best_range=ends)
 
 
 def _steps(visible: np.ndarray, invisible: np.ndarray) -> Iterator[Step]:
@@ -185,9 +194,9 @@ def _best(verdicts: Verdicts, steps: tuple[Step, ...], smoothed: Interval, most:
     """At the smoothed threshold; where that can't be set or is but a guess, the best step of the judged windows."""
     if smoothed.value < most:
         reach = min((smoothed.high - smoothed.low) * _ROUNDING, most - smoothed.value)
-        found = step_at(verdicts, min(_round_within(smoothed.value, reach), most - _FINEST_STEP))
-        if found.youden > 0:
-            return found
+        step = step_at(verdicts, min(_round_within(smoothed.value, reach), most - _FINEST_STEP))
+        if step.youden > 0:
+            return step
     settable = [step for step in steps if step.threshold < most and step.youden > 0]
     if not settable:
         return None
@@ -197,28 +206,6 @@ def _best(verdicts: Verdicts, steps: tuple[Step, ...], smoothed: Interval, most:
     return step_at(verdicts, _round_within(best.threshold + gap / 2, gap / 4))
 
 
-def _range(best: Step, smoothed: Interval, most: float) -> tuple[float, float]:
-    """Range of thresholds that can be set, the given one among them."""
-    return min(smoothed.low, best.threshold), max(min(smoothed.high, most), best.threshold)
-
-
 def _round_within(middle: float, reach: float) -> float:
     """The number with the fewest decimals that is no farther off."""
     return next((rounded for digits in range(12) if abs((rounded := round(middle, digits)) - middle) <= reach), middle)
-
-
-def _notices(
-    verdicts: Verdicts, area: Interval, smoothed: Interval, best: Step | None, most: float, is_one_place: bool
-) -> list[Message]:
-    name, found = verdicts.measure, []
-    if area.low <= 0.5:
-        found.append(messages.NO_BETTER_THAN_CHANCE(measure=name, low=area.low, high=area.high))
-    if area.value == 1:
-        found.append(messages.VERDICTS_FULLY_APART(measure=name))
-    if best is None:
-        found.append(messages.NO_THRESHOLD(measure=name))
-    elif smoothed.value >= most:
-        found.append(messages.THRESHOLD_TOO_HIGH(measure=name, threshold=smoothed.value, most=most))
-    if is_one_place:
-        found.append(messages.VERDICTS_IN_ONE_PLACE(measure=name))
-    return found

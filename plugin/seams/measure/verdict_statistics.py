@@ -24,15 +24,14 @@ WANTED_AREA_ERROR = 0.05  # half of the 95 % interval of an area under the ROC c
 
 
 def roc_area(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: Neighbourhoods) -> Interval:
-    """With the percentile interval of resampled neighbourhoods."""
-    values, places = np.unique(np.concatenate([visible, invisible]), return_inverse=True)
-    seen, unseen = places[: len(visible)], places[len(visible) :]
-    value = float(_areas(*(np.bincount(kind, minlength=len(values))[np.newaxis] for kind in (seen, unseen)))[0])
+    """The share of pairs in order, those alike for a half, with the percentile interval of resampled neighbourhoods."""
+    pairs = np.less.outer(visible, invisible) + np.equal.outer(visible, invisible) / 2
+    value = float(pairs.mean())
     if value in (0, 1):  # every resample has the same area, which says nothing of its error
         return Interval(value, *area_interval(value, len(visible), len(invisible)))
     areas = [
-        _areas(_by_value(drawn_seen, seen, len(values)), _by_value(drawn_unseen, unseen, len(values)))
-        for drawn_seen, drawn_unseen in neighbourhoods.resamples(AREA_RESAMPLES)
+        (seen @ pairs * unseen).sum(axis=1) / (seen.sum(axis=1) * unseen.sum(axis=1))
+        for seen, unseen in neighbourhoods.resamples(AREA_RESAMPLES)
     ]
     return Interval(value, *map(float, np.percentile(np.concatenate(areas), PERCENTILES_95)))
 
@@ -86,21 +85,6 @@ def _standard_error(area: float, visible: int, invisible: int) -> float:
     others = (visible + invisible) / 2 - 1
     spread = 1 + others * (1 - area) / (2 - area) + others * area / (1 + area)
     return math.sqrt(max(area * (1 - area) * spread, 0) / (visible * invisible))
-
-
-def _areas(visible: np.ndarray, invisible: np.ndarray) -> np.ndarray:
-    """Areas under the ROC curve of counts (resamples, values): pairs in order, those alike for a half."""
-    below = np.cumsum(visible, axis=1) - visible / 2
-    return (below * invisible).sum(axis=1) / (visible.sum(axis=1) * invisible.sum(axis=1))
-
-
-def _by_value(drawn: np.ndarray, places: np.ndarray, values: int) -> np.ndarray:
-    """Counts of verdicts (resamples, verdicts) -> of values (resamples, values)."""
-    order = np.argsort(places, kind="stable")
-    own, starts = np.unique(places[order], return_index=True)
-    counts = np.zeros((len(drawn), values), np.int64)
-    counts[:, own] = np.add.reduceat(drawn[:, order], starts, axis=1)
-    return counts
 
 
 THRESHOLD_RESAMPLES = 400  # Efron and Tibshirani 1993, section 6.4: 200 and more for a standard error
@@ -157,8 +141,8 @@ class _Scale:
         powers = self._powers(weights) if self._is_log else np.full(len(visible), np.nan)
         rows = max(1, _CELLS_AT_ONCE // (_GRID * max(len(kind.values) for kind in self._kinds)))
         parts = [slice(start, start + rows) for start in range(0, len(powers), rows)]
-        found = [self._peaks(self._youden([one[part] for one in weights], powers[part])) for part in parts]
-        return np.concatenate(found), powers
+        youden = (self._youden([weight[part] for weight in weights], powers[part]) for part in parts)
+        return self._grid[0] + np.concatenate(list(map(_parabola, youden))) * (self._grid[1] - self._grid[0]), powers
 
     def _powers(self, weights: list[np.ndarray]) -> np.ndarray:
         """The Box-Cox power, the same for both kinds, at which the values are likeliest to be normal."""
@@ -182,9 +166,6 @@ class _Scale:
             for kind, weight in zip(self._kinds, weights)
         ]
         return flagged[0] - flagged[1]
-
-    def _peaks(self, youden: np.ndarray) -> np.ndarray:
-        return self._grid[0] + _parabola(youden) * (self._grid[1] - self._grid[0])
 
 
 class _Kind:

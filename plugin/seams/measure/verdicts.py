@@ -11,7 +11,7 @@ from ...imagery.seam_totals import MOST_SPREAD
 from ...imagery.wavelets import Curve
 from . import messages
 from .causes import MIN_MIXED
-from .limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
+from .limits import MAX_SIGNIFICANT_KEPT
 from .profile.seam_profile import SeamProfile
 
 MIN_EXPLAINED = 0.9  # of the pixels: else a seam may lie where no given source explains the mosaic
@@ -66,29 +66,16 @@ def check_min_kept(min_kept: float) -> None:
         raise SettingsError(messages.MIN_KEPT_OUT_OF_RANGE(kept=min_kept))
 
 
-def judge_by_seam(
-    profile: SeamProfile | None,
-    has_seam: bool,
-    sharpness: float | None,
-    min_kept: float = MAX_SIGNIFICANT_KEPT,
-    explained: float = 1.0,
-    mixed: float = 0.0,
+def judge_profile(
+    profile: SeamProfile, min_kept: float = MAX_SIGNIFICANT_KEPT, is_blurred: bool = False, explained: float = 1.0
 ) -> tuple[Verdict, Message | None]:
-    """The verdict by what is kept along the seam and by the sharpness of the whole, and why there is none.
+    """The verdict by what is kept along a seam, and why there is none.
 
     ``significant`` where the best estimate of kept_1 is at most ``min_kept`` and that something is lost is sure (its
-    interval ends below the limit, or half-way to 1 unless it is wide), or the square of the sharpness at most its
-    limit, ``reduced`` where one of them is surely below 1, else ``preserved``; none where the interval says nothing, or
-    holds all that there was although so little is kept. A window without a seam is judged by its sharpness alone.
-    ``explained``: share of the pixels that the sources explain, ``mixed`` of those that are a mixture of two of them.
+    interval ends below the limit, or half-way to 1 unless it is wide), ``reduced`` where it is surely below 1 or the
+    whole ``is_blurred``, else ``preserved``; none where the interval says nothing, or holds all that there was although
+    so little is kept. ``explained``: share of the pixels that the sources explain.
     """
-    if sharpness is None:
-        return Verdict.NOT_COMPARABLE, messages.COMPOSITE_UNCLEAR()
-    if sharpness**2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED:
-        return Verdict.SIGNIFICANT, None
-    is_blurred = sharpness < 1 - SHARPNESS_TOLERANCE
-    if profile is None:
-        return _without_profile(has_seam, is_blurred, explained, mixed)
     if profile.low > MAX_KEPT_LOW:
         return Verdict.NOT_COMPARABLE, messages.MORE_ALONG_THE_SEAM(low=100 * profile.low, high=100 * profile.high)
     is_wide = profile.high > MOST_SPREAD * profile.low
@@ -106,15 +93,17 @@ def judge_by_seam(
     return Verdict.PRESERVED, None
 
 
-def _without_profile(
+def judge_without_profile(
     has_seam: bool, is_blurred: bool, explained: float, mixed: float
 ) -> tuple[Verdict, Message | None]:
-    """Verdict, or why there is none, where nothing could be measured along a seam."""
-    if explained < MIN_EXPLAINED:
+    """The verdict where nothing could be measured along a seam, and why there is none.
+
+    ``explained``: share of the pixels that the sources explain, ``mixed`` of those that are a mixture of two of them.
+    """
+    if explained < (MAY_HIDE_SEAM if has_seam else MIN_EXPLAINED):
         return Verdict.NOT_COMPARABLE, messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
     if has_seam:
-        hidden = messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
-        return Verdict.NOT_COMPARABLE, hidden if explained < MAY_HIDE_SEAM else messages.TOO_LITTLE_GROUND()
+        return Verdict.NOT_COMPARABLE, messages.TOO_LITTLE_GROUND()
     if mixed >= MIN_MIXED:
         return Verdict.REDUCED if is_blurred else Verdict.NOT_COMPARABLE, messages.MIXED_ALL_OVER(share=100 * mixed)
     return Verdict.REDUCED if is_blurred else Verdict.PRESERVED, messages.NO_SEAM()

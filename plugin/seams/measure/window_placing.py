@@ -10,6 +10,7 @@ import math
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import Callable
 
 import numpy as np
@@ -49,18 +50,23 @@ class Placement:
     """For the log, in a sentence a reason: places along seams that got no window, and those that need none."""
 
 
+@dataclass(frozen=True)
+class PlacingSettings:
+    """How windows are placed."""
+
+    side_m: float = imagery_limits.STANDARD_SIDE_M
+    """Metres that a window spans at least."""
+    spacing_m: float = limits.STANDARD_SPACING_M
+    """Metres along the seam between windows."""
+    levels: int = imagery_limits.DEFAULT_LEVELS
+    """Of the decomposition, 1..8."""
+
+
 def place_windows(
-    seams: Sequence[Seam],
-    grid: Grid,
-    side_m: float = imagery_limits.STANDARD_SIDE_M,
-    spacing_m: float = limits.STANDARD_SPACING_M,
-    levels: int = imagery_limits.DEFAULT_LEVELS,
+    seams: Sequence[Seam], grid: Grid, settings: PlacingSettings,
     is_valid: Callable[[PixelWindow], bool] = lambda window: True,
 ) -> Placement:
-    """Standard windows along seams.
-
-    ``seams``: in the CRS of the mosaic, longest first. ``side_m``: metres that a window spans at least.
-    ``spacing_m``: metres along the seam between windows. ``levels``: of the decomposition, 1..8.
+    """Standard windows along seams in the CRS of the mosaic, longest first.
 
     All windows lie inside the mosaic and are centred on their seam to half a pixel; no two on one seam share more
     than half of their pixels. A seam that lies within windows of longer ones gets none, nor does one shorter than
@@ -68,7 +74,7 @@ def place_windows(
 
     Raises SettingsError when a length is not a positive number or the window is too small for the levels.
     """
-    side_px = window_side_px(grid, side_m, spacing_m, levels)
+    side_px = window_side_px(grid, settings)
     metres_x, metres_y = grid.pixel_width * grid.metres_x, grid.pixel_height * grid.metres_y
     if side_px > min(grid.columns, grid.rows):
         too_small = messages.MOSAIC_TOO_SMALL(
@@ -81,7 +87,7 @@ def place_windows(
 
     placed = WindowIndex(side_px)
     windows: list[PlacedWindow] = []
-    left: list[tuple[int, float, float]] = []
+    places: list[str] = []
     outside = tiny = covered = crowded = 0
     for seam in seams:
         track = SeamTrack(seam, grid, side_px)
@@ -94,36 +100,22 @@ def place_windows(
         elif all(map(placed.covers, *track.pixels_along(stretches).T)):
             covered += 1
         else:
-            found, lost, too_near = _along(track, stretches, spacing_m, densest_m, is_valid)
-            for station, window in found:
+            along, lost, too_near = _along(track, stretches, settings.spacing_m, densest_m, is_valid)
+            for station, window in along:
                 placed.add(window)
                 windows.append(PlacedWindow(len(windows) + 1, seam.seam_id, station, window))
-            left += [(seam.seam_id, start, end) for start, end in lost]
+            for start, end in lost:
+                places.append(f"{seam.seam_id} ({start:.1f}" + (f"\u2013{end:.1f} m)" if end > start else " m)"))
             crowded += too_near
-    return Placement(tuple(windows), tuple(_summary(left, crowded, covered, tiny, shortest_m, outside)))
-
-
-def _summary(
-    left: Sequence[tuple[int, float, float]], crowded: int, covered: int, tiny: int, shortest_m: float, outside: int
-) -> Iterator[Message]:
-    """What the log says about windows and seams, in a sentence a reason. ``left``: seam, first and last station."""
-    if left:
-        places = [_place_text(*place) for place in left[:_MOST_PLACES]]
-        told = ", ".join(places if len(left) <= _MOST_PLACES else [*places, "\u2026"])
-        yield messages.PLACES_WITHOUT_WINDOW(count=len(left), places=told)
-    if crowded:
-        yield messages.WINDOWS_CROWDED(count=crowded)
-    if covered:
-        yield messages.SEAMS_COVERED(count=covered)
-    if tiny:
-        yield messages.SEAMS_TINY(count=tiny, shortest=shortest_m)
-    if outside:
-        yield messages.SEAMS_OUTSIDE(count=outside)
-
-
-def _place_text(seam_id: int, start: float, end: float) -> str:
-    """A seam and where on it, in metres."""
-    return f"{seam_id} ({start:.1f} m)" if start == end else f"{seam_id} ({start:.1f}\u2013{end:.1f} m)"
+    named = ", ".join([*places[:_MOST_PLACES], *["\u2026"] * (len(places) > _MOST_PLACES)])
+    dropped = (
+        (len(places), messages.PLACES_WITHOUT_WINDOW(count=len(places), places=named)),
+        (crowded, messages.WINDOWS_CROWDED(count=crowded)),
+        (covered, messages.SEAMS_COVERED(count=covered)),
+        (tiny, messages.SEAMS_TINY(count=tiny, shortest=shortest_m)),
+        (outside, messages.SEAMS_OUTSIDE(count=outside)),
+    )
+    return Placement(tuple(windows), tuple(sentence for count, sentence in dropped if count))
 
 
 def _along(
@@ -142,7 +134,7 @@ def _along(
     fitting = track.fitting_stretches()
     inside = ((fitting[:, 0] <= spots[:, :1]) & (spots[:, :1] <= fitting[:, 1])).any(axis=1)
     taken = WindowIndex(track.side_px)
-    found: list[tuple[float, PixelWindow]] = []
+    along: list[tuple[float, PixelWindow]] = []
     too_near = asked - len(spots)
     to_move = ~inside
     for number, window in zip(np.flatnonzero(inside), track.windows(spots[inside, 0])):
@@ -150,7 +142,7 @@ def _along(
             too_near += 1
         elif is_valid(window):
             taken.add(window)
-            found.append((float(spots[number, 0]), window))
+            along.append((float(spots[number, 0]), window))
         else:
             to_move[number] = True
 
@@ -160,11 +152,11 @@ def _along(
         for moved, window in zip(stations.tolist(), track.windows(stations)):
             if not taken.shares_too_much(window) and is_valid(window):
                 taken.add(window)
-                found.append((moved, window))
+                along.append((moved, window))
                 break
         else:
             lost[number] = True
-    return sorted(found, key=lambda one: one[0]), list(_rows(spots[:, 0], lost)), too_near
+    return sorted(along, key=itemgetter(0)), list(_rows(spots[:, 0], lost)), too_near
 
 
 def _count(start: float, end: float, spacing_m: float) -> int:
@@ -192,11 +184,11 @@ LONGEST_SIDE_PX = 2 ** int(math.log2(math.sqrt(imagery_limits.MAX_WINDOW_PIXELS)
 """Longest side of a square window that is not too large."""
 
 
-def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> int:
+def window_side_px(grid: Grid, settings: PlacingSettings) -> int:
     """The side of a window in pixels. Raises SettingsError, see ``place_windows``."""
-    side_px = standard_side_px(grid, side_m)
-    if not (math.isfinite(spacing_m) and spacing_m > 0):
-        raise SettingsError(messages.SPACING_NOT_POSITIVE(spacing=spacing_m))
+    side_px, levels = standard_side_px(grid, settings.side_m), settings.levels
+    if not (math.isfinite(settings.spacing_m) and settings.spacing_m > 0):
+        raise SettingsError(messages.SPACING_NOT_POSITIVE(spacing=settings.spacing_m))
     if not imagery_limits.MIN_LEVELS <= levels <= imagery_limits.MAX_LEVELS:
         least, most = imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS
         raise SettingsError(imagery_messages.LEVELS_OUT_OF_RANGE(levels=levels, least=least, most=most))
@@ -204,22 +196,23 @@ def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> 
     if side_px < fewest:  # both are powers of two, so any longer side is a multiple of 2 ** levels
         metres = math.ceil(fewest * grid.ground_sample_distance * 100) / 100
         raise SettingsError(
-            messages.SIDE_TOO_SHORT(side=side_m, pixels=side_px, levels=levels, fewest=fewest, metres=metres)
+            messages.SIDE_TOO_SHORT(side=settings.side_m, pixels=side_px, levels=levels, fewest=fewest, metres=metres)
         )
     return side_px
 
 
-def fitting_side_m(grid: Grid, side_m: float, spacing_m: float, levels: int) -> float:
+def fitting_side_m(grid: Grid, settings: PlacingSettings) -> float:
     """The side itself where mosaic and levels allow it; else one that they do, in centimetres.
 
     The standard side grows to as many pixels as it takes to measure. Of a mosaic that no window fits on, the side
     itself.
     """
-    shorter, fewest = min(grid.columns, grid.rows), max(imagery_limits.MIN_SIDE_PX, 2**levels)
+    side_m, shorter = settings.side_m, min(grid.columns, grid.rows)
+    fewest = max(imagery_limits.MIN_SIDE_PX, 2**settings.levels)
     if shorter >= limits.MEASURABLE_SIDE_PX:
         fewest = max(fewest, limits.MEASURABLE_SIDE_PX)
     try:
-        wanted = window_side_px(grid, side_m, spacing_m, levels)
+        wanted = window_side_px(grid, settings)
     except SettingsError:
         wanted = fewest
     else:

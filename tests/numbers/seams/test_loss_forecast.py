@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,10 +21,9 @@ from seam_inspector.plugin.seams.measure.loss_forecast import (
     Forecast,
     ForecastRequest,
     ForecastSettings,
-    forecast_request,
     forecast_window,
 )
-from seam_inspector.plugin.seams.measure.source_images import gather_sources
+from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources, sources_over
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.synthetic import ORIGIN, UTM33, decompose, luminance, orthoimage, texture, wkt
@@ -44,8 +43,15 @@ def forecast(
     *paths: str, extent: Extent | None = None, system: int = UTM33, seamlines: Seamlines | None = None, **changed: Any
 ) -> Forecast:
     sources, _ = gather_sources([RasterRef(path) for path in paths], [], wkt(system))
-    settings = ForecastSettings(**changed)
-    return forecast_window(forecast_request(sources, 7, extent or box(64, 64), wkt(system), settings, seamlines))
+    over = None if seamlines is None else seamlines.over(extent or box(64, 64))
+    return foretold(sources, extent or box(64, 64), ForecastSettings(**changed), wkt(system), over)
+
+
+def foretold(
+    sources: Sequence[Source], extent: Extent, settings: ForecastSettings, system: str,
+    seamlines: tuple[bytes, ...] | None = None,
+) -> Forecast:
+    return forecast_window(ForecastRequest(7, sources_over(sources, extent), extent, system, settings, seamlines))
 
 
 def images(count: int = 2, shape: tuple[int, int] = SIZE) -> list[np.ndarray]:
@@ -151,9 +157,9 @@ def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_fo
     ]
     sources, _ = gather_sources([RasterRef(path) for path in paths], [], mosaic.wkt)
     found = []
-    for number, window in enumerate(windows):
+    for window in windows:
         extent = mosaic.grid.window_extent(window)
-        one = forecast_window(forecast_request(sources, number, extent, mosaic.wkt, ForecastSettings()))
+        one = foretold(sources, extent, ForecastSettings(), mosaic.wkt)
         if one.reason is not None:
             continue
         assert one.extent == pytest.approx(extent)
@@ -276,12 +282,11 @@ def test_sources_in_another_reference_system(make_raster: MakeRaster, tmp_path: 
     assert degrees[0] < found.extent[0]
 
 
-def test_indexed_sources_are_opened_only_where_they_cover_the_window(make_raster: MakeRaster) -> None:
+def test_sources_are_opened_only_where_they_cover_the_window(make_raster: MakeRaster) -> None:
     a, b = (make_raster(f"{i}.tif", image) for i, image in enumerate(images()))
     far = make_raster("far.tif", images()[0], origin=(ORIGIN[0] + 1000, ORIGIN[1]))
     sources, _ = gather_sources([RasterRef(path) for path in (a, b, far)], [], wkt(UTM33))
-    request = forecast_request(sources, 1, box(64, 64), wkt(UTM33), ForecastSettings("haar", 1))
-    assert [source.ref.path for source in request.sources] == [a, b]
+    assert [source.ref.path for source in sources_over(sources, box(64, 64))] == [a, b]
 
 
 # --- of what nothing is foretold -------------------------------------------------------------------------------
@@ -325,7 +330,7 @@ def test_bad_rasters_never_raise_and_are_named(make_raster: MakeRaster, tmp_path
     (tmp_path / "cut.tif").write_bytes((tmp_path / "cut.tif").read_bytes()[:60_000])
     lost = [type(sources[0])(RasterRef(path), sources[0].extent) for path in bad[3:]]
     for order in ([*sources, *added, *lost], [*lost, *reversed(added), *sources], [*added, *lost, *sources]):
-        found = forecast_window(forecast_request(order, 1, box(64, 64), wkt(UTM33), ForecastSettings()))
+        found = foretold(order, box(64, 64), ForecastSettings(), wkt(UTM33))
         assert [(pair.source, pair.other) for pair in found.pairs][-1] == ("0.tif", "1.tif")
         assert found.reason is None
         said = " ".join(templates(found.notices))
@@ -333,9 +338,9 @@ def test_bad_rasters_never_raise_and_are_named(make_raster: MakeRaster, tmp_path
                       "text.tif is not a raster", "lost.tif does not exist"):
             assert words in said
         assert len(found.notices) == 5
-    alone = forecast_window(forecast_request([*lost, sources[0]], 1, box(64, 64), wkt(UTM33), ForecastSettings()))
+    alone = foretold([*lost, sources[0]], box(64, 64), ForecastSettings(), wkt(UTM33))
     assert_nothing_foretold(alone, "Only one source can be compared here: text.tif is not a raster")
-    none = forecast_window(forecast_request(lost, 1, box(64, 64), wkt(UTM33), ForecastSettings()))
+    none = foretold(lost, box(64, 64), ForecastSettings(), wkt(UTM33))
     assert_nothing_foretold(none, "No source can be compared here: text.tif is not a raster")
 
 

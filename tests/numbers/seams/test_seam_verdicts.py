@@ -3,11 +3,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.errors import Message, SettingsError
 from seam_inspector.plugin.imagery.seam_totals import MOST_SPREAD
 from seam_inspector.plugin.seams.measure import limits
 from seam_inspector.plugin.seams.measure import messages as seams_messages
@@ -17,11 +18,10 @@ from seam_inspector.plugin.seams.measure.verdicts import (
     MAX_KEPT_LOW,
     MAY_HIDE_SEAM,
     MIN_EXPLAINED,
-    SHARPNESS_TOLERANCE,
     Verdict,
     check_min_kept,
-    judge_by_seam,
 )
+from seam_inspector.plugin.seams.measure.window.explained_window import judge_by_seam
 
 LITTLE = 1e-9
 BLURRED = math.sqrt(limits.MAX_SIGNIFICANT_SHARPNESS_SQUARED)
@@ -33,12 +33,20 @@ def profile(kept: float, low: float | None = None, high: float | None = None) ->
     return SeamProfile((kept, 1.0, 1.0), *ends, 0.0, 0.0, ())
 
 
+def judged(
+    found: SeamProfile | None, min_kept: float = limits.MAX_SIGNIFICANT_KEPT, sharpness: float | None = 1.0,
+    **of_window: float,
+) -> tuple[Verdict, Message | None]:
+    figures = {"has_seam": True, "explained": 1.0, "mixed_share": 0.0, **of_window}
+    return judge_by_seam(SimpleNamespace(profile=found, sharpness=sharpness, **figures), min_kept)  # type: ignore[arg-type]
+
+
 def verdict_of(found: SeamProfile | None, sharpness: float | None = 1.0, has_seam: bool = True) -> Verdict:
-    return judge_by_seam(found, has_seam, sharpness)[0]
+    return judged(found, sharpness=sharpness, has_seam=has_seam)[0]
 
 
 def reason_of(found: SeamProfile | None, sharpness: float | None = 1.0, has_seam: bool = True) -> str | None:
-    reason = judge_by_seam(found, has_seam, sharpness)[1]
+    reason = judged(found, sharpness=sharpness, has_seam=has_seam)[1]
     return reason.template if reason else None
 
 
@@ -61,8 +69,8 @@ def test_the_limit_of_a_significant_loss() -> None:
 
 @pytest.mark.parametrize("limit", [0.3, 0.5, 0.9])
 def test_the_user_may_move_that_limit(limit: float) -> None:
-    assert judge_by_seam(profile(limit), True, 1.0, limit) == (Verdict.SIGNIFICANT, None)
-    assert judge_by_seam(profile(limit + LITTLE), True, 1.0, limit) == (Verdict.REDUCED, None)
+    assert judged(profile(limit), limit) == (Verdict.SIGNIFICANT, None)
+    assert judged(profile(limit + LITTLE), limit) == (Verdict.REDUCED, None)
 
 
 @pytest.mark.parametrize("limit", [0.3, 0.5, 0.7, 0.9])
@@ -70,8 +78,8 @@ def test_significant_is_said_only_where_the_interval_ends_half_way_to_all(limit:
     """Else it is a loss for sure, and may be a significant one."""
     half = (limit + 1) / 2
     low = max(0.9 * limit, 0.5 * half)
-    assert judge_by_seam(profile(limit, low, half), True, 1.0, limit) == (Verdict.SIGNIFICANT, None)
-    verdict, reason = judge_by_seam(profile(limit, low, half + LITTLE), True, 1.0, limit)
+    assert judged(profile(limit, low, half), limit) == (Verdict.SIGNIFICANT, None)
+    verdict, reason = judged(profile(limit, low, half + LITTLE), limit)
     assert verdict is Verdict.REDUCED
     assert reason is not None
     assert reason.template == seams_messages.MAY_BE_SIGNIFICANT.template
@@ -80,8 +88,8 @@ def test_significant_is_said_only_where_the_interval_ends_half_way_to_all(limit:
 
 def test_significant_is_said_only_where_the_interval_spans_no_more_than_a_factor_of_two() -> None:
     assert MOST_SPREAD == 2
-    assert judge_by_seam(profile(0.5, 0.4, 0.8), True, 1.0) == (Verdict.SIGNIFICANT, None)
-    verdict, reason = judge_by_seam(profile(0.5, 0.4, 0.8 + LITTLE), True, 1.0)
+    assert judged(profile(0.5, 0.4, 0.8)) == (Verdict.SIGNIFICANT, None)
+    verdict, reason = judged(profile(0.5, 0.4, 0.8 + LITTLE))
     assert verdict is Verdict.REDUCED
     assert reason is not None
     assert reason.template == seams_messages.MAY_BE_SIGNIFICANT.template
@@ -118,7 +126,7 @@ def test_a_wide_interval_is_no_verdict() -> None:
     wide = profile(0.8, 0.55, MOST_SPREAD * 0.55 + LITTLE)
     assert verdict_of(wide) is Verdict.NOT_COMPARABLE
     assert reason_of(wide) == seams_messages.INTERVAL_TOO_WIDE.template
-    assert "55 and 110 %" in str(judge_by_seam(wide, True, 1.0)[1])
+    assert "55 and 110 %" in str(judged(wide)[1])
     assert verdict_of(profile(0.8, 0.45, 0.95)) is Verdict.REDUCED
 
 
@@ -135,17 +143,17 @@ def test_more_than_any_seam_leaves_is_no_verdict() -> None:
 
 @pytest.mark.parametrize("has_seam", [True, False])
 def test_without_a_profile_a_part_from_no_source_is_no_verdict(has_seam: bool) -> None:
-    verdict, reason = judge_by_seam(None, has_seam, 1.0, explained=MIN_EXPLAINED - LITTLE)
+    verdict, reason = judged(None, has_seam=has_seam, explained=MIN_EXPLAINED - LITTLE)
     assert verdict is Verdict.NOT_COMPARABLE
     assert reason is not None
     assert reason.template == seams_messages.SEAM_UNEXPLAINED.template
-    assert judge_by_seam(None, False, 1.0, explained=MIN_EXPLAINED)[0] is Verdict.PRESERVED
+    assert judged(None, has_seam=False, explained=MIN_EXPLAINED)[0] is Verdict.PRESERVED
 
 
 def test_a_sound_seam_beside_a_part_from_no_source_is_no_verdict() -> None:
     for kept, verdict in ((0.5, Verdict.SIGNIFICANT), (0.85, Verdict.REDUCED), (1.0, Verdict.NOT_COMPARABLE)):
-        assert judge_by_seam(profile(kept), True, 1.0, explained=MIN_EXPLAINED - LITTLE)[0] is verdict
-    assert judge_by_seam(profile(1.0), True, 1.0, explained=MIN_EXPLAINED)[0] is Verdict.PRESERVED
+        assert judged(profile(kept), explained=MIN_EXPLAINED - LITTLE)[0] is verdict
+    assert judged(profile(1.0), explained=MIN_EXPLAINED)[0] is Verdict.PRESERVED
 
 
 def test_a_strip_that_could_not_be_measured_is_no_loss() -> None:
@@ -175,8 +183,8 @@ def test_bilinear_resampling_at_half_a_pixel_is_not_called_significant() -> None
 
 
 def test_a_slight_blur_is_reduced_beyond_its_tolerance() -> None:
-    assert verdict_of(profile(1.0), 1 - SHARPNESS_TOLERANCE) is Verdict.PRESERVED
-    assert verdict_of(profile(1.0), 1 - SHARPNESS_TOLERANCE - LITTLE) is Verdict.REDUCED
+    assert verdict_of(profile(1.0), 1 - limits.SHARPNESS_TOLERANCE) is Verdict.PRESERVED
+    assert verdict_of(profile(1.0), 1 - limits.SHARPNESS_TOLERANCE - LITTLE) is Verdict.REDUCED
 
 
 @pytest.mark.parametrize("sharpness", [1.2, 2.0])
@@ -227,19 +235,19 @@ def test_a_limit_that_is_a_share_is_taken() -> None:
     for min_kept in (0.01, limits.MAX_SIGNIFICANT_KEPT, 0.99):
         check_min_kept(min_kept)
         found = profile(min_kept, 0.9 * min_kept, min(1.1 * min_kept, (1 + min_kept) / 2))
-        assert judge_by_seam(found, True, 1.0, min_kept)[0] is Verdict.SIGNIFICANT
+        assert judged(found, min_kept)[0] is Verdict.SIGNIFICANT
 
 
 @pytest.mark.parametrize(("sharpness", "verdict"), [(1.0, Verdict.NOT_COMPARABLE), (0.7, Verdict.REDUCED)])
 def test_preserved_is_never_said_of_a_mixture(sharpness: float, verdict: Verdict) -> None:
-    found, reason = judge_by_seam(None, False, sharpness, mixed=MIN_MIXED)
+    found, reason = judged(None, sharpness=sharpness, has_seam=False, mixed_share=MIN_MIXED)
     assert (found, reason and reason.template) == (verdict, seams_messages.MIXED_ALL_OVER.template)
-    assert judge_by_seam(None, False, 1.0, mixed=MIN_MIXED - LITTLE)[0] is Verdict.PRESERVED
+    assert judged(None, has_seam=False, mixed_share=MIN_MIXED - LITTLE)[0] is Verdict.PRESERVED
 
 
 def test_a_seam_under_ground_that_nothing_explains_is_no_verdict() -> None:
     for explained, reason in (
         (MAY_HIDE_SEAM - LITTLE, seams_messages.SEAM_UNEXPLAINED), (MAY_HIDE_SEAM, seams_messages.TOO_LITTLE_GROUND),
     ):
-        verdict, why = judge_by_seam(None, True, 1.0, explained=explained)
+        verdict, why = judged(None, explained=explained)
         assert (verdict, why and why.template) == (Verdict.NOT_COMPARABLE, reason.template)

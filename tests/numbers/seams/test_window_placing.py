@@ -15,8 +15,15 @@ from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import Seam, find_seams
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.window_placing import Placement, fitting_side_m, place_windows, window_side_px
+from seam_inspector.plugin.seams.measure.window_placing import (
+    Placement,
+    PlacingSettings,
+    fitting_side_m,
+    place_windows,
+    window_side_px,
+)
 
+STANDARD = PlacingSettings(100, 200)
 KILOMETRE = Grid(left=576000, top=5188000, pixel_width=0.5, pixel_height=0.5, columns=4000, rows=2000)
 """2000 m x 1000 m; a window of 100 m has 256 px, that is 128 m."""
 
@@ -43,7 +50,7 @@ def point_at(vertices: np.ndarray, station: float) -> np.ndarray:
 
 
 def test_windows_are_one_spacing_apart_and_centred_on_the_seam() -> None:
-    placement = place_windows([seam((200, 500), (1250, 500))], KILOMETRE, 100, 200)
+    placement = place_windows([seam((200, 500), (1250, 500))], KILOMETRE, STANDARD)
     assert stations(placement) == pytest.approx([125, 325, 525, 725, 925])
     assert [window.window_id for window in placement.windows] == [1, 2, 3, 4, 5]
     assert {(window.window.width, window.window.height) for window in placement.windows} == {(256, 256)}
@@ -53,11 +60,11 @@ def test_windows_are_one_spacing_apart_and_centred_on_the_seam() -> None:
 
 
 def test_a_seam_shorter_than_the_spacing_has_one_window_at_its_middle() -> None:
-    assert stations(place_windows([seam((300, 300), (450, 300))], KILOMETRE, 100, 200)) == [75]
+    assert stations(place_windows([seam((300, 300), (450, 300))], KILOMETRE, STANDARD)) == [75]
 
 
 def test_stations_follow_the_seam_around_corners() -> None:
-    placement = place_windows([seam((300, 300), (700, 300), (700, 700))], KILOMETRE, 100, 200)
+    placement = place_windows([seam((300, 300), (700, 300), (700, 700))], KILOMETRE, STANDARD)
     assert stations(placement) == pytest.approx([100, 300, 500, 700])
     turned = placement.windows[2].window
     assert (turned.column + 128, turned.row + 128) == (1400, 2 * (1000 - 400))
@@ -67,7 +74,7 @@ def test_metres_are_counted_on_the_ground_when_the_map_is_in_degrees() -> None:
     degrees = Grid(15.0, 60.0, 1e-5, 5e-6, 4000, 4000, metres_x=55_800.0, metres_y=111_400.0)
     east = Seam(1, np.array([(15.005, 59.99), (15.025, 59.99)]))
     north = Seam(2, np.array([(15.035, 59.982), (15.035, 59.998)]))
-    placement = place_windows([east, north], degrees, 100, 200)
+    placement = place_windows([east, north], degrees, STANDARD)
     assert np.diff(stations(placement, 1)) == pytest.approx(200)
     assert np.diff(stations(placement, 2)) == pytest.approx(200)
     assert len(stations(placement, 1)) == round(0.02 * 55_800 / 200)
@@ -76,7 +83,7 @@ def test_metres_are_counted_on_the_ground_when_the_map_is_in_degrees() -> None:
 
 def test_windows_are_numbered_by_seam_and_station() -> None:
     seams = [seam((100, 800), (1900, 800), number=1), seam((100, 200), (1000, 200), number=2)]
-    windows = place_windows(seams, KILOMETRE, 100, 200).windows
+    windows = place_windows(seams, KILOMETRE, STANDARD).windows
     assert [window.window_id for window in windows] == list(range(1, len(windows) + 1))
     order = [(window.seam_id, window.station_m) for window in windows]
     assert order == sorted(order)
@@ -86,7 +93,7 @@ def test_windows_are_numbered_by_seam_and_station() -> None:
 
 
 def test_a_window_that_sticks_out_is_moved_along_the_seam() -> None:
-    placement = place_windows([seam((0, 500), (220, 500))], KILOMETRE, 200, 200)
+    placement = place_windows([seam((0, 500), (220, 500))], KILOMETRE, PlacingSettings(200, 200))
     (window,) = placement.windows
     assert stations(placement) == pytest.approx([128], abs=0.25)
     assert window.window.column == 0
@@ -94,7 +101,7 @@ def test_a_window_that_sticks_out_is_moved_along_the_seam() -> None:
 
 
 def test_a_seam_that_runs_too_near_the_edge_is_logged() -> None:
-    placement = place_windows([seam((100, 20), (1900, 20))], KILOMETRE, 100, 200)
+    placement = place_windows([seam((100, 20), (1900, 20))], KILOMETRE, STANDARD)
     assert placement.windows == ()
     (message,) = placement.dropped
     assert str(message) == (
@@ -104,7 +111,7 @@ def test_a_seam_that_runs_too_near_the_edge_is_logged() -> None:
 
 
 def test_a_moved_window_does_not_double_its_neighbour() -> None:
-    placement = place_windows([seam((0, 500), (600, 500))], KILOMETRE, 100, 70)
+    placement = place_windows([seam((0, 500), (600, 500))], KILOMETRE, PlacingSettings(100, 70))
     assert stations(placement)[:2] == pytest.approx([90, 160])
     assert [str(message) for message in placement.dropped] == [
         ("Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
@@ -113,7 +120,7 @@ def test_a_moved_window_does_not_double_its_neighbour() -> None:
 
 
 def test_places_without_a_window_are_told_in_one_sentence_however_many() -> None:
-    placement = place_windows([seam((100, 20), (1900, 20), number=n) for n in range(1, 31)], KILOMETRE, 100, 200)
+    placement = place_windows([seam((100, 20), (1900, 20), number=n) for n in range(1, 31)], KILOMETRE, STANDARD)
     (message,) = placement.dropped
     assert ": 30, on seam 1 (" in str(message)
     assert str(message).count("seam") < 5
@@ -122,25 +129,25 @@ def test_places_without_a_window_are_told_in_one_sentence_however_many() -> None
 
 def test_only_what_lies_inside_the_mosaic_is_divided() -> None:
     block_wide = seam((-5000, 500), (9000, 500))
-    placement = place_windows([block_wide], KILOMETRE, 100, 200)
+    placement = place_windows([block_wide], KILOMETRE, STANDARD)
     assert stations(placement) == pytest.approx(5100 + 200 * np.arange(10))
     assert placement.dropped == ()
 
 
 def test_a_seam_that_leaves_and_comes_back_has_windows_on_both_stretches() -> None:
-    placement = place_windows([seam((200, 720), (200, 1500), (1000, 1500), (1000, 720))], KILOMETRE, 100, 200)
+    placement = place_windows([seam((200, 720), (200, 1500), (1000, 1500), (1000, 720))], KILOMETRE, STANDARD)
     assert stations(placement) == pytest.approx([140, 780 + 800 + 780 - 140])
 
 
 def test_a_mosaic_as_small_as_the_window_still_has_one() -> None:
     small = Grid(0, 25.6, 0.1, 0.1, 256, 256)
-    placement = place_windows([Seam(1, np.array([(0, 3), (25.6, 22.6)]))], small, 25, 200)
+    placement = place_windows([Seam(1, np.array([(0, 3), (25.6, 22.6)]))], small, PlacingSettings(25, 200))
     assert [placed.window for placed in placement.windows] == [PixelWindow(0, 0, 256, 256)]
 
 
 def test_a_mosaic_smaller_than_the_window_says_both_sizes() -> None:
     small = Grid(0, 20, 0.1, 0.1, 300, 200)
-    placement = place_windows([Seam(1, np.array([(0, 3), (25.6, 22.6)]))], small, 25, 200)
+    placement = place_windows([Seam(1, np.array([(0, 3), (25.6, 22.6)]))], small, PlacingSettings(25, 200))
     assert placement.windows == ()
     assert str(placement.dropped[0]) == (
         "The mosaic is 30.0 x 20.0 m, too small for a window of 25.6 m; give a shorter side."
@@ -151,7 +158,7 @@ def test_a_mosaic_smaller_than_the_window_says_both_sizes() -> None:
 
 
 def test_a_spacing_shorter_than_half_a_window_gives_fewer_windows_and_says_how_many() -> None:
-    placement = place_windows([seam((200, 500), (1200, 500))], KILOMETRE, 100, 10)
+    placement = place_windows([seam((200, 500), (1200, 500))], KILOMETRE, PlacingSettings(100, 10))
     assert len(placement.windows) == pytest.approx(1000 / 64, abs=1)
     (message,) = placement.dropped
     assert message == seams_messages.WINDOWS_CROWDED(count=100 - len(placement.windows))
@@ -159,7 +166,7 @@ def test_a_spacing_shorter_than_half_a_window_gives_fewer_windows_and_says_how_m
 
 def test_a_seam_that_folds_back_is_measured_once() -> None:
     there_and_back = seam((200, 500), (1200, 500), (1200, 505), (200, 505))
-    placement = place_windows([there_and_back], KILOMETRE, 100, 200)
+    placement = place_windows([there_and_back], KILOMETRE, STANDARD)
     assert len(placement.windows) == 5
     assert templates(placement) == [seams_messages.WINDOWS_CROWDED.template]
 
@@ -167,28 +174,28 @@ def test_a_seam_that_folds_back_is_measured_once() -> None:
 def test_a_ring_does_not_end_where_it_began() -> None:
     turn = np.linspace(0, 2 * np.pi, 73)
     ring = seam(*zip(500 + 300 * np.cos(turn), 500 + 300 * np.sin(turn)))
-    placement = place_windows([ring], KILOMETRE, 100, 200)
+    placement = place_windows([ring], KILOMETRE, STANDARD)
     assert len(placement.windows) == 9
     assert placement.dropped == ()
 
 
 def test_seams_within_windows_of_longer_ones_have_none_and_one_sentence_says_so() -> None:
     loops = [seam((x, 510), (x + 15, 510), (x + 15, 520), number=number) for number, x in enumerate([290, 310, 490], 2)]
-    placement = place_windows([seam((200, 500), (1200, 500)), *loops], KILOMETRE, 100, 200)
+    placement = place_windows([seam((200, 500), (1200, 500)), *loops], KILOMETRE, STANDARD)
     assert {window.seam_id for window in placement.windows} == {1}
     assert placement.dropped == (seams_messages.SEAMS_COVERED(count=3),)
 
 
 def test_a_short_seam_elsewhere_has_its_window() -> None:
     elsewhere = seam((600, 800), (615, 800), (615, 810), number=2)
-    placement = place_windows([seam((200, 500), (1200, 500)), elsewhere], KILOMETRE, 100, 200)
+    placement = place_windows([seam((200, 500), (1200, 500)), elsewhere], KILOMETRE, STANDARD)
     assert len(stations(placement, 2)) == 1
 
 
 def test_specks_and_seams_outside_are_summed_up() -> None:
     specks = [seam((x, 800), (x + 2, 800), (x + 2, 802), number=x) for x in range(200, 700, 100)]
     outside = [seam((-900, y), (-200, y), number=1000 + y) for y in range(0, 900, 100)]
-    placement = place_windows([*outside, *specks], KILOMETRE, 100, 200)
+    placement = place_windows([*outside, *specks], KILOMETRE, STANDARD)
     assert placement.windows == ()
     assert [str(message) for message in placement.dropped] == [
         "Seams shorter than 8.00 m, too short to matter in a window: 5.",
@@ -205,7 +212,7 @@ polylines = st.lists(st.tuples(coordinate, coordinate), min_size=2, max_size=8, 
 @given(polylines, st.sampled_from([32, 50, 100, 250, 500]), st.floats(1, 600))
 def test_what_every_placement_promises(points: Sequence[tuple[float, float]], side: float, spacing: float) -> None:
     one = seam(*points)
-    placement = place_windows([one], KILOMETRE, side, spacing)
+    placement = place_windows([one], KILOMETRE, PlacingSettings(side, spacing))
     for placed in placement.windows:
         assert KILOMETRE.contains(placed.window)
         left, bottom, right, top = KILOMETRE.window_extent(placed.window)
@@ -227,7 +234,7 @@ def test_the_direction_of_a_line_does_not_matter(points: Sequence[tuple[float, f
     for vertices in (path, path[::-1]):
         text = ", ".join(f"{x!r} {y!r}" for x, y in vertices.tolist())
         geometry = bytes(ogr.CreateGeometryFromWkt(f"LINESTRING ({text})").ExportToWkb())
-        placements.append(place_windows(find_seams([geometry], 0.5), KILOMETRE, 100, spacing))
+        placements.append(place_windows(find_seams([geometry], 0.5), KILOMETRE, PlacingSettings(100, spacing)))
     forth, back = placements
     assert [placed.window for placed in forth.windows] == [placed.window for placed in back.windows]
 
@@ -238,25 +245,25 @@ def test_the_direction_of_a_line_does_not_matter(points: Sequence[tuple[float, f
 @pytest.mark.parametrize("length", [0, -5, float("nan"), float("inf")])
 def test_lengths_are_positive(length: float) -> None:
     with pytest.raises(SettingsError, match="window side"):
-        place_windows([seam((0, 0), (500, 500))], KILOMETRE, length, 200)
+        place_windows([seam((0, 0), (500, 500))], KILOMETRE, PlacingSettings(length, 200))
     with pytest.raises(SettingsError, match="spacing"):
-        place_windows([seam((0, 0), (500, 500))], KILOMETRE, 100, length)
+        place_windows([seam((0, 0), (500, 500))], KILOMETRE, PlacingSettings(100, length))
 
 
 @pytest.mark.parametrize("levels", [0, 9, -1])
 def test_levels_are_one_to_eight(levels: int) -> None:
     with pytest.raises(SettingsError, match="levels"):
-        place_windows([seam((0, 0), (500, 500))], KILOMETRE, 100, 200, levels)
+        place_windows([seam((0, 0), (500, 500))], KILOMETRE, PlacingSettings(100, 200, levels))
 
 
 def test_a_window_too_small_for_the_levels_says_how_long_it_must_be() -> None:
     one = seam((100, 500), (1900, 500))
     with pytest.raises(SettingsError, match=r"a side of 128\.0 m or more"):
-        place_windows([one], KILOMETRE, 60, 200, levels=8)
+        place_windows([one], KILOMETRE, PlacingSettings(60, 200, 8))
     with pytest.raises(SettingsError, match=r"a side of 32\.0 m or more"):
-        place_windows([one], KILOMETRE, 10, 200, levels=3)
-    assert place_windows([one], KILOMETRE, 128, 200, levels=8).windows
-    assert place_windows([one], KILOMETRE, 32, 200, levels=3).windows
+        place_windows([one], KILOMETRE, PlacingSettings(10, 200, 3))
+    assert place_windows([one], KILOMETRE, PlacingSettings(128, 200, 8)).windows
+    assert place_windows([one], KILOMETRE, PlacingSettings(32, 200, 3)).windows
 
 
 # --- real mosaics ----------------------------------------------------------------------------------------------
@@ -268,7 +275,7 @@ def real_placement(vector: Path, layer: str, raster: Path, side: float, spacing:
     grid = Grid(left, top, width, -height, dataset.RasterXSize, dataset.RasterYSize)
     source = ogr.Open(str(vector))
     geometries = [bytes(feature.GetGeometryRef().ExportToWkb()) for feature in source.GetLayerByName(layer)]
-    return grid, place_windows(find_seams(geometries, width), grid, side, spacing)
+    return grid, place_windows(find_seams(geometries, width), grid, PlacingSettings(side, spacing))
 
 
 def test_brighton_lines_and_polygons_give_the_same_windows(data_folder: Path) -> None:
@@ -297,7 +304,7 @@ def test_packo_windows_stay_on_the_tile(data_folder: Path) -> None:
 
 def test_a_side_that_replaces_one_is_that_of_its_windows_to_the_centimetre() -> None:
     grid = Grid(left=576000, top=5188000, pixel_width=0.03, pixel_height=0.03, columns=2100, rows=2100)
-    assert fitting_side_m(grid, 100, 200, 3) == 15.36
-    assert fitting_side_m(replace(grid, pixel_width=5.0, pixel_height=5.0), 100, 200, 3) == 1280  # 256 px of 5 m
-    assert fitting_side_m(replace(grid, pixel_width=1.0, pixel_height=1.0), 100, 200, 3) == 256
-    assert window_side_px(grid, 15.36, 200, 3) == 512
+    assert fitting_side_m(grid, STANDARD) == 15.36
+    assert fitting_side_m(replace(grid, pixel_width=5.0, pixel_height=5.0), STANDARD) == 1280  # 256 px of 5 m
+    assert fitting_side_m(replace(grid, pixel_width=1.0, pixel_height=1.0), STANDARD) == 256
+    assert window_side_px(grid, PlacingSettings(15.36)) == 512

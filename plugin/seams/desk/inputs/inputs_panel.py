@@ -205,7 +205,7 @@ class InputsPanel(QWidget):
         inputs, grid = self._session.inputs, self._session.mosaic_grid()
         if grid is None:
             return
-        fitting = fitting_side_m(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
+        fitting = fitting_side_m(grid, inputs.placing)
         if fitting != inputs.side_m:
             self._fitted = inputs.side_m, fitting
             with unmodified(QgsProject.instance()):
@@ -217,7 +217,7 @@ class InputsPanel(QWidget):
         text, tip, pixels = "", "", 0
         if grid is not None:
             try:
-                pixels = window_side_px(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
+                pixels = window_side_px(grid, inputs.placing)
                 metres = pixels * grid.ground_sample_distance
                 text = filled(tr("{pixels} px, {metres} m"), pixels=pixels, metres=shown_metres(metres))
                 tip = tr("The smallest power of two of the mosaic's pixels that spans at least the given metres")

@@ -16,6 +16,7 @@ from ....toolkit.picture_stretch import Stretch
 from ....toolkit.project_settings import load_settings, save_settings, unmodified
 from ...measure import limits
 from ...measure.limits import DENSITIES
+from ...measure.window_placing import PlacingSettings
 from ...measure.window_records import REFERENCES
 
 _KEY = "inputs"
@@ -56,6 +57,11 @@ class Inputs:
     """Metres that a scan reads on either side of the seamlines; 0: the whole mosaic."""
     stretch: str = Stretch.DELIVERED.value
     """How pictures of windows are shown, the value of a ``Stretch``; no result depends on it."""
+
+    @property
+    def placing(self) -> PlacingSettings:
+        """How windows are placed."""
+        return PlacingSettings(self.side_m, self.spacing_m, self.levels)
 
 
 def load_inputs(project: QgsProject) -> Inputs:

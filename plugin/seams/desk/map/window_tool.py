@@ -252,7 +252,7 @@ def clicked_window(grid: Grid, centre: Point, inputs: Inputs) -> PixelWindow:
     Raises SettingsError when the side is too short for the levels, WindowError when the point lies outside the
     grid or the grid is too small for the side.
     """
-    side_px = window_side_px(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
+    side_px = window_side_px(grid, inputs.placing)
     xmin, ymin, xmax, ymax = grid.extent
     if not (xmin <= centre[0] <= xmax and ymin <= centre[1] <= ymax):
         raise WindowError(imagery_messages.WINDOW_OUTSIDE())

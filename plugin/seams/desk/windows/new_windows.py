@@ -76,8 +76,8 @@ class NewWindows(QObject):
             raise SeamInspectorError(messages.NO_SEAMLINES())
         if self._background.is_under_way(_PLACING):
             return
-        inputs, settings = self._block.inputs, self._block.settings()
-        job = jobs.placing_job(lines, block.mosaic, inputs.side_m, inputs.spacing_m, settings)
+        inputs = self._block.inputs
+        job = jobs.placing_job(lines, block.mosaic, inputs.placing)
         self._background.start(tr("Place windows"), job, partial(self._take, inputs.mosaic), _PLACING, steps=1)
 
     def copy(self, outlines: Sequence[QgsGeometry]) -> None:

@@ -2,6 +2,7 @@
 followed and beyond; and the tones of two of them eased into each other at a cut."""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -87,10 +88,10 @@ def tells_tones(own: np.ndarray) -> bool:
 
 
 def eased(
-    first: np.ndarray, second: np.ndarray, weight: np.ndarray, mosaic: np.ndarray, inside: np.ndarray,
-    valid: np.ndarray,
+    images: Sequence[np.ndarray], weight: np.ndarray, mosaic: np.ndarray, inside: np.ndarray, valid: np.ndarray
 ) -> np.ndarray:
-    """Dressed bands (bands, rows, columns) cut where ``weight``, that of the first ones, passes one half; float32 all.
+    """Dressed bands (bands, rows, columns) of two images cut where ``weight``, that of the first, passes one half;
+    float32 all.
 
     What is coarser than squares of 8 px is eased, each scale as far as it is wide, tones over ``EASED_PX``: what is
     finer is of one image alone, but for the few pixels in which the weight is neither 0 nor 1. Towards the edge of the
@@ -99,9 +100,9 @@ def eased(
     """
     places, share = _nearest(square_means(valid) == 1), square_means(weight)
     spreads = [to_pixels(_smoothed(share, reach), weight.shape) - weight for reach in _EASED_SQUARES]
-    made = weight * first + (1 - weight) * second
-    for band, one, other, shown in zip(made, first, second, mosaic):
-        apart = square_means(one - other)[places]
+    made = weight * images[0] + (1 - weight) * images[1]
+    for band, first, second, shown in zip(made, *images, mosaic):
+        apart = square_means(first - second)[places]
         # Of every scale what is added differs across the cut by as much as images do, and fades as far as it is wide.
         for reach, spread in zip(_EASED_SQUARES, spreads):
             wider = _smoothed(apart, reach) if reach < _EASED_SQUARES[-1] else np.zeros_like(apart)

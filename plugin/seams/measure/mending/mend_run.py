@@ -159,7 +159,7 @@ def _mended(request: RunRequest) -> MendedRun:
         dress(ground, side, image, before, own[side])
         _check_shown(read.clip(side), names, image, before, own[side])
     middle = (judged_plane(images[0], names) + judged_plane(images[1], names)) / 2
-    made = eased(images[0], images[1], weight, before, part.fade(inside), both)
+    made = eased(images, weight, before, part.fade(inside), both)
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
     was, is_now = (judged_plane(one.astype(np.float32), names) for one in (before, after))
@@ -235,7 +235,7 @@ class _Pixels:
     def __init__(self, request: RunRequest, window: PixelWindow, count: int) -> None:
         """``count``: of the sources. Raises RasterError where the mosaic or one beside the run has no pixels."""
         refs = [one.ref for one in request.sources[:count]]
-        block = BlockPixels(request.mosaic, refs, window, grey_factor=request.grey_factor)
+        block = BlockPixels(request.mosaic, refs, window, 0, request.grey_factor)
         self.window, self.mosaic, self.own, self._clips = window, request.mosaic, block.held.own, block.held.clips
         if any(side not in self._clips for side in _SIDES):
             raise RasterError(next(iter(block.notices), messages.PART_NOT_COVERED()))

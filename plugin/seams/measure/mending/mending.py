@@ -27,6 +27,7 @@ from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column, record_of, sentences_of, value_of
+from ..inspection import Workers
 from ..scan.block_runs import BlockLook, JournaledBlocks, ScanStep, held
 from ..scan.blocks.block_grid import BlockKey
 from ..scan.lines.given_seams import GivenSeams
@@ -163,7 +164,7 @@ class Mending:
 
     def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
         """Cuts all runs anew."""
-        blocks, fitting = JournaledBlocks(self._journal, executor, ahead, cancelled), {}
+        blocks, fitting = JournaledBlocks(self._journal, Workers(executor, ahead, cancelled)), {}
         runs = {(number, 0): run for number, run in enumerate(self.request.runs[0])}
         with rasters_kept():
             for step in blocks.steps(_LOOK, list(runs), lambda key: self.request.run(key, runs[key])):

@@ -43,7 +43,7 @@ class EnergyResponse:
         np.clip(logs, self.lowest, self.highest, out=logs)
         logs -= self.middle
         first, second, third = self.coefficients.tolist()
-        return np.asarray(np.exp(_bounded((logs * third + second) * logs + first)))
+        return np.asarray(np.exp(bounded((logs * third + second) * logs + first)))
 
 
 def sampled(values: np.ndarray) -> np.ndarray:
@@ -58,17 +58,28 @@ def fit_response(energies: np.ndarray, values: np.ndarray) -> EnergyResponse:
     lowest, highest = np.quantile(logs, _OUTERMOST).tolist()
     middle = float(logs.mean())
     terms = np.stack([(logs - middle) ** power for power in range(3)])
-    weighted = terms * np.sqrt(energies)
-    normal = weighted @ terms.T
-    inverse = np.linalg.inv(normal + _RIDGE * np.trace(normal) * np.eye(3))
-    exponent = np.full(len(logs), np.log(max(values.sum() / energies.sum(), np.exp(-_MOST_EXPONENT))))
-    for _ in range(_ROUNDS):
-        coefficients = inverse @ (weighted @ (np.minimum(ratios * np.exp(-exponent) - 1, _MOST_STEP) + exponent))
-        exponent = _bounded(coefficients @ terms)
+    level = max(values.sum() / energies.sum(), np.exp(-_MOST_EXPONENT))
+    coefficients = log_link_fit(terms, ratios / level, np.sqrt(energies), _MOST_STEP, _ROUNDS)
+    coefficients[0] += np.log(level)
     return EnergyResponse(coefficients, middle, lowest, highest)
 
 
-def _bounded(exponents: np.ndarray) -> np.ndarray:
+def log_link_fit(
+    terms: np.ndarray, ratios: np.ndarray, weights: np.ndarray, most_step: float, rounds: int
+) -> np.ndarray:
+    """Coefficients (k,) of ratios (n,), about 1, = exp(coefficients @ terms (k, n)), by rounds of weighted least
+    squares; a ratio counts at most as ``1 + most_step`` times what is expected."""
+    weighted = terms * weights
+    normal = weighted @ terms.T
+    inverse = np.linalg.inv(normal + _RIDGE * np.trace(normal) * np.eye(len(terms)))
+    exponent = np.zeros(len(ratios))
+    for _ in range(rounds):
+        coefficients = inverse @ (weighted @ (np.minimum(ratios * np.exp(-exponent) - 1, most_step) + exponent))
+        exponent = bounded(coefficients @ terms)
+    return coefficients
+
+
+def bounded(exponents: np.ndarray) -> np.ndarray:
     return np.clip(exponents, -_MOST_EXPONENT, _MOST_EXPONENT, out=exponents)
 
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice
@@ -22,7 +21,7 @@ from ....imagery.record_store import RecordFiles
 from ....imagery.records import NotUnderstoodError, packed, understanding, unpacked
 from ..following.boxes import enlarged
 from ..following.source_filters import UNTOUCHED, Filters, Learned
-from ..inspection import in_order, unforeseen
+from ..inspection import Workers, in_order, unforeseen
 from ..profile.cell_table import CellTable, MixtureTable
 from ..seam_cells import UNKNOWN
 from . import messages
@@ -110,11 +109,8 @@ class ScanStep:
 class JournaledBlocks:
     """Has blocks measured that a journal doesn't hold yet; knows how much is done, and how long the rest will take."""
 
-    def __init__(
-        self, journal: ScanJournal, executor: Executor, ahead: int, cancelled: Callable[[], bool]
-    ) -> None:
-        """``ahead``: blocks under way or waiting to be taken."""
-        self._journal, self._crew = journal, (executor, ahead, cancelled)
+    def __init__(self, journal: ScanJournal, workers: Workers) -> None:
+        self._journal, self._workers = journal, workers
         self._total = self._done = self._timed = self._missing = 0
         self._started = time.monotonic()
 
@@ -125,10 +121,10 @@ class JournaledBlocks:
         files, held = self._journal.files, self._journal.files.names
         self._total += len(keys)
         self._missing += sum(_name(look, key) not in held for key in keys)
-        tasks = several(map(request, keys), self._crew[1])
-        for told in in_order(tasks, partial(_looked_at, look, files), partial(_failed, look, files), *self._crew):
-            for one in told:
-                yield self._step(look, one)
+        tasks = several(map(request, keys), self._workers.ahead)
+        for blocks in in_order(tasks, partial(_looked_at, look, files), partial(_failed, look, files), self._workers):
+            for block in blocks:
+                yield self._step(look, block)
 
     def _step(self, look: BlockLook, one: LookedAt) -> ScanStep:
         if one.trouble:
@@ -332,15 +328,15 @@ class BlockRun:
         self._squares = np.full(shape, NOTHING, np.int32)
         self._dense: dict[BlockKey, bytes] = {}
 
-    def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
+    def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """First every block, then along the borders of blocks what only two neighbours together show."""
-        blocks = JournaledBlocks(self._journal, executor, ahead, cancelled)
+        blocks = JournaledBlocks(self._journal, workers)
         for step in blocks.steps(FIRST_LOOK, self._request.keys(), self._request.block):
             numbers = global_numbers(step.brief.sources, self._request.numbers)
             self._squares[place_of(step.key, SQUARES)] = numbers[step.brief.squares]
             self._dense[step.key] = step.brief.dense
             yield step
-        if not cancelled():
+        if not workers.cancelled():
             second = dict(self._second_look())
             yield from blocks.steps(SECOND_LOOK, list(second), lambda key: self._looked_at_again(key, second[key]))
 

@@ -23,7 +23,7 @@ from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import RasterRef
 from ....imagery.seam_totals import PieceState
-from ..inspection import in_order
+from ..inspection import Workers, in_order
 from ..profile.seam_sums import StripProfile
 from ..visibility import white_grey
 from . import messages
@@ -41,7 +41,7 @@ from .mosaic_reading import MosaicReading
 from .piece_sums import REACH_PX, MeasuredPieces, PiecesRequest, around_pieces, measure_pieces, visibilities
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
-from .scan_result import ScanResult, judge_piece, metres, without_verdict, worst_windows
+from .scan_result import PieceFigures, ScanResult, judge_piece, metres, without_verdict, worst_windows
 
 _BLOCKS_OF_PIECES = 4
 """Side by side, whose pieces are measured together; it must not depend on who measures, as the last digits do on it."""
@@ -104,11 +104,11 @@ class Gathering:
             sources = _listed(source.ref for source in request.sources)
             picture.finish({**told, "mosaic": _listed([request.mosaic.ref]), "sources": sources}, request.source_names)
         crew.tell(_CUT)
-        pieces, found, seen, grains, unchanged = self._measured(pieces, crew)
+        measured, unchanged = self._measured(pieces, crew)
         judged = tuple(
-            judge_piece(piece, (self._name(piece.left), self._name(piece.right)), profile,
-                        request.mosaic.ground_sample_distance, jnd, grain)
-            for piece, profile, jnd, grain in zip(pieces, found, seen, grains)
+            judge_piece(figures, (self._name(figures.piece.left), self._name(figures.piece.right)),
+                        request.mosaic.ground_sample_distance)
+            for figures in measured
         )
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
         if request.seams:
@@ -161,17 +161,13 @@ class Gathering:
         meeting = self._request.footprints.meeting(self._request.mosaic.grid.window_extent(window))
         return {self._request.sources[number].ref.path: number for number in meeting}
 
-    def _measured(
-        self, pieces: Sequence[SeamPiece], crew: _Crew
-    ) -> tuple[list[SeamPiece], list[StripProfile], list[float | None], list[float | None], list[int]]:
-        """Pieces with what lies beside them, what each kept, its loss in just noticeable differences at 2x, the
-        largest rms of its sources' finest detail as a share of white; and which pieces have one source on both
-        sides."""
+    def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], list[int]]:
+        """Pieces with what lies beside them, and which of them have one source on both sides."""
         index = PieceIndex(pieces, self._blocks.grid)
         groups = self._groups(pieces)
         whole, brightest = list(pieces), 0.0
         unchanged: list[int] = []
-        found: list[StripProfile] = [NOTHING] * len(pieces)
+        strips: list[StripProfile] = [NOTHING] * len(pieces)
         grey, grain = np.full((2, len(pieces)), np.nan)
         requests = (self._pieces(pieces, index, numbers) for numbers in groups)
         measured: Iterator[MeasuredPieces] = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
@@ -179,13 +175,13 @@ class Gathering:
             grey[one.numbers], grain[one.numbers] = one.grey, one.grain
             brightest = max(brightest, one.brightest)
             for place, number in enumerate(one.numbers.tolist()):
-                found[number] = one.found[place]
+                strips[number] = one.found[place]
                 if one.beside is not None:
                     whole[number] = sided(pieces[number], one.beside[place].tolist(), self._request.named[0])
             unchanged += one.numbers[one.unchanged].tolist()
         white = white_grey(self._request.mosaic, brightest)
         grains = [None if np.isnan(one) else one / white for one in grain.tolist()]
-        return whole, found, visibilities(found, grey, white), grains, unchanged
+        return list(map(PieceFigures, whole, strips, visibilities(strips, grey, white), grains)), unchanged
 
     def _groups(self, pieces: Sequence[SeamPiece]) -> list[np.ndarray]:
         """Numbers of the pieces that are measured together, by where their middles lie, row by row."""
@@ -257,7 +253,7 @@ class _Crew:
         raises."""
         done = 0
         tasks, stopped = several(requests, self._ahead), lambda: not self._goes_on(self._share)
-        for found in in_order(tasks, partial(_each, work), _raised, self._executor, self._ahead, stopped):
+        for found in in_order(tasks, partial(_each, work), _raised, Workers(self._executor, self._ahead, stopped)):
             if isinstance(found, Message):
                 raise SeamInspectorError(found)
             yield from found

@@ -80,22 +80,27 @@ class LoneTable:
         return cls(cell=np.concatenate(cells), **parts)
 
 
-def lone_cells(
-    plane: np.ndarray,
-    bands: np.ndarray,
-    valid: np.ndarray | None,
-    around: PixelWindow,
-    window: PixelWindow,
-    pieces: PieceIndex,
-    wavelet: str,
-) -> LoneTable:
+@dataclass(frozen=True, eq=False)
+class MosaicPixels:
+    """What the mosaic shows in a window."""
+
+    window: PixelWindow
+    """On the mosaic's grid."""
+    plane: np.ndarray
+    """(rows, columns): what is measured."""
+    bands: np.ndarray
+    """(bands, rows, columns), the first three of which are taken as colours, fewer as none."""
+    valid: np.ndarray | None = None
+    """(rows, columns) bool; None: everywhere."""
+
+
+def lone_cells(pixels: MosaicPixels, window: PixelWindow, pieces: PieceIndex, wavelet: str) -> LoneTable:
     """The cells of a window that lie along seams and have all their pixels.
 
-    ``around``: the pixels that are given, on the mosaic's grid, ``window`` with ``MARGIN_PX`` on all sides where the
-    mosaic goes on; both start at multiples of 16 and have sides that are multiples of 16. ``plane``: (rows, columns)
-    of ``around``, what is measured. ``bands``: (bands, rows, columns), the first three of which are taken as colours,
-    fewer as none. ``valid``: (rows, columns) bool; None: everywhere. ``pieces``: those near the window.
+    ``pixels``: of the window with ``MARGIN_PX`` on all sides where the mosaic goes on; both start at multiples of 16
+    and have sides that are multiples of 16. ``pieces``: those near the window.
     """
+    around, plane, bands, valid = pixels.window, pixels.plane, pixels.bands, pixels.valid
     first_row, first_column = window.row // CELL_PX, window.column // CELL_PX
     rows, columns = window.height // CELL_PX, window.width // CELL_PX
     down, across = np.mgrid[first_row : first_row + rows, first_column : first_column + columns]
@@ -108,7 +113,10 @@ def lone_cells(
         near &= ndimage.binary_erosion(full, np.ones((3, 3)), border_value=1)[place]  # whose neighbours are full, too
     if not near.any():
         return LoneTable.empty(_COLOURS if len(bands) >= _COLOURS else 1)
-    finest = _finest(plane, valid, wavelet)
+    if valid is not None:
+        plane = np.where(valid, plane, plane[valid].mean(dtype=np.float64).astype(plane.dtype))
+    (details,) = placed_components(plane[np.newaxis], wavelet, 1)
+    finest = np.einsum("dij,dij->ij", details[:, 0], details[:, 0])
     colours = [_by_cell(plane)[place]]
     if len(bands) >= _COLOURS:
         second = _by_cell(bands[1])[place]
@@ -117,14 +125,6 @@ def lone_cells(
     energies = in_squares(finest, CELL_PX // _GRID_PX).swapaxes(1, 2)[place][near]
     parts = _parts(energies, row, column, distance[near], pieces)
     return LoneTable(row, column, np.stack([one[near] for one in colours], axis=1).astype(np.float32), *parts)
-
-
-def _finest(plane: np.ndarray, valid: np.ndarray | None, wavelet: str) -> np.ndarray:
-    """Energies of the finest details."""
-    if valid is not None:
-        plane = np.where(valid, plane, plane[valid].mean(dtype=np.float64).astype(plane.dtype))
-    (details,) = placed_components(plane[np.newaxis], wavelet, 1)
-    return np.einsum("dij,dij->ij", details[:, 0], details[:, 0])
 
 
 def _parts(
@@ -202,7 +202,7 @@ def _cells(request: BlockRequest, window: PixelWindow) -> LoneTable:
     plane = judged_plane(bands, clip.raster.band_names)
     assert request.sides is not None
     near = request.sides.pieces.near(around, REACH_PX)
-    return lone_cells(plane, bands, clip.valid, around, window, near, request.settings.wavelet)
+    return lone_cells(MosaicPixels(around, plane, bands, clip.valid), window, near, request.settings.wavelet)
 
 
 def lone_record_of(scan: LoneScan) -> bytes:

@@ -76,7 +76,8 @@ class LoneSeams:
         order = np.argsort(stretches.piece, kind="stable")
         self._stretches = stretches.chosen(order)
         self._seam = np.asarray(seam_ids, dtype=np.intp)[self._stretches.piece]
-        self._run = _runs(self._seam)
+        runs = runs_of(self._seam, np.ones(len(self._seam)), _RUN)
+        self._run = np.repeat(np.arange(len(runs)), list(map(len, runs)))
         self.range = 0
         """Place in ``RANGES_PX`` of what the strips are compared with."""
         self._prepare()
@@ -130,31 +131,29 @@ class LoneSeams:
         self._selection = SELECTION * (self._compared(used, plain=True)[0] - self._compared(used)[0])
         runs, first = np.unique(self._run[used], return_index=True)
         sums, counts = np.zeros(self._run[-1] + 1), np.zeros(self._run[-1] + 1)
-        for run, own in zip(runs, np.split(used, first[1:])):
-            if len(own) > 1:
-                influence = self._compared(own)[1]
-                sums[run] = len(own) ** 2 * (influence**2).sum()  # of one stretch, times their number less one
-                counts[run] = len(own) - 1
+        for run, chosen in zip(runs, np.split(used, first[1:])):
+            if len(chosen) > 1:
+                influence = self._compared(chosen)[1]
+                sums[run] = len(chosen) ** 2 * (influence**2).sum()  # of one stretch, times their number less one
+                counts[run] = len(chosen) - 1
         if counts.any():
             self._scatter = float(sums.sum() / counts.sum())
             self._variance = ((sums + self._scatter * _BORROWED) / (counts + _BORROWED))[self._run]
 
-    def _kept(self, own: np.ndarray) -> LoneKept | None:
+    def _kept(self, chosen: np.ndarray) -> LoneKept | None:
         """What some stretches kept."""
-        if not len(own) or self._scatter is None:
+        if not len(chosen) or self._scatter is None:
             return None
-        log_kept, influence = self._compared(own)
-        error = self._error(own, influence)
-        factor = np.exp(_quantile(_BORROWED + len(own) - 1) * error)
+        log_kept, influence = self._compared(chosen)
+        error = self._error(chosen, influence)
+        factor = np.exp(_quantile(_BORROWED + len(chosen) - 1) * error)
         kept = float(np.exp(log_kept))
         low = kept / factor * np.exp(-max(self._selection, 0.0)) * (1 - MOST_TOO_HIGH)
         high = kept * factor * np.exp(self._raised)
-        width = self._width_px(own) if high < 1 and kept < BAND_KEPT else 0.0
-        return LoneKept(kept, float(low), float(high), width, float(self._stretches.length_px[own].sum()))
+        width = self._width_px(chosen) if high < 1 and kept < BAND_KEPT else 0.0
+        return LoneKept(kept, float(low), float(high), width, float(self._stretches.length_px[chosen].sum()))
 
-    def _compared(
-        self, own: np.ndarray, plain: bool = False, beyond: bool = False
-    ) -> tuple[float, np.ndarray]:
+    def _compared(self, chosen: np.ndarray, plain: bool = False, beyond: bool = False) -> tuple[float, np.ndarray]:
         """Logarithm of the strip over the ground on both sides, and what each stretch adds to it.
 
         ``plain``: as the detail is; ``beyond``: not of the strip but of the nearer ground, over that farther off.
@@ -162,24 +161,24 @@ class LoneSeams:
         s, range_ = self._stretches, 1 if beyond else self.range
         strip, ground = (s.strip_plain, s.ground_plain) if plain else (s.strip_matched, s.ground_matched)
         above = zip(s.ground_area[0], ground[0]) if beyond else [(s.strip_area, strip)]
-        influence, logs = np.zeros(len(own)), []
+        influence, logs = np.zeros(len(chosen)), []
         for sign, parts in ((1.0, list(above)), (-1.0, list(zip(s.ground_area[range_], ground[range_])))):
             means = []
             for area, values in parts:
-                weights = area[own] / area[own].sum()
-                means.append((weights, values[own], float(weights @ values[own])))
+                weights = area[chosen] / area[chosen].sum()
+                means.append((weights, values[chosen], float(weights @ values[chosen])))
             level = max(float(np.mean([mean for _, _, mean in means])), 1e-12)
             logs.append(sign * np.log(level))
-            influence += sign * sum(w * (one - mean) for w, one, mean in means) / (level * len(means))
+            influence += sign * sum(share * (value - mean) for share, value, mean in means) / (level * len(means))
         return float(sum(logs)), influence
 
-    def _error(self, own: np.ndarray, influence: np.ndarray) -> float:
+    def _error(self, chosen: np.ndarray, influence: np.ndarray) -> float:
         """Standard error of the logarithm of kept."""
-        weights = self._stretches.strip_area[own] / self._stretches.strip_area[own].sum()
+        weights = self._stretches.strip_area[chosen] / self._stretches.strip_area[chosen].sum()
         squares = weights**2
-        scatter = float(squares @ self._variance[own]) / float(squares.sum())
+        scatter = float(squares @ self._variance[chosen]) / float(squares.sum())
         variance = EXCESS * scatter * float(squares.sum()) ** DECAY
-        runs = np.unique(self._run[own], return_inverse=True)[1]
+        runs = np.unique(self._run[chosen], return_inverse=True)[1]
         count = int(runs.max()) + 1
         if count >= _FEWEST_RUNS:  # many differ by what they are, too
             between = float((np.bincount(runs, influence) ** 2).sum()) * count / (count - 1)
@@ -192,42 +191,29 @@ class LoneSeams:
         whole = self.kept()
         if whole is None or not whole.tells_loss:
             return False
-        own = np.flatnonzero(
+        chosen = np.flatnonzero(
             self._usable & (s.ground_area[1] >= _LEAST_AREA * (far - near) * s.length_px).all(axis=0)
             & (s.ground_plain[1] > 0).all(axis=0)
         )
-        if len(np.unique(self._run[own])) < _FEWEST_RUNS:
+        if len(np.unique(self._run[chosen])) < _FEWEST_RUNS:
             return False
-        log_kept, influence = self._compared(own, beyond=True)
-        plain, _ = self._compared(own, plain=True, beyond=True)
-        error = self._error(own, influence)
+        log_kept, influence = self._compared(chosen, beyond=True)
+        plain, _ = self._compared(chosen, plain=True, beyond=True)
+        error = self._error(chosen, influence)
         return bool(log_kept + _quantile(_BORROWED) * error + SELECTION * max(log_kept - plain, 0.0) < 0)
 
-    def _width_px(self, own: np.ndarray) -> float:
+    def _width_px(self, chosen: np.ndarray) -> float:
         """Width of the band along some stretches."""
         s = self._stretches
-        areas = s.ground_area[self.range][:, own]
-        level = (areas * s.ground_matched[self.range][:, own]).sum(axis=1) / areas.sum(axis=1)
+        areas = s.ground_area[self.range][:, chosen]
+        level = (areas * s.ground_matched[self.range][:, chosen]).sum(axis=1) / areas.sum(axis=1)
         bins = []
         for zone, (near, far) in enumerate(zip(ZONES_PX, ZONES_PX[1:])):
-            area = s.zone_area[zone, own]
+            area = s.zone_area[zone, chosen]
             if area.any():
-                kept = float((area * s.zone_matched[zone, own]).sum() / area.sum() / level.mean())
+                kept = float((area * s.zone_matched[zone, chosen]).sum() / area.sum() / level.mean())
                 bins.append(ProfileBin(1, near, far, kept, np.nan, np.nan, np.nan, float(area.sum())))
         return band_width_px(bins)
-
-
-def _runs(seam: np.ndarray) -> np.ndarray:
-    """Numbers of runs of consecutive stretches of one seam, ``_RUN`` or a few more in each."""
-    if not len(seam):
-        return np.zeros(0, np.intp)
-    starts = np.flatnonzero(np.diff(seam, prepend=seam[0] - 1))
-    run, number = np.empty(len(seam), np.intp), 0
-    for start, stop in zip(starts, [*starts[1:], len(seam)]):
-        count = max(1, (stop - start) // _RUN)
-        run[start:stop] = number + np.arange(stop - start) * count // (stop - start)
-        number += count
-    return run
 
 
 def _quantile(freedom: float) -> float:
@@ -261,10 +247,10 @@ def judge_stretches(
     """Pieces, by number, that tell together what one of them at least does not by itself, the shortest that do."""
     least = seams.judgeable_px
     wanted = {
-        number for number, one in enumerate(judged)
-        if one.kept is not None and verdict_of(one.kept) in (None, Verdict.REDUCED)
+        number for number, piece in enumerate(judged)
+        if piece.kept is not None and verdict_of(piece.kept) in (None, Verdict.REDUCED)
     }
-    found: list[tuple[tuple[int, ...], LoneJudgement]] = []
+    stretches: list[tuple[tuple[int, ...], LoneJudgement]] = []
     for length in [] if least is None else [factor * least for factor in RUNS_LENGTHS]:
         for run in runs_of(seams.seam_ids, lengths_px, length) if wanted else ():
             if len(run) < 2 or wanted.isdisjoint(run):
@@ -272,9 +258,9 @@ def judge_stretches(
             kept = seams.kept(run)
             verdict = None if kept is None else verdict_of(kept)
             if verdict is not None:
-                found.append((tuple(run), LoneJudgement(kept, verdict)))
+                stretches.append((tuple(run), LoneJudgement(kept, verdict)))
                 wanted.difference_update(run)
-    return found
+    return stretches
 
 
 def verdict_of(kept: LoneKept) -> Verdict | None:
@@ -285,7 +271,9 @@ def verdict_of(kept: LoneKept) -> Verdict | None:
     return Verdict.PRESERVED if kept.tells_sound else None
 
 
-def runs_of(seam_ids: Sequence[int], lengths_px: Sequence[float], least_px: float) -> list[list[int]]:
+def runs_of(
+    seam_ids: Sequence[int] | np.ndarray, lengths_px: Sequence[float] | np.ndarray, least_px: float
+) -> list[list[int]]:
     """Consecutive pieces of each seam, by number, in runs of nearly equal length of at least ``least_px`` or all."""
     ids, lengths = np.asarray(seam_ids), np.asarray(lengths_px, dtype=float)
     if not len(ids):

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Executor
 from dataclasses import replace
 from functools import lru_cache
 from typing import Callable
@@ -12,6 +11,7 @@ import numpy as np
 
 from ....imagery.errors import Message
 from ....imagery.lines import points_at, vertex_stations
+from ..inspection import Workers
 from . import messages
 from .block_runs import JournaledBlocks, ScanStep, held
 from .blocks.block_grid import BLOCK_PX, BlockKey
@@ -42,7 +42,7 @@ class LoneScanning:
         self._journal, self._blocks = journal, request.blocks
         self._table = lru_cache(_HELD)(self._table_of)
 
-    def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
+    def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """Every block that a seam meets."""
         along = SeamSquares(self._request.seams, self._blocks, beside_px=int(REACH_PX) + _CELLS_BESIDE_PX)
 
@@ -54,7 +54,7 @@ class LoneScanning:
                 grey_factor=self._request.grey_factor, sides=near,
             )
 
-        yield from JournaledBlocks(self._journal, executor, ahead, cancelled).steps(LONE_LOOK, along.met, block)
+        yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, along.met, block)
 
     def result(self, loss_path: str, goes_on: Callable[[float], bool]) -> ScanResult | None:
         """Pieces, worst windows and, where a path is given, the picture of losses; None where ``goes_on`` says no.
@@ -78,32 +78,32 @@ class LoneScanning:
         if parts:
             seams = LoneSeams(LoneStretches.joined(parts), [piece.seam_id for piece in self._pieces])
             lengths = [piece.length_m / pixel_m for piece in self._pieces]
-            told = judge_pieces(seams, lengths, pixel_m)
-            pieces = [_judged(piece, one, pixel_m, settings.levels) for piece, one in zip(self._pieces, told)]
+            judged = judge_pieces(seams, lengths, pixel_m)
+            pieces = [_judged(*piece, pixel_m, settings.levels) for piece in zip(self._pieces, judged)]
             stretches = [
-                replace(_judged(_joined([self._pieces[number] for number in run]), one, pixel_m, settings.levels),
+                replace(_judged(_joined([self._pieces[number] for number in run]), judgement, pixel_m, settings.levels),
                         is_stretch=True)
-                for run, one in judge_stretches(seams, lengths, told)
+                for run, judgement in judge_stretches(seams, lengths, judged)
             ]
-            if (all_seams := seams.kept()) is not None:
-                kept, low, high = (100 * one for one in (all_seams.kept, all_seams.low, all_seams.high))
-                notices.append(messages.LONE_NETWORK(kept=kept, low=low, high=high))
+            if (whole := seams.kept()) is not None:
                 least = seams.judgeable_px
-                told_length = messages.LONE_FROM_LENGTH(length=least * pixel_m) if least else messages.LONE_NEVER()
-                notices.append(told_length)
+                notices += (
+                    messages.LONE_NETWORK(kept=100 * whole.kept, low=100 * whole.low, high=100 * whole.high),
+                    messages.LONE_FROM_LENGTH(length=least * pixel_m) if least else messages.LONE_NEVER(),
+                )
         if loss_path:
             with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
                 self._draw(raster, pieces, settings.cell_px)
                 raster.close([])
         worst = worst_windows(pieces, mosaic, settings.worst_count, settings.levels)
         notices += (*self._reading.notices, *without_verdict(pieces))
-        said = {"orthoimages": "none", **self._reading.told}
-        found = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), said)
-        return found if goes_on(1.0) else None
+        told = {"orthoimages": "none", **self._reading.told}
+        result = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), told)
+        return result if goes_on(1.0) else None
 
     def _draw(self, raster: LossRaster, judged: Sequence[JudgedPiece], cell_px: int) -> None:
         """What each piece kept, in the cells of its strip."""
-        kept = np.array([NODATA if one.least_kept is None else one.least_kept for one in judged], np.float32)
+        kept = np.array([NODATA if piece.least_kept is None else piece.least_kept for piece in judged], np.float32)
         side = BLOCK_PX // cell_px
         met = {near for key, numbers in self._groups().items() for near in self._touched(key, numbers)}
         for key in sorted(met):
@@ -120,22 +120,17 @@ class LoneScanning:
 
     def _groups(self) -> dict[BlockKey, list[int]]:
         """Pieces by the block that their middle lies in."""
-        found = defaultdict(list)
+        groups = defaultdict(list)
         for number, piece in enumerate(self._pieces):
-            found[self._keys(piece.vertices[len(piece.vertices) // 2][np.newaxis])[0]].append(number)
-        return found
+            groups[self._keys(piece.vertices[len(piece.vertices) // 2][np.newaxis])[0]].append(number)
+        return groups
 
     def _touched(self, key: BlockKey, numbers: Sequence[int]) -> list[BlockKey]:
         """The blocks of some pieces and their neighbours."""
-        vertices = np.concatenate([_filled_in(self._pieces[number].vertices, self._step) for number in numbers])
-        own = {key, *self._keys(vertices)}
-        around = {(row + down, column + to) for row, column in own for down in (-1, 0, 1) for to in (-1, 0, 1)}
-        return sorted(one for one in around if 0 <= one[0] < self._blocks.rows and 0 <= one[1] < self._blocks.columns)
-
-    @property
-    def _step(self) -> float:
-        """Map units that are surely less than a block."""
-        return self._mosaic.grid.pixel_width * BLOCK_PX / 4
+        step = self._mosaic.grid.pixel_width * BLOCK_PX / 4  # map units that are surely less than a block
+        met = {key, *self._keys(np.concatenate([_filled_in(self._pieces[n].vertices, step) for n in numbers]))}
+        around = {(row + down, column + to) for row, column in met for down in (-1, 0, 1) for to in (-1, 0, 1)}
+        return sorted(key for key in around if 0 <= key[0] < self._blocks.rows and 0 <= key[1] < self._blocks.columns)
 
     def _keys(self, vertices: np.ndarray) -> list[BlockKey]:
         grid = self._mosaic.grid
@@ -147,28 +142,26 @@ class LoneScanning:
 
     def _table_of(self, key: BlockKey) -> LoneTable | None:
         """What the journal holds of one block."""
-        found = held(LONE_LOOK, self._journal.files, key)
-        return None if found is None else found.table
+        scan = held(LONE_LOOK, self._journal.files, key)
+        return None if scan is None else scan.table
 
 
-def _judged(piece: SeamPiece, told: LoneJudgement, pixel_m: float, levels: int) -> JudgedPiece:
+def _judged(piece: SeamPiece, judgement: LoneJudgement, pixel_m: float, levels: int) -> JudgedPiece:
     left, right = (side if isinstance(side, str) else None for side in (piece.left, piece.right))
-    kept = told.kept
+    kept, verdict = judgement.kept, (judgement.verdict, judgement.reason)
     if kept is None:
-        return JudgedPiece(piece, left, right, None, None, None, None, told.verdict, told.reason)
-    width = kept.band_width_px * pixel_m
-    by_level = (kept.kept, *[None] * (levels - 1))
+        return JudgedPiece(piece, left, right, None, None, None, None, *verdict)
     return JudgedPiece(
-        piece, left, right, by_level, kept.low, kept.high, width, told.verdict, told.reason,
-        state=state_by(kept.kept, kept.low, kept.high, told.verdict),
+        piece, left, right, (kept.kept, *[None] * (levels - 1)), kept.low, kept.high, kept.band_width_px * pixel_m,
+        *verdict, state=state_by(kept.kept, kept.low, kept.high, judgement.verdict),
     )
 
 
 def _joined(pieces: Sequence[SeamPiece]) -> SeamPiece:
     """Pieces that follow one another as one."""
     first = pieces[0]
-    vertices = np.concatenate([first.vertices, *(one.vertices[1:] for one in pieces[1:])])
-    length = sum(one.length_m for one in pieces)
+    vertices = np.concatenate([first.vertices, *(piece.vertices[1:] for piece in pieces[1:])])
+    length = sum(piece.length_m for piece in pieces)
     return SeamPiece(first.seam_id, first.station_m, length, vertices, first.left, first.right)
 
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ..profile.cell_table import CELL_PX
+from ..profile.ground import bounded, log_link_fit
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece
 from .lone_blocks import REACH_PX, ZONES_PX, LoneTable
@@ -98,16 +99,15 @@ def lone_stretches(
     count = int(counts.sum())
     nearest = _nearest(table, pieces, numbers, index, counts)
     ratio = table.energy / table.area / _expected(table)[table.cell]
-    own = nearest.belongs[table.cell]
-    stretch, piece = nearest.stretch[table.cell], nearest.order[table.cell]
+    belongs = nearest.belongs[table.cell]
+    piece_of = np.repeat(np.arange(len(counts)), counts)
     zones = len(ZONES_PX) - 1
-    inner = own & (table.zone < zones)
-    zone_area, zone_matched = _means(
-        ratio[inner], table.area[inner], stretch[inner], piece[inner], table.zone[inner], count, zones
-    )
+    inner = belongs & (table.zone < zones)
+    place = table.zone.astype(np.intp) * count + nearest.stretch[table.cell]
+    zone_area, zone_matched = _means(ratio[inner], table.area[inner], place[inner], piece_of, zones)
     # The strip's parts of a cell are one: smaller ones would be capped oftener than the cells of the ground.
     group = _groups(table, nearest.left)
-    used = own & (group != _UNUSED)
+    used = belongs & (group != _UNUSED)
     groups = 1 + 2 * len(RANGES_PX)
     key, merged = np.unique(table.cell[used].astype(np.int64) * groups + group[used], return_inverse=True)
     cell, group = np.divmod(key, groups)
@@ -115,11 +115,9 @@ def lone_stretches(
     plain = np.bincount(merged, table.energy[used], len(key)) / area
     matched = np.bincount(merged, (table.area * ratio)[used], len(key)) / area
     large = area >= _LEAST_PART_PX
-    cell, group, area = cell[large], group[large], area[large]
-    areas, matched_means = _means(
-        matched[large], area, nearest.stretch[cell], nearest.order[cell], group, count, groups
-    )
-    _, plain_means = _means(plain[large], area, nearest.stretch[cell], nearest.order[cell], group, count, groups)
+    area, place = area[large], (group * count + nearest.stretch[cell])[large]
+    areas, matched_means = _means(matched[large], area, place, piece_of, groups)
+    _, plain_means = _means(plain[large], area, place, piece_of, groups)
     shape = len(RANGES_PX), 2, count
     return LoneStretches(
         np.repeat(np.asarray(numbers, dtype=np.intp), counts), np.repeat(lengths / counts, counts),
@@ -136,8 +134,6 @@ class _NearestStretch:
     belongs: np.ndarray
     """bool: whether its piece is one of those asked for."""
     stretch: np.ndarray
-    order: np.ndarray
-    """Place of its piece among those asked for."""
     left: np.ndarray
     """bool: whether it lies on the left."""
 
@@ -146,16 +142,16 @@ def _nearest(
     table: LoneTable, pieces: Sequence[SeamPiece], numbers: Sequence[int], index: PieceIndex, counts: np.ndarray
 ) -> _NearestStretch:
     """``counts``: stretches of each piece that is asked for."""
-    found = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX)
+    seam = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX)
     place = np.full(len(pieces) + 1, -1)
     place[list(numbers)] = np.arange(len(numbers))
-    order = place[found.number]  # -1, no piece, is the last
+    order = place[seam.number]  # -1, no piece, is the last
     belongs = order >= 0
     order = np.where(belongs, order, 0)
     start, length = (np.array([getattr(pieces[n], name) for n in numbers]) for name in ("station_m", "length_m"))
-    share = (found.station_m - start[order]) / length[order]
-    own = np.clip((share * counts[order]).astype(np.intp), 0, counts[order] - 1)
-    return _NearestStretch(belongs, np.cumsum(counts)[order] - counts[order] + own, order, found.on_left)
+    share = (seam.station_m - start[order]) / length[order]
+    within = np.clip((share * counts[order]).astype(np.intp), 0, counts[order] - 1)
+    return _NearestStretch(belongs, np.cumsum(counts)[order] - counts[order] + within, seam.on_left)
 
 
 def _groups(table: LoneTable, left: np.ndarray) -> np.ndarray:
@@ -170,15 +166,18 @@ def _groups(table: LoneTable, left: np.ndarray) -> np.ndarray:
 
 
 def _means(
-    values: np.ndarray, area: np.ndarray, stretch: np.ndarray, piece: np.ndarray, group: np.ndarray, count: int,
-    groups: int,
+    values: np.ndarray, area: np.ndarray, place: np.ndarray, piece_of: np.ndarray, groups: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Areas and means (groups, count) by stretch, with none counted as more than ``CAP`` times its piece's mean."""
-    group = group.astype(np.intp)
-    capped = np.minimum(values, CAP * capped_means(values, area, piece * groups + group)[piece * groups + group])
-    key = group * count + stretch
-    areas = np.bincount(key, area, groups * count)
-    means = np.bincount(key, area * capped, groups * count) / np.where(areas > 0, areas, 1)
+    """Areas and means (groups, stretches), with none counted as more than ``CAP`` times its piece's mean.
+
+    ``place``: the group of each value, times the number of stretches, and its stretch; ``piece_of``: each stretch.
+    """
+    count = len(piece_of)
+    group, stretch = np.divmod(place, count)
+    of_piece = piece_of[stretch] * groups + group
+    capped = np.minimum(values, CAP * capped_means(values, area, of_piece)[of_piece])
+    areas = np.bincount(place, area, groups * count)
+    means = np.bincount(place, area * capped, groups * count) / np.where(areas > 0, areas, 1)
     return areas.reshape(groups, count), means.reshape(groups, count)
 
 
@@ -193,11 +192,11 @@ def _expected(table: LoneTable) -> np.ndarray:
         return expected
     tile_row, tile_column = table.row // _TILE_CELLS, table.column // _TILE_CELLS
     for row, column in np.unique(np.column_stack([tile_row, tile_column]), axis=0):
-        own = (tile_row == row) & (tile_column == column)
+        inside = (tile_row == row) & (tile_column == column)
         beside = known & _near(table.row, row) & _near(table.column, column)
         if np.count_nonzero(beside) < FEWEST_CELLS:
             beside = known
-        expected[own] = expected_energies(table.colour[beside], energy[beside], area[beside], table.colour[own])
+        expected[inside] = expected_energies(table.colour[beside], energy[beside], area[beside], table.colour[inside])
     return expected
 
 
@@ -210,10 +209,8 @@ def _near(places: np.ndarray, tile: int) -> np.ndarray:
 CAP = 2.0
 """A cell counts at most as so many times what is expected of it: kerbs and roofs are not what is looked for."""
 
-_ROUNDS = 12  # of reweighting, in a fit and in a capped mean
-_RIDGE = 1e-4  # of the mean of the normal matrix's diagonal: properties that hardly vary tell nothing
+_ROUNDS = 12  # in a fit and in a capped mean: with 5 a fit to JPEG has not ended, and a sound piece is called lossy
 _OUTERMOST = (0.01, 0.99)  # of each property: beyond these quantiles the model is held where it is
-_MOST_EXPONENT = 15.0  # a factor of 3 million either way, so that no round runs away
 
 
 def expected_energies(
@@ -223,13 +220,12 @@ def expected_energies(
 
     ``energies`` and ``weights``: (n,). Returns (m,), all positive.
     """
-    own, asked = properties.astype(np.float64), wanted.astype(np.float64)
-    low, high = np.quantile(own, _OUTERMOST, axis=0)
-    own, asked = np.clip(own, low, high), np.clip(asked, low, high)
-    middle, spread = own.mean(axis=0), np.maximum(own.std(axis=0), 1e-9)
+    low, high = np.quantile(properties.astype(np.float64), _OUTERMOST, axis=0)
+    known, asked = (np.clip(one, low, high) for one in (properties, wanted))
+    middle, spread = known.mean(axis=0), np.maximum(known.std(axis=0), 1e-9)
     level = max(float(np.average(energies, weights=weights)), 1e-12)
-    coefficients = _fitted(_terms((own - middle) / spread), energies / level, weights)
-    return np.asarray(level * np.exp(_bounded(_terms((asked - middle) / spread) @ coefficients)))
+    coefficients = log_link_fit(_terms((known - middle) / spread), energies / level, weights, CAP - 1, _ROUNDS)
+    return np.asarray(level * np.exp(bounded(coefficients @ _terms((asked - middle) / spread))))
 
 
 def capped_means(values: np.ndarray, weights: np.ndarray, groups: np.ndarray) -> np.ndarray:
@@ -244,26 +240,6 @@ def capped_means(values: np.ndarray, weights: np.ndarray, groups: np.ndarray) ->
 
 
 def _terms(properties: np.ndarray) -> np.ndarray:
-    """1, the properties and their products, (n, terms)."""
+    """1, the properties and their products, (terms, n)."""
     first, second = np.triu_indices(properties.shape[1])
-    return np.column_stack([np.ones(len(properties)), properties, properties[:, first] * properties[:, second]])
-
-
-def _fitted(terms: np.ndarray, values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Coefficients of the logarithm of what is expected; ratios above ``CAP`` count as that."""
-    weighted = terms.T * weights
-    normal = weighted @ terms
-    ridge = np.full(len(normal), _RIDGE * np.trace(normal) / len(normal))
-    ridge[0] = 0
-    inverse = np.linalg.inv(normal + np.diag(ridge))
-    exponent = np.zeros(len(values))
-    coefficients = np.zeros(len(normal))
-    for _ in range(_ROUNDS):
-        working = np.minimum(values * np.exp(-exponent), CAP) - 1 + exponent
-        coefficients = inverse @ (weighted @ working)
-        exponent = _bounded(terms @ coefficients)
-    return np.asarray(coefficients)
-
-
-def _bounded(exponents: np.ndarray) -> np.ndarray:
-    return np.clip(exponents, -_MOST_EXPONENT, _MOST_EXPONENT)
+    return np.vstack([np.ones(len(properties)), properties.T, (properties[:, first] * properties[:, second]).T])

@@ -9,8 +9,7 @@ import numpy as np
 from osgeo import gdal
 
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import Message
-from ....imagery.gdal_calls import gdal_call, gdal_writing
+from ....imagery.gdal_calls import gdal_writing
 from ....imagery.raster_writer import GEOTIFF, whole_raster
 from ....imagery.rasters import Raster
 from ..following.boxes import in_squares
@@ -144,32 +143,31 @@ def loss_raster(
     with whole_raster(path) as unfinished:
         # At the fastest level the file is 3 % larger and takes half the time: one thread writes what many measure.
         options = ("COMPRESS=DEFLATE", "ZLEVEL=1", "PREDICTOR=3", "INTERLEAVE=BAND", "SPARSE_OK=TRUE")
-        dataset = created_cells(unfinished, mosaic, cell_px, BANDS, failure, options)
         with gdal_writing(failure):
+            dataset = created_cells(unfinished, mosaic, cell_px, BANDS, options)
             dataset.SetMetadata(dict(settings or {}), SETTINGS_DOMAIN)
         yield LossRaster(dataset, path, cell_px)
 
 
 def created_cells(
-    path: str, mosaic: Raster, cell_px: int, bands: Sequence[str], failure: Message, options: Sequence[str] = ()
+    path: str, mosaic: Raster, cell_px: int, bands: Sequence[str], options: Sequence[str] = ()
 ) -> gdal.Dataset:
     """A GeoTIFF of cells of a mosaic, empty: with SPARSE_OK they are ``NODATA`` without being written.
 
-    Raises RasterError with ``failure`` where none can be made.
+    Raises RuntimeError, as GDAL does where its exceptions are on, where none can be made.
     """
     columns, rows = -(-mosaic.columns // cell_px), -(-mosaic.rows // cell_px)
-    kind, options = gdal.GDT_Float32, ["TILED=YES", "BIGTIFF=IF_SAFER", *options]
-    dataset = gdal_call(
-        lambda: gdal.GetDriverByName(GEOTIFF).Create(path, columns, rows, len(bands), kind, options), failure
-    )
+    options = ["TILED=YES", "BIGTIFF=IF_SAFER", *options]
+    dataset = gdal.GetDriverByName(GEOTIFF).Create(path, columns, rows, len(bands), gdal.GDT_Float32, options)
+    if dataset is None:
+        raise RuntimeError(path)
     left, across, skew, top, down, height = mosaic.placement
-    with gdal_writing(failure):
-        dataset.SetGeoTransform((left, across * cell_px, skew * cell_px, top, down * cell_px, height * cell_px))
-        dataset.SetProjection(mosaic.wkt)
-        for number, name in enumerate(bands, 1):
-            band = dataset.GetRasterBand(number)
-            band.SetDescription(name)
-            band.SetNoDataValue(NODATA)
+    dataset.SetGeoTransform((left, across * cell_px, skew * cell_px, top, down * cell_px, height * cell_px))
+    dataset.SetProjection(mosaic.wkt)
+    for number, name in enumerate(bands, 1):
+        band = dataset.GetRasterBand(number)
+        band.SetDescription(name)
+        band.SetNoDataValue(NODATA)
     return dataset
 
 

@@ -20,10 +20,9 @@ from ....imagery.rasters import Raster
 from ....imagery.records import Column, Row, rows_of
 from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
 from ..following.likely_source import MIN_FIT, MIN_TEXTURE
-from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..profile.seam_sums import StripProfile
-from ..verdicts import MAX_KEPT_LOW, Verdict, judge_by_seam
+from ..verdicts import MAX_KEPT_LOW, Verdict, judge_profile
 from ..window_placing import PlacedWindow, WindowIndex
 from . import messages
 from .lines.seam_pieces import SeamPiece
@@ -77,47 +76,46 @@ class JudgedPiece:
         return self.kept[0] if self.kept else None
 
 
+@dataclass(frozen=True, eq=False)
+class PieceFigures:
+    """A piece of seam and what was measured of it."""
+
+    piece: SeamPiece
+    strip: StripProfile
+    visibility: float | None = None
+    """Of its loss, JND."""
+    grain: float | None = None
+    """Largest rms of its sources' finest detail, as a share of white; None where that is not known."""
+
+
 def judge_piece(
-    piece: SeamPiece, sides: tuple[str | None, str | None], found: StripProfile, ground_sample_distance: float,
-    visibility: float | None = None, grain: float | None = None,
+    figures: PieceFigures, sides: tuple[str | None, str | None], ground_sample_distance: float
 ) -> JudgedPiece:
-    """The verdict on one piece by its profile, and how visible its loss is, JND.
-
-    ``grain``: largest rms of its sources' finest detail, as a share of white; None where that is not known.
-    """
-    one = _judged_by_profile(piece, sides, found, ground_sample_distance, visibility)
-    if grain is None or grain > MOST_GRAIN or one.state is not PieceState.NOT_MEASURED:
-        return one
-    return JudgedPiece(
-        piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, messages.PIECE_WITHOUT_DETAIL(),
-        state=PieceState.NO_DETAIL,
-    )
-
-
-def _judged_by_profile(
-    piece: SeamPiece, sides: tuple[str | None, str | None], found: StripProfile, ground_sample_distance: float,
-    visibility: float | None,
-) -> JudgedPiece:
-    if found.profile is None:
+    """The verdict on one piece by its profile. ``sides``: names of the sources on its left and on its right."""
+    piece, profile, state = figures.piece, figures.strip.profile, PieceState.NOT_MEASURED
+    is_even = figures.grain is not None and figures.grain <= MOST_GRAIN
+    if profile is None:
         needed = MIN_STRIP_PX / (2 * STRIP_PX) * ground_sample_distance
         short = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed) if piece.length_m < needed else None
-        reason = short or messages.PIECE_NOT_MEASURED()
-        return JudgedPiece(piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, reason)
-    profile = found.profile
+        why: Message | None = short or messages.PIECE_NOT_MEASURED()
     # What little is left where detail was brushed away resembles no source.
-    if found.fit < MIN_FIT and found.texture >= MIN_TEXTURE:
-        return JudgedPiece(
-            piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, messages.PIECE_NOT_EXPLAINED()
-        )
-    verdict, why = judge_by_seam(profile, True, 1.0, MAX_SIGNIFICANT_KEPT)
-    if verdict is Verdict.NOT_COMPARABLE and profile.low <= MAX_KEPT_LOW:
-        why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
-    width = profile.band_width_px * ground_sample_distance
-    feather = None if profile.feather_width_px is None else profile.feather_width_px * ground_sample_distance
-    return JudgedPiece(
-        piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, visibility, feather,
-        state=state_by(profile.kept[0], profile.low, profile.high, verdict),
-    )
+    elif figures.strip.fit < MIN_FIT and figures.strip.texture >= MIN_TEXTURE:
+        why = messages.PIECE_NOT_EXPLAINED()
+    else:
+        verdict, why = judge_profile(profile)
+        if verdict is Verdict.NOT_COMPARABLE and profile.low <= MAX_KEPT_LOW:
+            why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
+        state = state_by(profile.kept[0], profile.low, profile.high, verdict)
+        if state is not PieceState.NOT_MEASURED or not is_even:
+            width = profile.band_width_px * ground_sample_distance
+            feather = None if profile.feather_width_px is None else profile.feather_width_px * ground_sample_distance
+            return JudgedPiece(
+                piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, figures.visibility,
+                feather, state=state,
+            )
+    if is_even:
+        why, state = messages.PIECE_WITHOUT_DETAIL(), PieceState.NO_DETAIL
+    return JudgedPiece(piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, why, state=state)
 
 
 def state_by(kept: float | None, low: float | None, high: float | None, verdict: Verdict) -> PieceState:
@@ -302,7 +300,11 @@ def seam_rows(result: ScanResult) -> list[Row]:
     mosaic's reference system.
     """
     features = result.features
-    return [{**row, GEOMETRY: _line_wkt(one.piece.vertices)} for row, one in zip(_field_rows(features), features)]
+    rows = []
+    for row, feature in zip(_field_rows(features), features):
+        points = ", ".join(f"{x!r} {y!r}" for x, y in feature.piece.vertices.tolist())
+        rows.append({**row, GEOMETRY: f"LINESTRING ({points})"})
+    return rows
 
 
 def seam_notes(result: ScanResult, settings: ScanSettings, wkt: str) -> dict[str, str]:
@@ -318,7 +320,3 @@ def seam_notes(result: ScanResult, settings: ScanSettings, wkt: str) -> dict[str
 def _field_rows(features: Sequence[JudgedPiece]) -> list[Row]:
     levels = max((len(one.kept) for one in features if one.kept), default=1)
     return list(rows_of(SEAM_COLUMNS, features, levels))
-
-
-def _line_wkt(vertices: np.ndarray) -> str:
-    return f"LINESTRING ({', '.join(f'{x!r} {y!r}' for x, y in vertices.tolist())})"

@@ -37,6 +37,8 @@ class ScanSettings:
     """What is read on either side of given seamlines; 0: everything."""
     worst_count: int = limits.WORST_COUNT
     """Windows of the least kept places."""
+    source_field: str = ""
+    """Field of given seamlines that names the source of a polygon, where that can't be guessed."""
 
     @property
     def told(self) -> dict[str, str]:

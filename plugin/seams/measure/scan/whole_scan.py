@@ -6,7 +6,7 @@ import tempfile
 from collections.abc import Iterator, Mapping
 from concurrent.futures import Executor
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import chain
 from pathlib import Path
 from typing import Callable
@@ -16,14 +16,14 @@ from ....imagery.file_identity import FileState, guarding, known_states, local_s
 from ....imagery.gdal_paths import is_remote
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.seam_totals import METRES, MOSAIC_FILES, SOURCE_FILES
-from ..inspection import Block, PathLike
+from ..inspection import Block, PathLike, Workers
 from ..while_measuring import measuring
 from . import messages
 from .block_runs import BlockRun, ScanStep, whole_block
 from .blocks.block_grid import BlockKey
 from .blocks.scan_block import BlockScan
 from .gathering import Gathering
-from .lines.given_seams import GivenSeams, given_seams
+from .lines.given_seams import given_seams
 from .lines.seam_features import read_seam_features
 from .lone_scan import LoneScanning
 from .mosaic_reading import MosaicReading
@@ -66,7 +66,7 @@ class WholeScan:
     ) -> Iterator[ScanStep]:
         """Scans all blocks, as many of them ``ahead`` as an executor should have under way."""
         with rasters_kept(), measuring():  # memory is kept from one block to the next
-            for step in self._steps(executor, ahead, cancelled):
+            for step in self._steps(Workers(executor, ahead, cancelled)):
                 self._reading.add(step.reading, step.notices)
                 yield step
 
@@ -92,13 +92,13 @@ class WholeScan:
                 raise SettingsError(messages.SCAN_INPUT_CHANGED(name=Path(path).name))
         self._reading.check()
         with rasters_kept(), measuring(), own_threads(executor, ahead) as crew:
-            found = self._result(loss_path, goes_on, *crew)
+            result = self._result(loss_path, goes_on, *crew)
         dates = self.request.dates
         files = {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
-        return found and replace(
-            found, told={**found.told, METRES: repr(found.seam_metres), **files},
-            pieces=tuple(dated(one, dates) for one in found.pieces),
-            stretches=tuple(dated(one, dates) for one in found.stretches),
+        return result and replace(
+            result, told={**result.told, METRES: repr(result.seam_metres), **files},
+            pieces=tuple(dated(piece, dates) for piece in result.pieces),
+            stretches=tuple(dated(stretch, dates) for stretch in result.stretches),
         )
 
     def finish(self) -> None:
@@ -128,55 +128,60 @@ def _paths(request: ScanRequest | Block) -> tuple[list[str], list[str]]:
     return [*request.mosaic.ref.paths], [path for source in request.sources for path in source.ref.paths]
 
 
+@dataclass(frozen=True)
+class ScanRun:
+    """Who scans, and who is told how far it is."""
+
+    executor: Executor | None = None
+    """Where blocks are measured; a thread per core where None."""
+    ahead: int = 0
+    """Blocks that the executor should have under way; twice this machine's cores where 0."""
+    progress: Callable[[float], object] = lambda share: None
+    """Is told the share that is done, 0 to 1, now and then; what it raises ends the scan."""
+
+
 def scan(
     block: Block,
     settings: ScanSettings | None = None,
     *,
     seamlines: PathLike = "",
-    source_field: str = "",
     loss: PathLike = "",
-    executor: Executor | None = None,
-    ahead: int = 0,
-    progress: Callable[[float], object] = lambda share: None,
+    run: ScanRun | None = None,
 ) -> ScanResult:
     """Scan a whole mosaic: what each piece of its seams kept, and windows of the places that kept least.
 
     ``settings``: the standard ones where None. ``seamlines``: a vector file of lines, or of polygons that are filled
     from one source each, as ``file.gpkg|layername=name`` where it has several layers; without it seams are found from
-    the pixels. ``source_field``: the field that names the source of such a polygon, where that can't be guessed.
-    ``loss``: a GeoTIFF for the picture of losses; a scan that was stopped goes on when it is started again with the
-    same one. ``executor``: where blocks are measured, a thread per core where None; ``ahead``: how many it should have
-    under way, twice this machine's cores where 0. ``progress`` is told the share that is done, 0 to 1, now and then;
-    what it raises ends the scan.
+    the pixels. ``loss``: a GeoTIFF for the picture of losses; a scan that was stopped goes on when it is started again
+    with the same one. ``run``: in one thread per core where None.
 
     What was left out or assumed stands in the result's ``notices``. Raises SettingsError when the inputs make no scan,
     or the picture would be written over one of them, SeamlineError for seamlines that are none, RasterError when the
     picture can't be written.
     """
-    path = os.fspath(seamlines)
-    given, told = _given(path, block, source_field) if path else (None, [])
-    request, notices = scan_request(block.mosaic, block.sources, settings or ScanSettings(), given)
-    told += notices
+    path, settings, run = os.fspath(seamlines), settings or ScanSettings(), run or ScanRun()
+    given, notices = None, []
+    if path:
+        features, lost = read_seam_features(path, block.mosaic.wkt)
+        paths = [source.ref.path for source in block.sources]
+        given = given_seams(features, block.mosaic.grid, settings.source_field, paths)
+        notices += [] if lost is None else [lost]
+    request, of_request = scan_request(block.mosaic, block.sources, settings, given)
+    notices += of_request
 
     def goes_on(share: float) -> bool:
-        progress(MEASURED + (1 - MEASURED) * share)
+        run.progress(MEASURED + (1 - MEASURED) * share)
         return True
 
     read = *block.paths, *chain(*_paths(block)), *([path.partition("|")[0]] if path else ())
     with guarding({"loss": os.fspath(loss)} if loss else {}, read), tempfile.TemporaryDirectory() as folder:
         output = Path(os.fspath(loss) or Path(folder) / "loss.tif")
-        with whole_scan(request, output) as whole, own_threads(executor, ahead) as opened:
-            told += [whole.notice] if whole.notice else []
+        with whole_scan(request, output) as whole, own_threads(run.executor, run.ahead) as opened:
+            notices += [whole.notice] if whole.notice else []
             for step in whole.steps(*opened):
-                told += step.notices
-                progress(MEASURED * step.share)
+                notices += step.notices
+                run.progress(MEASURED * step.share)
             result = whole.result(os.fspath(loss), goes_on, *opened)
             assert result is not None  # it goes on
             whole.finish()
-    return replace(result, notices=tuple(dict.fromkeys((*told, *result.notices))))
-
-
-def _given(path: str, block: Block, source_field: str) -> tuple[GivenSeams, list[Message]]:
-    features, lost = read_seam_features(path, block.mosaic.wkt)
-    paths = [one.ref.path for one in block.sources]
-    return given_seams(features, block.mosaic.grid, source_field, paths), [] if lost is None else [lost]
+    return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))

@@ -15,9 +15,19 @@ from ..causes import Cause
 from ..compared_image import Change, MeasuredClip
 from ..explanation import Explanation, explain
 from ..following.hard_cut import cut_hard, window_loss
+from ..limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from ..profile.window_detail import LossPicture
 from ..seam_cells import UNKNOWN, cell_labels
-from ..verdicts import MIN_EXPLAINED, Judgement, Ratios, Verdict, curve_ratios, judge, judge_by_seam
+from ..verdicts import (
+    MIN_EXPLAINED,
+    Judgement,
+    Ratios,
+    Verdict,
+    curve_ratios,
+    judge,
+    judge_profile,
+    judge_without_profile,
+)
 from ..while_measuring import measuring
 from ..window_records import COMPOSITE, SEAM
 from .measured_window import MeasuredWindow, in_file_values, measure_window
@@ -117,15 +127,26 @@ def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.
     return known if (known != UNKNOWN).any() else None
 
 
+def judge_by_seam(found: Explanation, min_kept: float = MAX_SIGNIFICANT_KEPT) -> tuple[Verdict, Message | None]:
+    """The verdict on a window by its seams and the sharpness of the whole, and why there is none: ``significant`` too
+    where the square of the sharpness is at most its limit. Without a seam the sharpness alone judges."""
+    if found.sharpness is None:
+        return Verdict.NOT_COMPARABLE, messages.COMPOSITE_UNCLEAR()
+    if found.sharpness**2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED:
+        return Verdict.SIGNIFICANT, None
+    is_blurred = found.sharpness < 1 - SHARPNESS_TOLERANCE
+    if found.profile is None:
+        return judge_without_profile(found.has_seam, is_blurred, found.explained, found.mixed_share)
+    return judge_profile(found.profile, min_kept, is_blurred, found.explained)
+
+
 def _judged(
     paper: Judgement, mosaic: Curve, found: Explanation, band: str, request: WindowRequest
 ) -> Judgement:
     """The verdict by what the settings say; the ratios stay those against the sources."""
     settings = request.settings
     if settings.reference == SEAM:
-        verdict, reason = judge_by_seam(
-            found.profile, found.has_seam, found.sharpness, settings.min_kept, found.explained, found.mixed_share
-        )
+        verdict, reason = judge_by_seam(found, settings.min_kept)
         return replace(paper, verdict=verdict, reason=reason)
     if settings.reference == COMPOSITE:
         # What the mosaic does not follow is cut at random, unless the cells say how.

@@ -18,7 +18,8 @@ from seam_inspector.plugin.seams.measure.causes import Cause, causes_taken
 from seam_inspector.plugin.seams.measure.explanation import Explanation
 from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
-from seam_inspector.plugin.seams.measure.verdicts import Verdict, judge_by_seam
+from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.explained_window import judge_by_seam
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from benchmarks import aftermaths
@@ -211,7 +212,7 @@ def test_what_feathers_kept_is_told(spoilt: Found) -> None:
 
 def test_what_came_over_the_whole_mosaic_is_no_loss_of_the_seam(spoilt: Found) -> None:
     judged = [
-        (truth.name, judge_by_seam(found.profile, found.has_seam, 1.0)[0])
+        (truth.name, judge_by_seam(replace(found, sharpness=1.0))[0])
         for truth, _, found in spoilt if truth.cause in CHANGES_THE_WHOLE
     ]
     assert len(judged) >= 9 * EACH
@@ -224,7 +225,7 @@ def test_what_came_over_the_whole_mosaic_is_no_loss_of_the_seam(spoilt: Found) -
 def test_feathers_are_flagged(spoilt: Found) -> None:
     for truth, _, found in spoilt:
         if truth.cause is Cause.FEATHERING:
-            verdict, _ = judge_by_seam(found.profile, found.has_seam, found.sharpness)
+            verdict, _ = judge_by_seam(found)
             assert verdict in (Verdict.REDUCED, Verdict.SIGNIFICANT), truth.name
 
 
@@ -264,7 +265,7 @@ def test_sources_that_were_balanced_are_no_loss(scenes: list[Scene]) -> None:
         toned[scene.main[1]] = 1.1 * toned[scene.main[1]]
         found = explained(scene, whole_values(cut(scene.labels, toned)))[0]
         assert besides_misfit(found)[0] is Cause.BALANCED
-        assert judge_by_seam(found.profile, found.has_seam, found.sharpness)[0] is Verdict.PRESERVED
+        assert judge_by_seam(found)[0] is Verdict.PRESERVED
         gains = sorted(tone.gain for tone in found.evidence.tones if tone.gain)
         assert gains[0] == pytest.approx(0.85, rel=0.02)
         assert gains[-1] == pytest.approx(1.1, rel=0.02)

@@ -18,8 +18,8 @@ def eased(
     first: np.ndarray, second: np.ndarray, weight: np.ndarray, mosaic: np.ndarray, inside: np.ndarray, valid: np.ndarray
 ) -> np.ndarray:
     """One band eased."""
-    made = dressing.eased(*(one[np.newaxis] for one in (first, second)), weight, mosaic[np.newaxis], inside, valid)
-    return np.asarray(made[0])
+    images = [first[np.newaxis], second[np.newaxis]]
+    return np.asarray(dressing.eased(images, weight, mosaic[np.newaxis], inside, valid)[0])
 
 
 def left_of_border() -> np.ndarray:

@@ -9,7 +9,7 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, cut_in_pieces
-from seam_inspector.plugin.seams.measure.scan.lone_blocks import LoneTable, lone_cells
+from seam_inspector.plugin.seams.measure.scan.lone_blocks import LoneTable, MosaicPixels, lone_cells
 from seam_inspector.plugin.seams.measure.scan.lone_kept import LoneSeams
 from seam_inspector.plugin.seams.measure.scan.lone_stretches import lone_stretches
 
@@ -50,7 +50,7 @@ def table_of(
     """The cells of a mosaic in one window; without ``bands`` it has three that are alike."""
     window = PixelWindow(0, 0, grid.columns, grid.rows)
     bands = np.stack([plane] * 3) if bands is None else bands
-    return lone_cells(plane, bands, valid, window, window, PieceIndex(pieces, grid), WAVELET)
+    return lone_cells(MosaicPixels(window, plane, bands, valid), window, PieceIndex(pieces, grid), WAVELET)
 
 
 def seams_of(

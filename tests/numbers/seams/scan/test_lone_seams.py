@@ -13,7 +13,7 @@ from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import cut_in_pieces
-from seam_inspector.plugin.seams.measure.scan.lone_blocks import LoneTable, lone_cells
+from seam_inspector.plugin.seams.measure.scan.lone_blocks import LoneTable, MosaicPixels, lone_cells
 from seam_inspector.plugin.seams.measure.scan.lone_kept import (
     COLOURLESS,
     LoneKept,
@@ -313,8 +313,8 @@ def test_windows_with_margins_make_the_whole(made: LoneMosaic) -> None:
         top, bottom = max(first - 64, 0), min(first + 576, SHAPE[0])
         around, window = PixelWindow(0, top, SHAPE[1], bottom - top), PixelWindow(0, first, SHAPE[1], 512)
         given = plane[top:bottom]
-        bands = np.stack([given] * 3)
-        parts.append(lone_cells(given, bands, None, around, window, index.near(around, 128), WAVELET))
+        pixels = MosaicPixels(around, given, np.stack([given] * 3))
+        parts.append(lone_cells(pixels, window, index.near(around, 128), WAVELET))
     again = pickle.loads(pickle.dumps(LoneTable.joined([LoneTable.empty(), *parts])))
     assert len(again) == len(once)
     for name in ("row", "column", "cell", "zone", "area"):

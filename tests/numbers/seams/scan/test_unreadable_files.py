@@ -12,6 +12,7 @@ import pytest
 from osgeo import gdal
 from seam_inspector import (
     RasterRef,
+    ScanRun,
     SeamInspectorError,
     SeamInspectorWarning,
     decide,
@@ -121,7 +122,7 @@ class Elsewhere(Executor):
 )
 def test_files_that_no_worker_sees_are_an_error(files: Path, unseen: list[str], said: str) -> None:
     with pytest.raises(SeamInspectorError, match=said):
-        scan(block_of(files), executor=Elsewhere(*(files / f"{name}.tif" for name in unseen)))
+        scan(block_of(files), run=ScanRun(Elsewhere(*(files / f"{name}.tif" for name in unseen))))
 
 
 @pytest.mark.slow
@@ -130,7 +131,7 @@ def test_relative_paths_are_found_from_another_folder(files: Path, monkeypatch: 
     block = open_block("mosaic.tif", ["north.tif", "south.tif"])
     assert RasterRef("mosaic.tif", parts=("north.tif",)).paths == (str(files / "mosaic.tif"), str(files / "north.tif"))
     assert RasterRef("/vsicurl/none").path == "/vsicurl/none"
-    found = scan(block, executor=Elsewhere())
+    found = scan(block, run=ScanRun(Elsewhere()))
     assert found.seam_metres == pytest.approx(COLUMNS / 10, rel=0.02)
 
 

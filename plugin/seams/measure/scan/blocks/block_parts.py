@@ -1,7 +1,6 @@
 """Parts of a block: pixel by pixel along its seams, and all of the ground between them, whose source patches tell."""
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -60,33 +59,42 @@ class DensePart:
     """Share of the mosaic's valid pixels that no source explains."""
 
 
-def measure_part(
-    pixels: BlockPixels, window: PixelWindow, numbers: tuple[int, ...], wavelet: str, levels: int,
-    filters: Filters | None = None, sides: SeamSides | None = None,
-) -> DensePart:
-    """A window, on the mosaic's grid, by some of the sources of its block.
+@dataclass(frozen=True, eq=False)
+class PartRequest:
+    """A rectangle that is to be measured, and what is known of it."""
 
-    ``filters``: what came over the mosaic, where that is known of all of them. ``sides``: the seams that are given.
+    window: PixelWindow
+    """On the mosaic's grid."""
+    numbers: tuple[int, ...]
+    """The sources of its block that it is measured by."""
+    filters: Filters | None = None
+    """What came over the mosaic, where that is known of all of them."""
+    sides: SeamSides | None = None
+    """The seams that are given."""
 
-    Raises RasterError where the mosaic can't be read.
-    """
+
+def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels: int) -> DensePart:
+    """Measure a rectangle of a block. Raises RasterError where the mosaic can't be read."""
+    window, filters, sides = request.window, request.filters, request.sides
     around = window.with_margin(MARGIN_PX)
-    planes = pixels.part(around, numbers)
-    own = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
+    planes = pixels.part(around, request.numbers)
+    inside = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
     given = tuple(planes.sources)
     known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
-    if not given or known[own].mean() < MIN_VALID:
-        return _nothing(window, levels, float(known[own].any()))
+    if not given or known[inside].mean() < MIN_VALID:
+        return _nothing(window, levels, float(known[inside].any()))
     image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
-    known_filters = None if filters is None else _of_planes(filters, given)
-    if known_filters is not None and known_filters.taps:
-        followed = follow_given(image, planes.compared, known_filters)
+    if filters is not None:  # by the numbers of planes instead of the sources'
+        taps = {plane: filters.taps[i] for plane, i in enumerate(given) if i in filters.taps}
+        filters = replace(filters, taps=taps)
+    if filters is not None and filters.taps:
+        followed = follow_given(image, planes.compared, filters)
     else:
         followed = follow_sources(image, planes.compared)
         if sides is not None and followed.following.unclear_share >= MIN_UNCLEAR_SHARE:
             followed = clearer_by_parts(followed, sides.parts(around))
     closeness = Closeness(QUICK, PATCH_PX, bool(planes.resampled))
-    expected = expected_mosaic(followed, known_filters, closeness).of_sources(given)
+    expected = expected_mosaic(followed, filters, closeness).of_sources(given)
     labels, clear, mixed = expected.labels, followed.clear, followed.following.mixed
     guessed = known & guesses(labels, clear | mixed)
     if guessed.any() and expected.is_filtered:  # sources on other pixels than the mosaic are hardly told apart as such
@@ -103,14 +111,14 @@ def measure_part(
     first = around.row // CELL_PX, around.column // CELL_PX
     return DensePart(
         window,
-        labels[own][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
-        square_shares(mixed[own], CELL_PX),
-        square_shares(clear[own], CELL_PX),
-        square_shares(image.plane[own], CELL_PX),
+        labels[inside][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
+        square_shares(mixed[inside], CELL_PX),
+        square_shares(clear[inside], CELL_PX),
+        square_shares(image.plane[inside], CELL_PX),
         _grain(followed, known)[place],
         cells.within(place).moved(*first),
         beside.within(place).moved(*first),
-        np.count_nonzero((labels[own] == UNKNOWN) & known[own]) / np.count_nonzero(known[own]),
+        np.count_nonzero((labels[inside] == UNKNOWN) & known[inside]) / np.count_nonzero(known[inside]),
     )
 
 
@@ -126,13 +134,12 @@ def _grain(sources: PlacedSources, known: np.ndarray) -> np.ndarray:
     return np.sqrt(np.fmax.reduce(squares))
 
 
-def guesses(labels: np.ndarray, told: np.ndarray) -> np.ndarray:
+def guesses(labels: np.ndarray, clear: np.ndarray) -> np.ndarray:
     """Parts that follow a source for sure almost nowhere: compression or smooth ground left nothing to tell it by.
     (rows, columns) bool."""
-    found = np.zeros(labels.shape, bool)
-    if np.count_nonzero(told) >= MIN_CLEAR * told.size:
-        return found
-    coarse, sure = labels[::LABEL_PX, ::LABEL_PX], told[::LABEL_PX, ::LABEL_PX]
+    if np.count_nonzero(clear) >= MIN_CLEAR * clear.size:
+        return np.zeros(labels.shape, bool)
+    coarse, sure = labels[::LABEL_PX, ::LABEL_PX], clear[::LABEL_PX, ::LABEL_PX]
     unsure = np.zeros(coarse.shape, bool)
     for number in np.unique(coarse[coarse != UNKNOWN]).tolist():
         parts, count = ndimage.label(coarse == number)
@@ -141,26 +148,11 @@ def guesses(labels: np.ndarray, told: np.ndarray) -> np.ndarray:
     return enlarged(unsure, LABEL_PX)
 
 
-def _of_planes(filters: Filters, numbers: Sequence[int]) -> Filters:
-    """Filters by the number of a plane instead of its source's."""
-    places = {number: k for k, number in enumerate(numbers)}
-    taps = {places[i]: one for i, one in filters.taps.items() if i in places}
-    return replace(filters, taps=taps)
-
-
 def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
     nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
-    return DensePart(
-        window,
-        np.full((window.height // LABEL_PX, window.width // LABEL_PX), UNKNOWN, np.uint8),
-        nothing,
-        nothing,
-        nothing,
-        np.full_like(nothing, np.nan),
-        CellTable.empty(levels),
-        MixtureTable.empty(levels),
-        unexplained,
-    )
+    labels = np.full((window.height // LABEL_PX, window.width // LABEL_PX), UNKNOWN, np.uint8)
+    tables = CellTable.empty(levels), MixtureTable.empty(levels)
+    return DensePart(window, labels, nothing, nothing, nothing, np.full_like(nothing, np.nan), *tables, unexplained)
 
 
 BLOCK_MARGIN_PX = 32
@@ -175,9 +167,9 @@ def measure_plain(
     Their finest level only: the picture of losses shows no other. Every square is measured by the source that its patch
     follows. Raises RasterError where the mosaic can't be read.
     """
-    own = pixels.window
-    rows, columns = -(-own.height // SQUARE_PX) * SQUARE_PX, -(-own.width // SQUARE_PX) * SQUARE_PX
-    window = replace(own, width=columns, height=rows).with_margin(BLOCK_MARGIN_PX)
+    block = pixels.window
+    rows, columns = -(-block.height // SQUARE_PX) * SQUARE_PX, -(-block.width // SQUARE_PX) * SQUARE_PX
+    window = replace(block, width=columns, height=rows).with_margin(BLOCK_MARGIN_PX)
     if look.learned is None:
         return CellTable.empty(levels)
     source = np.where(is_one_of(look.source, look.learned.of), look.source, np.uint8(UNKNOWN))
@@ -198,9 +190,9 @@ def measure_plain(
     known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
     measured = enlarged(dense, UNIT_PX // CELL_PX)
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
-    own_part = np.s_[:, 0, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
+    finest = np.s_[:, 0, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
     # One by one: arrays of more than 32 MB would be taken from the system every time.
-    m, c = (next(placed_components(one[np.newaxis], wavelet, 1))[own_part] for one in (planes.mosaic, made))
+    m, c = (next(placed_components(plane[np.newaxis], wavelet, 1))[finest] for plane in (planes.mosaic, made))
     sums = np.stack([
         _by_cell(np.einsum("dij,dij->ij", a, b), CELL_PX // 2)[np.newaxis] for a, b in ((m, m), (c, c), (m, c))
     ])
@@ -208,7 +200,7 @@ def measure_plain(
     sums[1] *= gain**2
     sums[2] *= gain
     cell_rows, cell_columns = (
-        first // CELL_PX + np.arange(length) for first, length in zip((own.row, own.column), known.shape)
+        first // CELL_PX + np.arange(length) for first, length in zip((block.row, block.column), known.shape)
     )
     return CellTable.far(cell_rows, cell_columns, known, sums, levels)
 
@@ -222,16 +214,16 @@ def _composite(
     means = square_means(planes.mosaic)
     gain = np.ones(means.shape, np.float32)
     for number in numbers:
-        own = labels == number
-        if not own.any():
+        followed = labels == number
+        if not followed.any():
             continue
-        place = _around(own)
+        place = _around(followed)
         squares = tuple(slice(part.start // TONE_PX, part.stop // TONE_PX) for part in place)
         plane = planes.sources[number][place]
-        whole = own[place][TONE_PX // 2 :: TONE_PX, TONE_PX // 2 :: TONE_PX]
-        found = gain_field(means[squares], square_means(plane), whole, PATCH_PX // TONE_PX)
-        np.copyto(gain[squares], found, where=whole)
-        np.copyto(made[place], filters.applied(number, plane), where=own[place])
+        whole = followed[place][TONE_PX // 2 :: TONE_PX, TONE_PX // 2 :: TONE_PX]
+        gains = gain_field(means[squares], square_means(plane), whole, PATCH_PX // TONE_PX)
+        np.copyto(gain[squares], gains, where=whole)
+        np.copyto(made[place], filters.applied(number, plane), where=followed[place])
     margin, per_cell = BLOCK_MARGIN_PX // TONE_PX, CELL_PX // TONE_PX
     inside = gain[margin:-margin, margin:-margin]
     return made, _by_cell(inside, per_cell) / per_cell**2

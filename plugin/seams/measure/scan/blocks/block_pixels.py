@@ -68,11 +68,11 @@ class BlockPixels:
     """The clips of one window of the mosaic, and parts of them; what lies beyond is read anew."""
 
     def __init__(
-        self, mosaic: Raster, refs: Sequence[RasterRef], window: PixelWindow, whole: bool = True, margin_px: int = 0,
+        self, mosaic: Raster, refs: Sequence[RasterRef], window: PixelWindow, margin_px: int | None = 0,
         grey_factor: float = 1.0,
     ) -> None:
-        """Reads the mosaic and the sources that have pixels there, and ``margin_px`` around; unless ``whole``, only the
-        parts that are asked for.
+        """Reads the mosaic and the sources that have pixels there, and ``margin_px`` around; None: only the parts that
+        are asked for.
 
         A source that can't be read is told in ``notices`` and takes no part. Raises NotCoveredError where the mosaic
         has no pixels, RasterError where it can't be read.
@@ -84,9 +84,9 @@ class BlockPixels:
         self.mosaic, self._refs, self._band = mosaic, refs, mosaic.judged_band
         self._absent: set[int] = set()
         self._factors: dict[int, float] = {}
-        self._margin, self._factor = margin_px, grey_factor
-        self._around = window.with_margin(margin_px)
-        self._held = self._read(self._around, range(min(len(refs), MOST_HELD))) if whole else None
+        self._margin, self._factor = margin_px or 0, grey_factor
+        self._around = window.with_margin(self._margin)
+        self._held = None if margin_px is None else self._read(self._around, range(min(len(refs), MOST_HELD)))
 
     @property
     def held(self) -> BlockClips:

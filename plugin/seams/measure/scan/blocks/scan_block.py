@@ -21,7 +21,7 @@ from ...while_measuring import measuring
 from ..mosaic_reading import ALL_READ, BlockReading
 from ..scan_settings import ScanSettings
 from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey, rectangles
-from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
+from .block_parts import BLOCK_MARGIN_PX, DensePart, PartRequest, measure_part, measure_plain
 from .block_pixels import BlockPixels
 from .patches import SquareLook, look_at_squares, middle_sources
 from .seam_sides import SeamSides
@@ -136,8 +136,8 @@ def _scanned(request: BlockRequest) -> BlockScan:
     is_full = request.settings.density == FULL and wanted is None
     whole = wanted is None or wanted.mean() >= WHOLE_SHARE
     refs, settings = [one.ref for one in request.sources], request.settings
-    pixels = BlockPixels(request.mosaic, refs, _widened(request.window), whole, BLOCK_MARGIN_PX if is_full else 0,
-                         request.grey_factor)
+    margin_px = (BLOCK_MARGIN_PX if is_full else 0) if whole else None
+    pixels = BlockPixels(request.mosaic, refs, _widened(request.window), margin_px, request.grey_factor)
     made = _Block(request)
     look = look_at_squares(pixels, settings.wavelet, settings.levels) if wanted is None else None
     if look is not None:
@@ -221,7 +221,7 @@ def _measured(
     something over, and where there is but one, which makes no seam. None where these are so many that halves of it,
     with fewer around each, are to be measured instead."""
     placed = window.moved_by(request.window.column, request.window.row)
-    settings, everyone, sides = request.settings, pixels.numbers, request.sides
+    everyone, sides, decomposition = pixels.numbers, request.sides, (request.settings.wavelet, request.settings.levels)
     if look is not None:
         around = _followed_around(look, window)
     else:
@@ -233,12 +233,12 @@ def _measured(
     if len(likely) > 1:
         if _is_crowded(likely, window):
             return None
-        found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters, sides)
-        if found.unexplained <= MOST_UNEXPLAINED or likely == everyone:
-            return found
+        part = measure_part(pixels, PartRequest(placed, likely, filters, sides), *decomposition)
+        if part.unexplained <= MOST_UNEXPLAINED or likely == everyone:
+            return part
     if _is_crowded(everyone, window):
         return None
-    return measure_part(pixels, placed, everyone, settings.wavelet, settings.levels, None, sides)
+    return measure_part(pixels, PartRequest(placed, everyone, None, sides), *decomposition)
 
 
 def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:

@@ -15,7 +15,7 @@ from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Grid
 from ...seam_cells import Cell, meant_sources
 from .. import messages
-from .seam_features import SeamFeature, gathered, told
+from .seam_features import SeamFeature, gathered, owner_name
 from .seam_fields import said, seam_fields
 from .seam_pieces import SidedSeam
 
@@ -55,7 +55,7 @@ def given_seams(
         network.add_polygons(pieces.rings, pieces.ring_owners)
     if pieces.lines:
         network.add_lines(pieces.lines, pieces.line_sides)
-    named = any(map(told, chain(pieces.ring_owners, *pieces.line_sides)))
+    named = any(map(owner_name, chain(pieces.ring_owners, *pieces.line_sides)))
 
     def longest_first(seam: SidedSeam) -> tuple[float, float, float]:
         return -round(seam.length / grid.pixel_width, 3), seam.vertices[0, 0], seam.vertices[0, 1]
@@ -154,9 +154,8 @@ class _Network:
             one, other = int(found[0].min()), int(found[0].max())
             weight = abs(np.diff(places[walk]))
             left, right = (one, other) if weight[found[:, 0] == one].sum() * 2 >= weight.sum() else (other, one)
-            yield SidedSeam(
-                seamlines.as_xy(seam * self._size + self._origin), told(names[left]) or None, told(names[right]) or None
-            )
+            named = (owner_name(names[side]) or None for side in (left, right))
+            yield SidedSeam(seamlines.as_xy(seam * self._size + self._origin), *named)
 
     def _in_pixels(self, ends: np.ndarray) -> tuple[complex, np.ndarray]:
         """Places in pixels, none of them negative, and what has to be added to have them from the mosaic's corner."""

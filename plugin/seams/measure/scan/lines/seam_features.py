@@ -2,11 +2,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from osgeo import gdal, ogr
+from osgeo import ogr
 
 from .....imagery import lines as seamlines
 from .....imagery import messages as imagery_messages
@@ -36,7 +36,7 @@ class GatheredLines:
     rings: list[np.ndarray] = field(default_factory=list)
     """(n,) complex each, map units, the interior on their left."""
     ring_owners: list[str] = field(default_factory=list)
-    """The source that each belongs to, else the feature; ``told`` says what it is called."""
+    """The source that each belongs to, else the feature; ``owner_name`` says what it is called."""
     cells: list[Cell] = field(default_factory=list)
     """Polygons that name their source."""
     dates: dict[str, set[str]] = field(default_factory=dict)
@@ -60,76 +60,79 @@ def gathered(
 
     ``ambiguous``: names that fit several sources, which are as good as none. Raises SeamlineError when there is none.
     """
-    found = GatheredLines()
+    lines = GatheredLines()
     empty = True
+    # A pixel wider: a line along the mosaic's edge has no width.
+    xmin, ymin, xmax, ymax = grid.extent
+    widened = xmin - grid.pixel_width, ymin - grid.pixel_height, xmax + grid.pixel_width, ymax + grid.pixel_height
     for number, (attributes, wkb) in enumerate(features, start=1):
-        if wkb:
-            try:
-                empty &= not _gather(found, wkb, number, attributes, fields, grid, ambiguous)
-            except SeamlineError:
-                empty = False
-                found.broken += 1
+        if not wkb:
+            continue
+        try:
+            with gdal_silenced():
+                geometry = seamlines.read_geometry(wkb, number)
+            if geometry.IsEmpty():
+                continue
+            empty = False
+            if extents_meet(_extent(geometry), widened):
+                _gather(lines, geometry, number, _words(attributes, fields, ambiguous), fields.names_by_date)
+            else:
+                lines.elsewhere += 1
+        except SeamlineError:
+            empty = False
+            lines.broken += 1
     if empty:
         raise SeamlineError(imagery_messages.SEAMLINES_EMPTY())
-    if found.lines or found.rings:
-        return found
-    if found.elsewhere:
-        raise SeamlineError(messages.SEAMS_ELSEWHERE(count=found.elsewhere))
-    if found.broken:
+    if lines.lines or lines.rings:
+        return lines
+    if lines.elsewhere:
+        raise SeamlineError(messages.SEAMS_ELSEWHERE(count=lines.elsewhere))
+    if lines.broken:
         raise SeamlineError(messages.SEAM_FEATURES_ALL_BROKEN())
     raise SeamlineError(imagery_messages.SEAMLINES_NO_LINES())
 
 
+def _words(attributes: Attributes, fields: SeamFields, ambiguous: Collection[str]) -> dict[str, str]:
+    """What a feature says in each of ``SeamFields``; nothing where it names what is ambiguous."""
+    words = {key: said(attributes.get(name)) if name else "" for key, name in vars(fields).items()}
+    return {key: "" if word in ambiguous and "date" not in key else word for key, word in words.items()}
+
+
 def _gather(
-    found: GatheredLines, wkb: bytes, number: int, attributes: Attributes, fields: SeamFields, grid: Grid,
-    ambiguous: Collection[str],
-) -> bool:
-    """One feature; whether it has a geometry. Raises SeamlineError when it can't be read or repaired."""
-    with gdal_silenced():
-        geometry = seamlines.read_geometry(wkb, number)
-    if geometry.IsEmpty():
-        return False
-    if not extents_meet(_extent(geometry), _widened(grid)):
-        found.elsewhere += 1
-        return True
-    source = _said_in(attributes, fields.source)
-    source = "" if source in ambiguous else source
+    lines: GatheredLines, geometry: ogr.Geometry, number: int, words: Mapping[str, str], named_by_date: bool
+) -> None:
+    """Take in one feature. Raises SeamlineError when it can't be read or repaired."""
+    source, date, sides = words["source"], words["date"], (words["left"], words["right"])
     # Without a name each is a part of its own: two images of one day meet in a seam too.
-    date = _said_in(attributes, fields.date)
-    owner = source or f"{_UNNAMED}{number}{_UNNAMED}{date if fields.names_by_date else ''}"
-    left, right = _said_in(attributes, fields.left), _said_in(attributes, fields.right)
-    sides = "" if left in ambiguous else left, "" if right in ambiguous else right
-    side_dates = _said_in(attributes, fields.left_date), _said_in(attributes, fields.right_date)
-    for name, day in ((told(owner), date), *zip(sides, side_dates)):
+    owner = source or f"{_UNNAMED}{number}{_UNNAMED}{date if named_by_date else ''}"
+    days = date, words["left_date"], words["right_date"]
+    for name, day in zip((owner_name(owner), *sides), days):
         if name and day:
-            found.dates.setdefault(name, set()).add(day)
+            lines.dates.setdefault(name, set()).add(day)
     for part in seamlines.simple_parts(geometry):
         if seamlines.is_polygon(part):
-            _gather_polygon(found, part, number, owner)
+            polygon = _gathered_polygon(lines, part, number, owner)
             if source:
-                valid = found.polygons[-1][1]
-                found.cells.append(Cell(source, bytes(valid.ExportToWkb(ogr.wkbNDR)), _extent(valid)))
+                lines.cells.append(Cell(source, bytes(polygon.ExportToWkb(ogr.wkbNDR)), _extent(polygon)))
         elif part.GetPointCount() > 1:
-            found.lines.append(_finite(seamlines.line_points(part)))
-            found.line_sides.append(sides)
+            lines.lines.append(_finite(seamlines.line_points(part)))
+            lines.line_sides.append(sides)
             with gdal_silenced():
-                found.crossing += not part.IsSimple()
-    return True
+                lines.crossing += not part.IsSimple()
 
 
-def _said_in(attributes: Attributes, name: str) -> str:
-    return said(attributes.get(name)) if name else ""
-
-
-def _gather_polygon(found: GatheredLines, polygon: ogr.Geometry, number: int, owner: str) -> None:
+def _gathered_polygon(lines: GatheredLines, polygon: ogr.Geometry, number: int, owner: str) -> ogr.Geometry:
+    """The polygon as it was taken in, repaired."""
     with gdal_silenced():
         is_valid = polygon.IsValid()
     rings = [_finite(ring) for ring in seamlines.polygon_rings(polygon, number)]
-    found.repaired += not is_valid
-    found.rings += rings
-    found.ring_owners += [owner] * len(rings)
+    lines.repaired += not is_valid
+    lines.rings += rings
+    lines.ring_owners += [owner] * len(rings)
     with gdal_silenced():
-        found.polygons.append((told(owner), polygon.Clone() if is_valid else polygon.MakeValid()))
+        repaired = polygon.Clone() if is_valid else polygon.MakeValid()
+    lines.polygons.append((owner_name(owner), repaired))
+    return repaired
 
 
 def _finite(points: np.ndarray) -> np.ndarray:
@@ -138,7 +141,7 @@ def _finite(points: np.ndarray) -> np.ndarray:
     return points
 
 
-def told(owner: str) -> str:
+def owner_name(owner: str) -> str:
     """The name of an owner: a source, else a date, else nothing."""
     return owner.split(_UNNAMED)[2] if owner.startswith(_UNNAMED) else owner
 
@@ -146,12 +149,6 @@ def told(owner: str) -> str:
 def _extent(geometry: ogr.Geometry) -> Extent:
     xmin, xmax, ymin, ymax = geometry.GetEnvelope()
     return xmin, ymin, xmax, ymax
-
-
-def _widened(grid: Grid) -> Extent:
-    """The mosaic with a pixel around it: a line along its edge has no width."""
-    xmin, ymin, xmax, ymax = grid.extent
-    return xmin - grid.pixel_width, ymin - grid.pixel_height, xmax + grid.pixel_width, ymax + grid.pixel_height
 
 
 _LAYER = "|layername="  # as QGIS writes which layer of a file is meant
@@ -166,7 +163,8 @@ def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message 
     """
     file, _, name = path.partition(_LAYER)
     with gdal_silenced():
-        dataset = _opened(file)
+        check_raster_path(file, os.path.basename(file))
+        dataset = open_dataset(file, FEATURES)
         layer = None if dataset is None else (dataset.GetLayerByName(name) if name else dataset.GetLayer(0))
         if layer is None:
             if os.path.exists(file) or file.startswith("/vsi"):
@@ -193,14 +191,9 @@ def read_cells(path: str, mosaic: Raster) -> tuple[Cell, ...]:
     return tuple(gathered(features, seam_fields([attributes for attributes, _ in features]), mosaic.grid).cells)
 
 
-def _opened(file: str) -> gdal.Dataset | None:
-    check_raster_path(file, os.path.basename(file))
-    return open_dataset(file, FEATURES)
-
-
 def _attributes(feature: ogr.Feature) -> dict[str, object]:
     definitions = [feature.GetFieldDefnRef(number) for number in range(feature.GetFieldCount())]
-    return {one.GetName(): _value(feature, number, one.GetType()) for number, one in enumerate(definitions)}
+    return {field.GetName(): _value(feature, number, field.GetType()) for number, field in enumerate(definitions)}
 
 
 def _value(feature: ogr.Feature, number: int, kind: int) -> object:

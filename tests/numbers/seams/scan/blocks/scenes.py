@@ -31,10 +31,10 @@ class Scene:
     mosaic: Raster
     sources: tuple[Source, ...]
 
-    def pixels(self, whole: bool = True, margin_px: int = 0) -> BlockPixels:
+    def pixels(self, margin_px: int | None = 0) -> BlockPixels:
         """Pixels of its first block."""
         window = BlockGrid(self.mosaic.grid).window((0, 0))
-        return BlockPixels(self.mosaic, [one.ref for one in self.sources], window, whole, margin_px)
+        return BlockPixels(self.mosaic, [one.ref for one in self.sources], window, margin_px)
 
     def request(self, key: BlockKey = (0, 0), wanted: np.ndarray | None = None,
                 along_seams: np.ndarray | None = None, **settings: object) -> BlockRequest:

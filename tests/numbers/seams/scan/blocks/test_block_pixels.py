@@ -64,7 +64,7 @@ def assert_same(one: Planes, other: Planes) -> None:
 def test_a_part_is_the_same_held_or_read_anew(
     crowd: Scene, window: PixelWindow, numbers: tuple[int, ...], margin_px: int
 ) -> None:
-    held, anew = (crowd.pixels(whole, margin_px) for whole in (True, False))
+    held, anew = (crowd.pixels(margin) for margin in (margin_px, None))
     try:
         expected = anew.part(window, numbers)
     except NotCoveredError:

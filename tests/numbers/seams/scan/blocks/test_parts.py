@@ -15,6 +15,7 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX,
 from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import (
     BLOCK_MARGIN_PX,
     DensePart,
+    PartRequest,
     guesses,
     measure_part,
     measure_plain,
@@ -41,7 +42,7 @@ SEAM = 400
 
 
 def measured(one: Scene, numbers: tuple[int, ...] = (0, 1), window: PixelWindow = WINDOW) -> DensePart:
-    return measure_part(one.pixels(), window, numbers, WAVELET, LEVELS)
+    return measure_part(one.pixels(), PartRequest(window, numbers), WAVELET, LEVELS)
 
 
 def sums_by_cell(table: CellTable, name: str, level: int = 0) -> np.ndarray:

@@ -28,7 +28,8 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     UNITS,
     BlockGrid,
 )
-from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import DensePart, measure_part
+from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import DensePart, PartRequest, measure_part
+from seam_inspector.plugin.seams.measure.scan.blocks.block_pixels import BlockPixels
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
     CELLS,
     EMPTY,
@@ -165,17 +166,17 @@ def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learne
     request = scene(tmp_path, blended(*given[:2], beside(SEAM)), given).request()
     first = scan_block(request)
     assert first.learned is not None
-    looks = []
+    looks: list[PartRequest] = []
 
-    def noted(*asked: Any) -> DensePart:
-        looks.append((asked[2], asked[5]))
-        return measure_part(*asked)
+    def noted(pixels: BlockPixels, part: PartRequest, *decomposition: Any) -> DensePart:
+        looks.append(part)
+        return measure_part(pixels, part, *decomposition)
 
     monkeypatch.setattr(scan_block_module, "measure_part", noted)
     again = replace(request, wanted=first.dense, learned=first.learned, followed=frozenset({0, 1}))
     found = scan_block(again)
     assert looks
-    assert all(numbers == (0, 1) and filters is first.learned.filters for numbers, filters in looks)
+    assert all(part.numbers == (0, 1) and part.filters is first.learned.filters for part in looks)
     np.testing.assert_array_equal(found.labels[found.dense.repeat(8, 0).repeat(8, 1)],
                                   first.labels[first.dense.repeat(8, 0).repeat(8, 1)])
 

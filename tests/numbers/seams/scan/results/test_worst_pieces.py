@@ -16,6 +16,7 @@ from seam_inspector.plugin.seams.measure.profile.seam_sums import StripProfile
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
 from seam_inspector.plugin.seams.measure.scan.scan_result import (
     JudgedPiece,
+    PieceFigures,
     judge_piece,
     metres,
     window_side_px,
@@ -43,7 +44,7 @@ def profile(kept: float, low: float, high: float, width_px: float = 0.0) -> Stri
 
 def judged(kept: float | None, *place: float, **of_piece: float) -> JudgedPiece:
     found = StripProfile(None, 0.0, 0.0, 0.0) if kept is None else profile(kept, 0.9 * kept, 1.1 * kept)
-    return judge_piece(piece(*place, **of_piece), ("a.tif", "b.tif"), found, GSD)  # type: ignore[arg-type]
+    return judge_piece(PieceFigures(piece(*place, **of_piece), found), ("a.tif", "b.tif"), GSD)  # type: ignore[arg-type]
 
 
 @pytest.fixture(scope="module")
@@ -61,7 +62,7 @@ def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Raster:
     (0.6, 0.45, 0.88, Verdict.REDUCED),
 ])
 def test_a_verdict_follows_kept_and_its_interval(kept: float, low: float, high: float, verdict: Verdict) -> None:
-    found = judge_piece(piece(), ("a.tif", None), profile(kept, low, high, 8.0), GSD)
+    found = judge_piece(PieceFigures(piece(), profile(kept, low, high, 8.0)), ("a.tif", None), GSD)
     assert found.verdict == verdict
     assert (found.least_kept, found.low, found.high) == (kept, low, high)
     assert found.band_width_m == pytest.approx(8.0 * GSD)
@@ -95,7 +96,7 @@ def test_ground_without_detail_has_nothing_to_lose() -> None:
         (nothing, 0.5 / 255, PieceState.NO_DETAIL), (nothing, 4 / 255, PieceState.NOT_MEASURED),
         (nothing, None, PieceState.NOT_MEASURED), (measured, 0.5 / 255, PieceState.FAILED),
     ):
-        one = judge_piece(piece(), ("a.tif", "b.tif"), found, GSD, grain=grain)
+        one = judge_piece(PieceFigures(piece(), found, grain=grain), ("a.tif", "b.tif"), GSD)
         assert one.state is state
         assert (one.verdict is Verdict.NOT_COMPARABLE) == (state is not PieceState.FAILED)
 
