@@ -5215,17 +5215,17 @@
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="129"/>
+        <location filename="../plugin/seams/jobs.py" line="127"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="131"/>
+        <location filename="../plugin/seams/jobs.py" line="129"/>
         <source>about {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="132"/>
+        <location filename="../plugin/seams/jobs.py" line="130"/>
         <source>about {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
@@ -6620,7 +6620,7 @@
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="112"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="110"/>
         <source>Look at the sources</source>
         <translation>Sprawdź ortoobrazy</translation>
     </message>
@@ -6635,12 +6635,12 @@
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="340"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="339"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="340"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="339"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -6755,17 +6755,17 @@
         <translation>Pokrywa całą ortofotomapę: trwa porównanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="35"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="27"/>
         <source>The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z {name} w żadnym z okien, w których brał on udział (liczba: {count}): czy to jeden z jej ortoobrazów?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="31"/>
         <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="35"/>
         <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
         <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
     </message>
@@ -12419,7 +12419,7 @@
         <translation>Zaczyna tam, gdzie granica leży głęboko w przedziale tego, co zachowano: tam oko mówi najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="60"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="52"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -13429,22 +13429,22 @@
         <translation>Kopia ortofotomapy: zmienia się wraz z nią na jej liniach łączenia. Ukryłaby każdą stratę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="18"/>
         <source>The mosaic itself wherever they were compared: one of its orthoimages, or a copy of it or of a part of it; untick it in that case.</source>
         <translation>Identyczny z ortofotomapą wszędzie, gdzie je porównano: jeden z jej ortoobrazów albo kopia jej lub jej części; w takim razie odznacz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="40"/>
         <source>{name} goes with the mosaic across its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="52"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="44"/>
         <source>{name} is the mosaic itself wherever they were compared. It takes part, as it may be one of the orthoimages; if it is a copy of the mosaic or of a part of it, it hides every loss there, so take it out of the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="56"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="48"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so take it out of the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -13572,21 +13572,6 @@
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="18"/>
-        <source>Another mosaic of these orthoimages, or a part of one: it follows several of them, each in its place. It would hide losses.</source>
-        <translation>Inna ortofotomapa z tych ortoobrazów albo jej część: zgadza się z kilkoma z nich, z każdym w innym miejscu. Ukryłaby straty.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="26"/>
-        <source>The same as another of these rasters in some places and not in others: one of the two may be a mosaic; untick that one.</source>
-        <translation>W niektórych miejscach identyczny z innym z tych rastrów, a w innych nie: jeden z tych dwóch może być ortofotomapą; odznacz ten.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
-        <source>Unlike the mosaic wherever they were compared: another flight, a map, or an image that lies elsewhere; untick it if it is none of the orthoimages.</source>
-        <translation>Niepodobny do ortofotomapy wszędzie, gdzie je porównano: inny nalot, mapa albo obraz położony gdzie indziej; odznacz, jeśli nie jest jednym z ortoobrazów.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
         <source>{name}: orthoimages that are the mosaic, or nearly so, wherever they were compared ({names}). Where such an image was made from the mosaic it hides every loss: make sure that it is an original.</source>
         <translation>{name}: ortoobrazy, które wszędzie, gdzie je porównano, są ortofotomapą albo prawie nią ({names}). Gdy taki obraz powstał z ortofotomapy, ukrywa każdą stratę: upewnij się, że to oryginał.</translation>
@@ -13605,6 +13590,11 @@
         <location filename="../plugin/seams/words.py" line="257"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
+        <source>Covers the whole mosaic, as few of the others do: untick it if it is another mosaic, a map or of another flight.</source>
+        <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: odznacz, jeśli to inna ortofotomapa, mapa albo obraz z innego nalotu.</translation>
     </message>
 </context>
 </TS>
