@@ -55,21 +55,30 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
 def whole_images_of_clips(sources: Sequence[Source], clips: Sequence[Clip | None]) -> list[Source]:
     """Sources, parts of one image as one, by what was read of them in a window; None where that can't be compared."""
     known = {number: clip for number, clip in enumerate(clips) if clip is not None and not clip.resampled}
-    return _joined(sources, (pair for pair in combinations(known, 2) if _are_same(known[pair[0]], known[pair[1]])))
+    boxes = {number: _box(clip) for number, clip in known.items()}
+
+    def are_same(first: int, second: int) -> bool:
+        if not _have_same_grid(known[first].raster, known[second].raster):
+            return False
+        begins, stops = zip(boxes[first], boxes[second])
+        starts, ends = np.maximum(*begins), np.minimum(*stops)
+        rows, columns = (slice(start, end, max((end - start) // _SAMPLES, 1)) for start, end in zip(starts, ends))
+        both = np.ones(known[first].bands[0, rows, columns].shape, bool)
+        for number in (first, second):
+            valid = known[number].valid
+            both &= True if valid is None else valid[rows, columns]
+        values, others = (known[number].bands[:, rows, columns] for number in (first, second))
+        return _same_content(values, others, both) is True
+
+    return _joined(sources, (pair for pair in combinations(known, 2) if are_same(*pair)))
 
 
-def _are_same(first: Clip, second: Clip) -> bool:
-    """Whether two clips of one window show the same."""
-    if not _have_same_grid(first.raster, second.raster):
-        return False
-    both = np.ones(first.bands.shape[1:], bool)
-    for clip in (first, second):
-        both &= True if clip.valid is None else clip.valid
-    rows, columns = (
-        lines[:: max(len(lines) // _SAMPLES, 1)] for lines in (np.flatnonzero(both.any(axis=axis)) for axis in (1, 0))
-    )
-    places = (slice(None), *np.ix_(rows, columns))
-    return _same_content(first.bands[places], second.bands[places], both[places[1:]]) is True
+def _box(clip: Clip) -> tuple[np.ndarray, np.ndarray]:
+    """First row and column of the pixels that a clip has, and the ends of both."""
+    if clip.valid is None:
+        return np.zeros(2, int), np.array(clip.bands.shape[1:])
+    lines = [np.flatnonzero(clip.valid.any(axis=axis)) for axis in (1, 0)]
+    return np.array([line[0] for line in lines]), np.array([line[-1] + 1 for line in lines])
 
 
 def images_in_parts(sources: Iterable[Source]) -> list[Message]:
