@@ -184,72 +184,72 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="58"/>
+        <location filename="../plugin/imagery/messages.py" line="65"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="59"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="67"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="81"/>
+        <location filename="../plugin/imagery/messages.py" line="88"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="83"/>
+        <location filename="../plugin/imagery/messages.py" line="90"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="86"/>
+        <location filename="../plugin/imagery/messages.py" line="93"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <location filename="../plugin/imagery/messages.py" line="97"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="94"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="101"/>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="104"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="107"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -304,42 +304,42 @@
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="31"/>
+        <location filename="../plugin/imagery/messages.py" line="38"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="32"/>
+        <location filename="../plugin/imagery/messages.py" line="39"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="34"/>
+        <location filename="../plugin/imagery/messages.py" line="41"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="36"/>
+        <location filename="../plugin/imagery/messages.py" line="43"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy albo zapisz w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="38"/>
+        <location filename="../plugin/imagery/messages.py" line="45"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="74"/>
+        <location filename="../plugin/imagery/messages.py" line="81"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="76"/>
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="48"/>
+        <location filename="../plugin/imagery/messages.py" line="55"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -359,7 +359,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="52"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -394,7 +394,7 @@
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="64"/>
+        <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
@@ -1534,7 +1534,7 @@
         <translation>Symuluj filtr Bayera</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="39"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="40"/>
         <source>Ground resolution</source>
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
@@ -1849,7 +1849,7 @@
         <translation>Sprawdź szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="38"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="39"/>
         <source>Image quality</source>
         <translation>Jakość obrazu</translation>
     </message>
@@ -2104,7 +2104,7 @@
         <translation>Orientacja wewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="40"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="41"/>
         <source>Interior orientation of photos</source>
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
@@ -2269,7 +2269,7 @@
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="41"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="42"/>
         <source>Satellite images</source>
         <translation>Obrazy satelitarne</translation>
     </message>
@@ -2734,7 +2734,7 @@
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2804,7 +2804,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <location filename="../plugin/imagery/messages.py" line="85"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2814,12 +2814,12 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="120"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="122"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -2844,17 +2844,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="71"/>
+        <location filename="../plugin/imagery/messages.py" line="78"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="72"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <location filename="../plugin/imagery/messages.py" line="77"/>
         <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2884,22 +2884,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="133"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="136"/>
+        <location filename="../plugin/imagery/messages.py" line="148"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="138"/>
+        <location filename="../plugin/imagery/messages.py" line="150"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="153"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2909,17 +2909,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="144"/>
+        <location filename="../plugin/imagery/messages.py" line="156"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="145"/>
+        <location filename="../plugin/imagery/messages.py" line="157"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="146"/>
+        <location filename="../plugin/imagery/messages.py" line="158"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -2984,7 +2984,7 @@
         <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="33"/>
+        <location filename="../plugin/imagery/messages.py" line="40"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
@@ -3404,7 +3404,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -3569,7 +3569,7 @@
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="54"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
@@ -3639,7 +3639,7 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
@@ -4714,7 +4714,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="79"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -5110,24 +5110,39 @@
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="126"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="127"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="128"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="126"/>
+        <location filename="../plugin/imagery/messages.py" line="129"/>
+        <source>The server of {name} does not answer ({why}); check the network, and try again.</source>
+        <translation>Serwer pliku {name} nie odpowiada ({why}); sprawdź połączenie z siecią i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="134"/>
+        <source>The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests.</source>
+        <translation>Serwer pliku {name} wysyła tylko całe pliki; skopiuj go na dysk lokalny albo na serwer, który obsługuje żądania zakresu (Range).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="139"/>
+        <source>{name} can&apos;t be read over the network ({why}); check its address and GDAL&apos;s settings.</source>
+        <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/dock.py" line="162"/>
@@ -5200,17 +5215,17 @@
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="129"/>
+        <location filename="../plugin/seams/jobs.py" line="127"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="131"/>
+        <location filename="../plugin/seams/jobs.py" line="129"/>
         <source>about {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="132"/>
+        <location filename="../plugin/seams/jobs.py" line="130"/>
         <source>about {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
@@ -5645,12 +5660,12 @@
         <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="129"/>
+        <location filename="../plugin/imagery/messages.py" line="141"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="130"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>the file there is something else</source>
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
@@ -6605,7 +6620,7 @@
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="112"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="110"/>
         <source>Look at the sources</source>
         <translation>Sprawdź ortoobrazy</translation>
     </message>
@@ -6620,12 +6635,12 @@
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="340"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="339"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="340"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="339"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -6740,17 +6755,17 @@
         <translation>Pokrywa całą ortofotomapę: trwa porównanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="35"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="27"/>
         <source>The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z {name} w żadnym z okien, w których brał on udział (liczba: {count}): czy to jeden z jej ortoobrazów?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="31"/>
         <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="35"/>
         <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
         <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
     </message>
@@ -7497,27 +7512,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="149"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="139"/>
+        <location filename="../plugin/imagery/messages.py" line="151"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="140"/>
+        <location filename="../plugin/imagery/messages.py" line="152"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="142"/>
+        <location filename="../plugin/imagery/messages.py" line="154"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="143"/>
+        <location filename="../plugin/imagery/messages.py" line="155"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -9954,27 +9969,37 @@
         <translation>{name} jest urządzeniem, potokiem albo pamięcią, a nie plikiem; skopiuj dane do pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="22"/>
+        <location filename="../plugin/imagery/messages.py" line="23"/>
+        <source>{name} is a VRT that leads to {path}, which is not a file; mend the VRT.</source>
+        <translation>{name} jest plikiem VRT, który prowadzi do {path}, a to nie jest plik; popraw plik VRT.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="28"/>
+        <source>{name} is a VRT of more than {most} files; make VRTs of parts of the block.</source>
+        <translation>{name} jest plikiem VRT złożonym z więcej niż {most} plików; utwórz pliki VRT z części bloku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="29"/>
         <source>{name} has {count} bands and {most} are the most; take out those that are to be measured.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, a może mieć najwyżej {most}; wydziel te, które mają być mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="24"/>
+        <location filename="../plugin/imagery/messages.py" line="31"/>
         <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles.</source>
         <translation>Raster {name} jest zapisany w blokach {width} × {height} px, zbyt dużych do odczytu; zapisz go ponownie w kaflach.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="26"/>
+        <location filename="../plugin/imagery/messages.py" line="33"/>
         <source>{name} claims {columns} x {rows} px, which no raster has; the file is damaged, so copy it anew.</source>
         <translation>Raster {name} ma mieć {columns} × {rows} px, jakich nie ma żaden raster; plik jest uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="28"/>
+        <location filename="../plugin/imagery/messages.py" line="35"/>
         <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="30"/>
+        <location filename="../plugin/imagery/messages.py" line="37"/>
         <source>{name} is {columns} px wide and {most} are the most; cut it into sheets first.</source>
         <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
     </message>
@@ -9994,7 +10019,7 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="124"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
@@ -10039,12 +10064,12 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="134"/>
+        <location filename="../plugin/imagery/messages.py" line="146"/>
         <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="135"/>
+        <location filename="../plugin/imagery/messages.py" line="147"/>
         <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -10347,7 +10372,7 @@
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="40"/>
+        <location filename="../plugin/imagery/messages.py" line="47"/>
         <source>{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
@@ -10392,72 +10417,72 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="149"/>
+        <location filename="../plugin/imagery/messages.py" line="161"/>
         <source>Permission denied</source>
         <translation>brak dostępu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="160"/>
+        <location filename="../plugin/imagery/messages.py" line="172"/>
         <source>Operation not permitted</source>
         <translation>operacja niedozwolona</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="157"/>
+        <location filename="../plugin/imagery/messages.py" line="169"/>
         <source>No such file or directory</source>
         <translation>nie ma takiego pliku ani katalogu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="154"/>
+        <location filename="../plugin/imagery/messages.py" line="166"/>
         <source>Is a directory</source>
         <translation>jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="159"/>
+        <location filename="../plugin/imagery/messages.py" line="171"/>
         <source>Not a directory</source>
         <translation>nie jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="151"/>
+        <location filename="../plugin/imagery/messages.py" line="163"/>
         <source>File exists</source>
         <translation>plik już istnieje</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="155"/>
+        <location filename="../plugin/imagery/messages.py" line="167"/>
         <source>Too many levels of symbolic links</source>
         <translation>zbyt wiele poziomów dowiązań symbolicznych</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="156"/>
+        <location filename="../plugin/imagery/messages.py" line="168"/>
         <source>File name too long</source>
         <translation>zbyt długa nazwa pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="158"/>
+        <location filename="../plugin/imagery/messages.py" line="170"/>
         <source>No space left on device</source>
         <translation>brak miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="150"/>
+        <location filename="../plugin/imagery/messages.py" line="162"/>
         <source>Disk quota exceeded</source>
         <translation>przekroczony limit miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="161"/>
+        <location filename="../plugin/imagery/messages.py" line="173"/>
         <source>Read-only file system</source>
         <translation>system plików tylko do odczytu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="153"/>
+        <location filename="../plugin/imagery/messages.py" line="165"/>
         <source>Input/output error</source>
         <translation>błąd wejścia/wyjścia</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="152"/>
+        <location filename="../plugin/imagery/messages.py" line="164"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="43"/>
+        <location filename="../plugin/imagery/messages.py" line="50"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
@@ -10691,7 +10716,7 @@
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="131"/>
+        <location filename="../plugin/imagery/messages.py" line="143"/>
         <source>the file there is damaged</source>
         <translation>istniejący plik jest uszkodzony</translation>
     </message>
@@ -11922,6 +11947,11 @@
         <translation>{name} jest uszkodzony w kolumnach od {left} do {right} i wierszach od {top} do {bottom} (GDAL: {why}); skopiuj go ponownie.</translation>
     </message>
     <message>
+        <location filename="../plugin/imagery/messages.py" line="131"/>
+        <source>The server of {name} sends less than {bytes} bytes a second; try again later, or copy it to a local disk.</source>
+        <translation>Serwer pliku {name} wysyła mniej niż {bytes} bajtów na sekundę; spróbuj ponownie później albo skopiuj plik na dysk lokalny.</translation>
+    </message>
+    <message>
         <location filename="../plugin/resolution/distance_words.py" line="44"/>
         <source>{direction}, one group more or less: {low} to {high} cm</source>
         <translation>{direction}, o grupę więcej lub mniej: {low} do {high} cm</translation>
@@ -12259,7 +12289,17 @@
         <translation>Maska rastra {name}, w nim samym lub w pliku .msk obok, jest uszkodzona; skopiuj oba pliki jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="51"/>
+        <location filename="../plugin/imagery/messages.py" line="22"/>
+        <source>{path} lies beside {name} and is a device or a pipe, for which GDAL may wait; remove it.</source>
+        <translation>{path} leży obok {name} i jest urządzeniem albo potokiem, na który GDAL może czekać; usuń go.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="25"/>
+        <source>{name} has metadata, overviews or a mask that lead to {path}, which is not a file; remove what lies beside it, or save it anew.</source>
+        <translation>{name} ma metadane, piramidy lub maskę, które prowadzą do {path}, a to nie jest plik; usuń to, co leży obok, albo zapisz raster od nowa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="58"/>
         <source>Some points can&apos;t be transformed to another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
@@ -12379,7 +12419,7 @@
         <translation>Zaczyna tam, gdzie granica leży głęboko w przedziale tego, co zachowano: tam oko mówi najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="60"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="52"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -13389,22 +13429,22 @@
         <translation>Kopia ortofotomapy: zmienia się wraz z nią na jej liniach łączenia. Ukryłaby każdą stratę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="18"/>
         <source>The mosaic itself wherever they were compared: one of its orthoimages, or a copy of it or of a part of it; untick it in that case.</source>
         <translation>Identyczny z ortofotomapą wszędzie, gdzie je porównano: jeden z jej ortoobrazów albo kopia jej lub jej części; w takim razie odznacz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="40"/>
         <source>{name} goes with the mosaic across its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="52"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="44"/>
         <source>{name} is the mosaic itself wherever they were compared. It takes part, as it may be one of the orthoimages; if it is a copy of the mosaic or of a part of it, it hides every loss there, so take it out of the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="56"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="48"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so take it out of the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -13532,21 +13572,6 @@
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="18"/>
-        <source>Another mosaic of these orthoimages, or a part of one: it follows several of them, each in its place. It would hide losses.</source>
-        <translation>Inna ortofotomapa z tych ortoobrazów albo jej część: zgadza się z kilkoma z nich, z każdym w innym miejscu. Ukryłaby straty.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="26"/>
-        <source>The same as another of these rasters in some places and not in others: one of the two may be a mosaic; untick that one.</source>
-        <translation>W niektórych miejscach identyczny z innym z tych rastrów, a w innych nie: jeden z tych dwóch może być ortofotomapą; odznacz ten.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
-        <source>Unlike the mosaic wherever they were compared: another flight, a map, or an image that lies elsewhere; untick it if it is none of the orthoimages.</source>
-        <translation>Niepodobny do ortofotomapy wszędzie, gdzie je porównano: inny nalot, mapa albo obraz położony gdzie indziej; odznacz, jeśli nie jest jednym z ortoobrazów.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
         <source>{name}: orthoimages that are the mosaic, or nearly so, wherever they were compared ({names}). Where such an image was made from the mosaic it hides every loss: make sure that it is an original.</source>
         <translation>{name}: ortoobrazy, które wszędzie, gdzie je porównano, są ortofotomapą albo prawie nią ({names}). Gdy taki obraz powstał z ortofotomapy, ukrywa każdą stratę: upewnij się, że to oryginał.</translation>
@@ -13567,9 +13592,9 @@
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="123"/>
-        <source>{name} can&apos;t be read over the network ({why}); check the network and GDAL&apos;s settings, or copy it to a local disk.</source>
-        <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź połączenie z siecią i ustawienia biblioteki GDAL albo skopiuj plik na dysk lokalny.</translation>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
+        <source>Covers the whole mosaic, as few of the others do: untick it if it is another mosaic, a map or of another flight.</source>
+        <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: odznacz, jeśli to inna ortofotomapa, mapa albo obraz z innego nalotu.</translation>
     </message>
 </context>
 </TS>

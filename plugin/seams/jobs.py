@@ -23,7 +23,6 @@ from ..toolkit.background_tasks import Ahead, Cancelled, Job
 from ..toolkit.translation import filled, tr
 from .clip_pictures import PictureRequest, WindowPictureSet, composite_picture, make_pictures
 from .measure.inputs.mosaic_copies import Likeness, leave_out_copies, likenesses
-from .measure.inputs.mosaics_among import mosaics_among
 from .measure.inspection import inspect_one, inspect_windows
 from .measure.profile.ground import grounds
 from .measure.scan.blocks.block_grid import BLOCK_PX
@@ -92,13 +91,12 @@ def pictures_job(request: PictureRequest) -> Job:
 
 
 def copies_job(mosaic: RasterRef, candidates: Mapping[str, RasterRef]) -> Job:
-    """Looks for copies of the mosaic and for other mosaics among rasters; yields the Likeness of each by its key."""
+    """Looks for copies of the mosaic among rasters; yields the Likeness of each by its key."""
 
-    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         raster = describe_mosaic(mosaic)
         sources, _ = gather_sources(candidates.values(), (), raster.wkt, raster.ref)
-        known = mosaics_among(raster, sources, likenesses(raster, sources), cancelled)
-        found = {sources[number].ref: one for number, one in known.items()}
+        found = dict(zip([one.ref for one in sources], likenesses(raster, sources)))
         yield 1.0, {key: found.get(ref, Likeness.OTHER) for key, ref in candidates.items()}
 
     return job

@@ -37,7 +37,7 @@ def sources_of(desk: Desk) -> list[str]:
 
 
 def unsuitable(desk: Desk, brighton: Path, relatives: Path, shots: Path) -> None:
-    """Copies, overviews and other mosaics do not become sources, and say why."""
+    """Copies and overviews do not become sources, and say why; other mosaics and maps have a remark."""
     desk.load_rasters([*sorted(brighton.glob("*.tif")), *sorted(relatives.iterdir())])
     roads = QgsVectorLayer("LineString?crs=EPSG:32615&field=kind:string", "roads", "memory")
     desk.project.addMapLayers([roads])
@@ -134,7 +134,7 @@ def questioned(desk: Desk, brighton: Path, stranger: Path, shots: Path) -> None:
     desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic suggested and opened")
     inputs = desk.dock.inputs
     desk.wait(lambda: not inputs.suggesting.sources.is_looking, 120, "rasters looked at")
-    desk.report["with_stranger"], desk.report["stranger_questioned"] = sources_of(desk), remarks(desk)
+    desk.report["with_stranger"] = sources_of(desk)
     inputs.side.setValue(7.6)
     inputs.more.boxes["spacing_m"].setValue(6)
     desk.dock.place.trigger()

@@ -46,7 +46,7 @@ Sources = tuple[str, ...]
 
 
 class SourceSuggestions(QObject):
-    """Suggests by rasters' headers at once; copies of the mosaic and other mosaics are looked for in the background."""
+    """Suggests by rasters' headers at once; copies of the mosaic are looked for in the background."""
 
     changed = pyqtSignal()
     """What was open is known."""
@@ -59,6 +59,7 @@ class SourceSuggestions(QObject):
         self._turn = 0
         self._by_header: dict[str, Suitability] = {}
         self._likeness: dict[str, Likeness] = {}  # of those that were compared
+        self._standings: dict[str, Suitability] = {}
 
     @property
     def is_looking(self) -> bool:
@@ -78,24 +79,21 @@ class SourceSuggestions(QObject):
         self._background.cancel_others({self._turn})
         if not is_same:
             self._likeness = {}
-        if mosaic_id not in {layer.id() for layer in rasters}:
-            self._by_header = {}
-            return
-        facts = {one.key: one for one in facts_of(rasters, mosaic)}
-        self._by_header = suitable_by_header(facts[mosaic_id], [one for one in facts.values() if one.key != mosaic_id])
-        self._looker.start()
+        self._by_header = {}
+        if mosaic_id in {layer.id() for layer in rasters}:
+            facts = {one.key: one for one in facts_of(rasters, mosaic)}
+            seen_from = facts.pop(mosaic_id)
+            self._by_header = suitable_by_header(seen_from, list(facts.values()))
+            self._looker.start()
+        self._standings = suitable_by_pixels(self._by_header, self._likeness)
 
     def standing(self, layer_id: str) -> Suitability | None:
         """Standing of one raster; None where nothing is known of it."""
-        by_header = self._by_header.get(layer_id)
-        if by_header is None or by_header.standing is Standing.LEFT_OUT or layer_id not in self._likeness:
-            return by_header
-        return suitable_by_pixels(self._likeness[layer_id])
+        return self._standings.get(layer_id)
 
     def suggested(self) -> Sources:
         """Layer ids of the suggested sources, by their names."""
-        found = ((name, self.standing(name)) for name in self._by_header)
-        return tuple(name for name, standing in found if standing is not None and standing.is_suggested)
+        return tuple(name for name, standing in self._standings.items() if standing.is_suggested)
 
     def close(self) -> None:
         """Look no more."""
@@ -114,6 +112,7 @@ class SourceSuggestions(QObject):
     def _take(self, turn: int, found: Any) -> None:
         if turn == self._turn and found != self._likeness:
             self._likeness = found
+            self._standings = suitable_by_pixels(self._by_header, found)
             self.changed.emit()
 
 

@@ -14,21 +14,13 @@ OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a 
 # by its pixels
 BEING_LOOKED_AT = Message("Covers the whole mosaic: being compared with it ...", INFO)
 MOSAIC_AGAIN = Message("A copy of the mosaic: it goes with it across its seams. It would hide every loss.", INFO)
-OTHER_MOSAIC = Message(
-    "Another mosaic of these orthoimages, or a part of one: it follows several of them, each in its place. It would "
-    "hide losses.", INFO
-)
 MOSAIC_OR_SOURCE = Message(
     "The mosaic itself wherever they were compared: one of its orthoimages, or a copy of it or of a part of it; "
     "untick it in that case.", INFO
 )
-MOSAIC_OR_ANOTHER = Message(
-    "The same as another of these rasters in some places and not in others: one of the two may be a mosaic; untick "
-    "that one.", INFO
-)
-UNLIKE_MOSAIC = Message(
-    "Unlike the mosaic wherever they were compared: another flight, a map, or an image that lies elsewhere; untick it "
-    "if it is none of the orthoimages.", INFO
+COVERS_MOSAIC = Message(
+    "Covers the whole mosaic, as few of the others do: untick it if it is another mosaic, a map or of another flight.",
+    INFO
 )
 # after windows were inspected
 SOURCE_NOT_FOLLOWED = Message(

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -102,18 +102,27 @@ def covers(mosaic: RasterFacts, raster: RasterFacts) -> bool:
     return bool(mosaic.extent and raster.extent and covered_share(mosaic.extent, raster.extent) >= SAME_PLACE)
 
 
-_LEFT_OUT = {Likeness.COPY: messages.MOSAIC_AGAIN, Likeness.MOSAIC: messages.OTHER_MOSAIC}
-_QUESTIONED = {
-    Likeness.EQUAL: messages.MOSAIC_OR_SOURCE, Likeness.TURNING: messages.MOSAIC_OR_ANOTHER,
-    Likeness.UNLIKE: messages.UNLIKE_MOSAIC,
-}
+def suitable_by_pixels(
+    by_header: Mapping[str, Suitability], likeness: Mapping[str, Likeness]
+) -> dict[str, Suitability]:
+    """The standing of each raster by its key, from that by its header and from what it is to the mosaic, if known.
 
-
-def suitable_by_pixels(likeness: Likeness) -> Suitability:
-    """The standing of a raster by what it is to the mosaic."""
-    if likeness in _LEFT_OUT:
-        return left_out(_LEFT_OUT[likeness]())
-    return Suitability(Standing.SUGGESTED, _QUESTIONED[likeness]()) if likeness in _QUESTIONED else SUGGESTED
+    One that covers the mosaic gets a remark where fewer than half of the others do.
+    """
+    standings = [one.standing for one in by_header.values() if one.standing is not Standing.LEFT_OUT]
+    few_cover = 2 * standings.count(Standing.OPEN) < len(standings)
+    found = dict(by_header)
+    for key, one in by_header.items():
+        if one.standing is Standing.LEFT_OUT or key not in likeness:
+            continue
+        if likeness[key] is Likeness.COPY:
+            found[key] = left_out(messages.MOSAIC_AGAIN())
+        elif likeness[key] is Likeness.EQUAL:
+            found[key] = Suitability(Standing.SUGGESTED, messages.MOSAIC_OR_SOURCE())
+        else:
+            is_told = few_cover and one.standing is Standing.OPEN
+            found[key] = Suitability(Standing.SUGGESTED, messages.COVERS_MOSAIC()) if is_told else SUGGESTED
+    return found
 
 
 def likely_mosaic(rasters: Sequence[RasterFacts]) -> str | None:

@@ -6,10 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from itertools import combinations
-from typing import Callable
+from itertools import combinations, product
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from ....imagery.clips import Clip
 from ....imagery.errors import Message, RasterError
@@ -20,20 +21,12 @@ from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster
 from ..source_images import Footprints, Source
 from . import messages
-from .mosaic_copies import likeness_of, scattered
 
-_SIDE_PX = 64
-"""Side of what is compared at one place."""
-_PLACES = 5
-"""Along each side of what two rasters share."""
-_ENOUGH = 5
-"""Places that are the same. One that differs is enough too, and images of one ground do so at the first."""
+_SIDE_PX = 64  # of what is compared at one place
+_PLACES = 3  # along each side of what two rasters share
+_SAMPLES = 32  # rows and columns at least, of what two clips share, that are compared
 _MOST_OFF_PX = 0.01  # of pixels that lie on each other
-_EVERY = 16  # rows and columns of two clips that are compared first
 _OPEN = 128  # rasters
-
-_AreSame = Callable[[int, int], "bool | None"]
-"""Whether two show the same; None where they share nothing that tells."""
 
 
 def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
@@ -43,58 +36,49 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
     they are, as each had to be asked for.
     """
     with RasterPool(_OPEN) as pool:
-        known = {number: one for number, source in enumerate(sources) if (one := _part(mosaic, source, pool))}
-        footprints, numbers = Footprints(sources[number] for number in known), list(known)
-        pairs = (
-            (number, numbers[k]) for number in numbers for k in footprints.meeting(sources[number].extent)
-            if numbers[k] > number and _are_alike(known[number], known[numbers[k]])
-        )
+        rasters = {number: raster for number, one in enumerate(sources) if (raster := _part(mosaic, one, pool))}
+        footprints, numbers = Footprints(sources[number] for number in rasters), list(rasters)
+        meeting = ((n, numbers[k]) for n in numbers for k in footprints.meeting(sources[n].extent) if numbers[k] > n)
 
-        def are_same(first: int, second: int) -> bool | None:
+        def show_same(first: int, second: int) -> bool:
             try:
                 return _show_same(pool.open(sources[first].ref), pool.open(sources[second].ref))
             except RasterError:
-                return None  # the scan says so where it needs it
+                return False  # the scan says so where it needs it
 
-        found = _joined(sources, pairs, are_same)
-    return found, images_in_parts(found)
+        whole = _joined(sources, (
+            pair for pair in meeting if _have_same_grid(*(rasters[number] for number in pair)) and show_same(*pair)
+        ))
+    return whole, images_in_parts(whole)
 
 
 def whole_images_of_clips(sources: Sequence[Source], clips: Sequence[Clip | None]) -> list[Source]:
     """Sources, parts of one image as one, by what was read of them in a window; None where that can't be compared."""
     known = {number: clip for number, clip in enumerate(clips) if clip is not None and not clip.resampled}
     boxes = {number: _box(clip) for number, clip in known.items()}
-    pairs = (
-        (first, second) for first, second in combinations(known, 2)
-        if extents_meet(boxes[first], boxes[second]) and _are_alike(known[first].raster, known[second].raster)
-    )
 
-    def are_same(first: int, second: int) -> bool | None:
-        one, other = known[first], known[second]
-        left, top, right, bottom = (
-            pick(edges) for pick, edges in zip((max, max, min, min), zip(boxes[first], boxes[second]))
-        )
-        told = None
-        for step in (_EVERY, 1):
-            some = np.s_[top:bottom:step, left:right:step]
-            both = np.ones(one.bands[0][some].shape, bool)
-            for clip in (one, other):
-                both &= True if clip.valid is None else clip.valid[some]
-            told = _told(one.bands[(slice(None), *some)], other.bands[(slice(None), *some)], both)
-            if told is False:
-                break
-        return told
+    def are_same(first: int, second: int) -> bool:
+        if not _have_same_grid(known[first].raster, known[second].raster):
+            return False
+        begins, stops = zip(boxes[first], boxes[second])
+        starts, ends = np.maximum(*begins), np.minimum(*stops)
+        rows, columns = (slice(start, end, max((end - start) // _SAMPLES, 1)) for start, end in zip(starts, ends))
+        both = np.ones(known[first].bands[0, rows, columns].shape, bool)
+        for number in (first, second):
+            valid = known[number].valid
+            both &= True if valid is None else valid[rows, columns]
+        values, others = (known[number].bands[:, rows, columns] for number in (first, second))
+        return _same_content(values, others, both) is True
 
-    return _joined(sources, pairs, are_same)
+    return _joined(sources, (pair for pair in combinations(known, 2) if are_same(*pair)))
 
 
-def _box(clip: Clip) -> tuple[int, int, int, int]:
-    """Around the pixels that a clip has: first column and row, last ones and one."""
-    _, rows, columns = clip.bands.shape
+def _box(clip: Clip) -> tuple[np.ndarray, np.ndarray]:
+    """First row and column of the pixels that a clip has, and the ends of both."""
     if clip.valid is None:
-        return 0, 0, columns, rows
-    across, down = (np.flatnonzero(clip.valid.any(axis=axis)).tolist() for axis in (0, 1))
-    return across[0], down[0], across[-1] + 1, down[-1] + 1
+        return np.zeros(2, int), np.array(clip.bands.shape[1:])
+    lines = [np.flatnonzero(clip.valid.any(axis=axis)) for axis in (1, 0)]
+    return np.array([line[0] for line in lines]), np.array([line[-1] + 1 for line in lines])
 
 
 def images_in_parts(sources: Iterable[Source]) -> list[Message]:
@@ -114,29 +98,27 @@ def _part(mosaic: Raster, source: Source, pool: RasterPool) -> Raster | None:
     return raster if raster.is_north_up else None
 
 
-def _are_alike(first: Raster, second: Raster) -> bool:
+def _have_same_grid(first: Raster, second: Raster) -> bool:
     """Whether their pixels lie on one grid and hold the same bands."""
     if (first.band_names, first.data_type, first.wkt) != (second.band_names, second.data_type, second.wkt):
         return False
-    one, other = first.grid, second.grid
-    column, row = one.column_at(other.left), one.row_at(other.top)
-    far = max(other.columns, other.rows)
-    growth = max(abs(other.pixel_width / one.pixel_width - 1), abs(other.pixel_height / one.pixel_height - 1))
+    grid, other = first.grid, second.grid
+    column, row = grid.column_at(other.left), grid.row_at(other.top)
+    far = max(grid.columns, grid.rows, other.columns, other.rows)
+    growth = max(abs(other.pixel_width / grid.pixel_width - 1), abs(other.pixel_height / grid.pixel_height - 1))
     return max(abs(column - round(column)), abs(row - round(row)), far * growth) < _MOST_OFF_PX
 
 
-def _show_same(first: OpenRaster, second: OpenRaster) -> bool | None:
-    """Whether both show the same, by some places; None where none tells. Raises RasterError where one can't be read."""
-    same = 0
-    for own, others in _shared(first.raster, second.raster):
-        one, other = first.read(own), second.read(others)
-        here = _told(one.bands, other.bands, one.valid & other.valid)
-        if here is False:
+def _show_same(first: OpenRaster, second: OpenRaster) -> bool:
+    """Whether both show the same, by some places. Raises RasterError where one can't be read."""
+    is_told = False
+    for place, others_place in _shared(first.raster, second.raster):
+        block, other = first.read(place), second.read(others_place)
+        is_same = _same_content(block.bands, other.bands, block.valid & other.valid)
+        if is_same is False:
             return False
-        same += here is True
-        if same == _ENOUGH:
-            break
-    return True if same else None
+        is_told = is_told or is_same is True
+    return is_told
 
 
 def _shared(first: Raster, second: Raster) -> Iterator[tuple[PixelWindow, PixelWindow]]:
@@ -149,49 +131,34 @@ def _shared(first: Raster, second: Raster) -> Iterator[tuple[PixelWindow, PixelW
     if min(columns, rows) <= 0:
         return
     width, height = min(_SIDE_PX, columns), min(_SIDE_PX, rows)
-    for down, across in scattered(_PLACES):
-        own = PixelWindow(left + int(across * (columns - width)), top + int(down * (rows - height)), width, height)
-        yield own, own.moved_by(-column, -row)
+    for down, across in product(np.linspace(0, 1, _PLACES), repeat=2):
+        place = PixelWindow(left + int(across * (columns - width)), top + int(down * (rows - height)), width, height)
+        yield place, place.moved_by(-column, -row)
 
 
-def _told(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> bool | None:
+def _same_content(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> bool | None:
     """Whether two stacks (bands, rows, columns) are the same where both have pixels, (rows, columns) bool; None where
-    there are none, or where even ground is the same in all images."""
-    if not (first[:, both] == second[:, both]).all():
+    there are none, or all are of one value as in any image of overexposed ground."""
+    values = first[:, both]
+    if not (values == second[:, both]).all():
         return False
-    band = first[:1].astype(np.float64)
-    return None if np.isnan(likeness_of(band, band, both)) else True
+    return True if values.size and (values[0] != values[0, 0]).any() else None
 
 
-def _joined(sources: Sequence[Source], pairs: Iterable[tuple[int, int]], are_same: _AreSame) -> list[Source]:
-    """Sources that are one as one; of two groups that are known the next pair tells nothing new."""
-    group_of = list(range(len(sources)))
-    members = {number: [number] for number in group_of}
-    apart: dict[int, set[int]] = {number: set() for number in group_of}
-    for pair in pairs:
-        first, second = sorted(group_of[number] for number in pair)
-        if first == second or second in apart[first]:
-            continue
-        same = are_same(*pair)
-        if same is False:
-            apart[first].add(second)
-            apart[second].add(first)
-        elif same:
-            for number in members[second]:
-                group_of[number] = first
-            members[first] += members.pop(second)
-            for other in apart.pop(second):
-                apart[other].discard(second)
-                apart[other].add(first)
-                apart[first].add(other)
-    return [_one(sources, sorted(numbers)) for _, numbers in sorted(members.items())]
+def _joined(sources: Sequence[Source], same: Iterable[tuple[int, int]]) -> list[Source]:
+    """The sources with those as one that are the same, by pairs of their numbers, or by a chain of such pairs."""
+    pairs = np.array(list(same), int).reshape(-1, 2)
+    links = coo_matrix((np.ones(len(pairs)), tuple(pairs.T)), (len(sources), len(sources)))
+    parts: dict[int, list[Source]] = {}
+    for source, image in zip(sources, connected_components(links, directed=False)[1].tolist()):
+        parts.setdefault(image, []).append(source)
+    return [_as_one(*own) for own in parts.values()]
 
 
-def _one(sources: Sequence[Source], numbers: Sequence[int]) -> Source:
-    first, *others = (sources[number] for number in numbers)
+def _as_one(first: Source, *others: Source) -> Source:
     if not others:
         return first
-    xmin, ymin, xmax, ymax = zip(*(sources[number].extent for number in numbers))
+    xmin, ymin, xmax, ymax = zip(first.extent, *(one.extent for one in others))
     parts = (*first.ref.parts, *(path for one in others for path in one.ref.paths))
     extent = min(xmin), min(ymin), max(xmax), max(ymax)
-    return Source(replace(first.ref, parts=parts), extent, any(sources[number].may_be_copy for number in numbers))
+    return Source(replace(first.ref, parts=parts), extent, any(one.may_be_copy for one in (first, *others)))

@@ -4,11 +4,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from seam_inspector.plugin.seams.measure.inputs import messages
+from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import Likeness
 from seam_inspector.plugin.seams.measure.inputs.raster_facts import (
+    SUGGESTED,
     RasterFacts,
     Standing,
     likely_mosaic,
     suitable_by_header,
+    suitable_by_pixels,
 )
 
 MOSAIC = RasterFacts("mosaic", "mosaic", (0, 0, 100, 100), 0.1, 3, "8 bit", True)
@@ -56,6 +59,19 @@ def test_orthoimages_on_the_mosaic_s_canvas_stay_wherever_others_lie() -> None:
     canvas = replace(SOURCE, key="canvas", extent=MOSAIC.extent)
     found = suitable_by_header(MOSAIC, [canvas, *(replace(SOURCE, key=key) for key in "abc")])
     assert found["canvas"].standing is Standing.OPEN
+
+
+def test_what_covers_the_mosaic_is_questioned_unless_most_others_do() -> None:
+    rasters = [replace(SOURCE, key=key) for key in "abc"] + [replace(MOSAIC, key=key) for key in ("copy", "edition")]
+    likeness = {**{one.key: Likeness.OTHER for one in rasters}, "a": Likeness.EQUAL, "copy": Likeness.COPY}
+    found = suitable_by_pixels(suitable_by_header(MOSAIC, rasters), likeness)
+    assert {key: one.reason.template for key, one in found.items() if one.reason is not None} == {
+        "a": messages.MOSAIC_OR_SOURCE.template, "copy": messages.MOSAIC_AGAIN.template,
+        "edition": messages.COVERS_MOSAIC.template,
+    }
+    assert [key for key, one in found.items() if not one.is_suggested] == ["copy"]
+    canvases = suitable_by_header(MOSAIC, rasters[2:])
+    assert suitable_by_pixels(canvases, likeness)["edition"] == SUGGESTED
 
 
 def test_one_mosaic_with_sources_is_likely_and_two_are_not() -> None:
