@@ -99,8 +99,7 @@ Pair = tuple[int, int]
 
 MAX_MULTIPLICATIONS = 4 * 65536 - 1  # per matrix product; for more OpenBLAS starts threads, which get in ours' way
 _PIECE = 64  # samples summed in their own type
-_HALVED_AT_A_TIME = 3 * 512 * 512  # samples
-_SPLIT_AT_A_TIME = 512 * 512
+_AT_A_TIME = 512 * 512  # samples of a band
 
 _memory = threading.local()
 
@@ -116,7 +115,7 @@ def halved(
     matrix, margin = _band_matrix(filters.low, scale(filters.low, dtype), dtype), filters.margin
     coarse = np.empty((count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
     products = np.zeros(len(pairs))
-    for start, samples in _strips(bands, offsets, margin, _HALVED_AT_A_TIME, dtype):
+    for start, samples in _strips(bands, offsets, margin, dtype):
         height = samples.shape[1] - 2 * margin
         own = samples[:, margin : margin + min(height, rows - start), margin : margin + columns]
         products += sums_of_products(own, pairs)
@@ -139,7 +138,7 @@ def split(
     parts = np.empty((2, 2, count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
     for band in range(count):
         alone = slice(band, band + 1)
-        for start, samples in _strips(bands[alone], offsets[alone], margin, _SPLIT_AT_A_TIME, dtype, mirrored):
+        for start, samples in _strips(bands[alone], offsets[alone], margin, dtype, mirrored):
             height, across = samples.shape[1] - 2 * margin, parts.shape[-1] // BLOCK
             # Of each block of rows both filters' outputs, then the same of each block of columns.
             down = reused("down", (1, height, samples.shape[2]), dtype)
@@ -170,7 +169,7 @@ def _whole(length: int) -> int:
 
 
 def _strips(
-    bands: np.ndarray, offsets: Sequence[float], margin: int, at_a_time: int, dtype: type, mirrored: bool = False
+    bands: np.ndarray, offsets: Sequence[float], margin: int, dtype: type, mirrored: bool = False
 ) -> Iterator[tuple[int, np.ndarray]]:
     """First row and samples (bands, rows, columns) of each strip, with a margin on all sides, continued periodically or
     ``mirrored``.
@@ -178,7 +177,7 @@ def _strips(
     Rounded up to whole blocks within the margins. The next strip takes the same memory.
     """
     count, rows, columns = bands.shape
-    most = max(at_a_time // (count * columns * 2 * BLOCK), 1) * 2 * BLOCK
+    most = max(_AT_A_TIME // (columns * 2 * BLOCK), 1) * 2 * BLOCK
     inside = slice(margin, margin + columns)
     buffer = reused("samples", (count, min(most, _whole(rows)) + 2 * margin, _whole(columns) + 2 * margin), dtype)
     left, right = (

@@ -4,6 +4,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -54,25 +55,34 @@ def check_width(like: Raster) -> None:
         raise RasterError(messages.TOO_WIDE(name=like.ref.name, columns=like.columns, most=limits.WIDEST_PX))
 
 
+@dataclass(frozen=True)
+class WrittenBands:
+    """The bands of a raster that is to be written."""
+
+    count: int
+    data_type: np.dtype
+    colours: bool = False
+    """Whether they are red, green and blue."""
+    nodata: float | None = None
+
+
 @contextmanager
-def raster_writer(
-    path: str, like: Raster, bands: int, data_type: np.dtype, colours: bool = False, nodata: float | None = None
-) -> Iterator[RasterWriter]:
+def raster_writer(path: str, like: Raster, bands: WrittenBands) -> Iterator[RasterWriter]:
     """Writes a GeoTIFF with the size and the place of another one, which is there when the block ends.
 
-    ``colours``: the bands are red, green and blue. An exception in the block leaves nothing, and an older file as it
-    was. Raises RasterError where the raster can't be written, SettingsError where it would take the other one's place.
+    An exception in the block leaves nothing, and an older file as it was. Raises RasterError where the raster can't be
+    written, SettingsError where it would take the other one's place.
     """
     check_width(like)
     failure = messages.RASTER_NOT_WRITTEN(path=path)
     with whole_raster(path) as unfinished, guarding({os.path.basename(path): path}, like.ref.paths):
-        dataset = _created(unfinished, like, bands, data_type, colours, failure)
-        for index in range(1, bands + 1):
+        dataset = _created(unfinished, like, bands, failure)
+        for index in range(1, bands.count + 1):
             band = dataset.GetRasterBand(index)
-            if colours:
+            if bands.colours:
                 band.SetColorInterpretation(_COLOURS[index - 1])
-            if nodata is not None:
-                band.SetNoDataValue(nodata)
+            if bands.nodata is not None:
+                band.SetNoDataValue(bands.nodata)
         writer = RasterWriter(dataset, failure)
         del dataset, band
         try:
@@ -114,12 +124,10 @@ class RasterWriter:
             self._mask = self._dataset = None
 
 
-def _created(
-    path: str, like: Raster, bands: int, data_type: np.dtype, colours: bool, failure: Message
-) -> gdal.Dataset:
-    options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", *["PHOTOMETRIC=RGB"] * colours]
-    kind = gdal_array.NumericTypeCodeToGDALTypeCode(data_type.type)
-    size = like.columns, like.rows, bands, kind, options
+def _created(path: str, like: Raster, bands: WrittenBands, failure: Message) -> gdal.Dataset:
+    options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", *["PHOTOMETRIC=RGB"] * bands.colours]
+    kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.data_type.type)
+    size = like.columns, like.rows, bands.count, kind, options
     dataset = gdal_call(lambda: gdal.GetDriverByName(GEOTIFF).Create(path, *size), failure)
     if like.geotransform is not None:
         dataset.SetGeoTransform(like.geotransform)

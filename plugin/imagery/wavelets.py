@@ -16,7 +16,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import combinations
+from typing import Callable
 
 import numpy as np
 import pywt
@@ -177,7 +179,7 @@ def _details(bands: np.ndarray, wavelet: str, levels: int, mirrored: bool) -> It
     filters = filter_pair(wavelet)
     # Details don't see a constant, but those of dmey do, which is orthogonal in name only.
     offsets = _near_means(bands) if filters.orthonormal else [float(band.mean(dtype=np.float64)) for band in bands]
-    for parts in _levels(bands, offsets, filters, levels, dtype, mirrored):
+    for parts in _levels(bands, offsets, levels, partial(split, filters=filters, dtype=dtype, mirrored=mirrored)):
         yield parts[1:]
 
 
@@ -230,7 +232,7 @@ def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: 
     coarse = np.stack([_centred(band) for band in bands])
     totals = sums_of_products(coarse, wanted)
     components = []
-    for parts in _levels(coarse, [0.0] * len(coarse), filters, levels, np.float64):
+    for parts in _levels(coarse, [0.0] * len(coarse), levels, partial(split, filters=filters, dtype=np.float64)):
         components.append(sum(sums_of_products(detail, wanted) for detail in parts[1:]))
     coarse = parts[0]
     components.append(sums_of_products(coarse, wanted))
@@ -238,12 +240,11 @@ def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: 
 
 
 def _levels(
-    bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, levels: int, dtype: type,
-    mirrored: bool = False,
+    bands: np.ndarray, offsets: Sequence[float], levels: int, halve: Callable[[np.ndarray, Sequence[float]], np.ndarray]
 ) -> Iterator[np.ndarray]:
     """For each level LL, LH, HL and HH of the bands less their offsets, (4, bands, rows / 2^r, columns / 2^r)."""
     for _ in range(levels):
-        parts = split(bands, offsets, filters, dtype, mirrored)
+        parts = halve(bands, offsets)
         yield parts
         bands, offsets = parts[0], [0.0] * len(bands)
 

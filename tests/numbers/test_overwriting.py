@@ -22,7 +22,7 @@ from seam_inspector import OrthoRequest, SeamInspectorError, Source, open_block,
 from seam_inspector.plugin.imagery.atomic_files import leads_as_checked
 from seam_inspector.plugin.imagery.file_identity import DataPlace, check_outputs, guarding
 from seam_inspector.plugin.imagery.open_raster import describe
-from seam_inspector.plugin.imagery.raster_writer import raster_writer
+from seam_inspector.plugin.imagery.raster_writer import WrittenBands, raster_writer
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.mending.mend_run import MendSettings
 from seam_inspector.plugin.seams.measure.mending.mending import MendRequest, mending
@@ -109,7 +109,7 @@ def of_raster_writer(folder: Path, _: pytest.TempPathFactory) -> Writer:
     path = write_raster(folder / "image.tif", np.full((8, 8), 9, np.uint8))
 
     def write(output: str) -> None:
-        with raster_writer(output, describe(RasterRef(path)), 1, np.dtype(np.uint8)) as writer:
+        with raster_writer(output, describe(RasterRef(path)), WrittenBands(1, np.dtype(np.uint8))) as writer:
             writer.write(0, np.zeros((1, 8, 8), np.uint8))
 
     return Writer((Path(path),), write)

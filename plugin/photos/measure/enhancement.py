@@ -9,7 +9,7 @@ from scipy import ndimage
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, SettingsError
-from ...imagery.raster_writer import check_width, raster_writer
+from ...imagery.raster_writer import WrittenBands, check_width, raster_writer
 from ...imagery.rasters import RasterRef
 from . import messages
 from .photo import Photo
@@ -54,7 +54,8 @@ def enhance(
     grey = operation is Operation.GREY
     kind = np.dtype(np.uint8 if grey else np.float32 if operation in EDGES else photo.raster.data_type)
     largest = photo.largest
-    with raster_writer(path, photo.raster, 1 if grey else len(photo.raster.band_names), kind) as writer:
+    count = 1 if grey else len(photo.raster.band_names)
+    with raster_writer(path, photo.raster, WrittenBands(count, kind)) as writer:
         for strip in photo.strips(margin, grey):
             if cancelled():
                 raise CancelledError(imagery_messages.CANCELLED())

@@ -11,7 +11,7 @@ from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
-from ...imagery.raster_writer import raster_writer
+from ...imagery.raster_writer import WrittenBands, raster_writer
 from ...imagery.rasters import Raster
 from . import messages
 from . import target as limits
@@ -52,7 +52,7 @@ def simulate_file(
     kind = source.read(PixelWindow(0, 0, 1, 1)).bands.dtype
     if demosaic == EDGE_AWARE:
         _check_kind(kind)
-    with raster_writer(path, raster, 3, kind, colours=True, nodata=source.nodata) as writer:
+    with raster_writer(path, raster, WrittenBands(3, kind, True, source.nodata)) as writer:
         for row, seen in _strips(source, pattern, demosaic):
             writer.write(row, seen)
             if not progress((row + seen.shape[1]) / raster.rows):

@@ -20,7 +20,7 @@ from ...imagery.gdal_paths import RASTERS, open_dataset, vrt_parts
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
-from ...imagery.raster_writer import GEOTIFF, raster_writer, whole_raster
+from ...imagery.raster_writer import GEOTIFF, WrittenBands, raster_writer, whole_raster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_unit, transform_points, utm_wkt
 from . import limits, messages
@@ -322,10 +322,11 @@ def _warp_photo(
     made = replace(image.raster, columns=grid.columns, rows=grid.rows, geotransform=transform, own_wkt=wkt)
     names, kind = made.band_names, np.dtype(made.data_type)
     assert isinstance(request.model, FrameCamera)
+    bands = WrittenBands(len(names), kind, names == COLOURS, nodata)
     photo = PhotoWarp(image, request.model, request.wkt, open_dataset(heights, RASTERS), grid)
 
     def write(path: str) -> None:
-        with raster_writer(path, made, len(names), kind, names[:3] == COLOURS and len(names) == 3, nodata) as file:
+        with raster_writer(path, made, bands) as file:
             for row, strip in photo.strips(request.resampling, nodata, cancelled):
                 file.write(row, strip)
                 progress((row + strip.shape[1]) / grid.rows)

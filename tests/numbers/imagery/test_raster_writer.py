@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,12 +11,13 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import CancelledError, Message, RasterError
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
-from seam_inspector.plugin.imagery.raster_writer import raster_writer
+from seam_inspector.plugin.imagery.raster_writer import WrittenBands, raster_writer
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.disks import full_disk
 from tests.numbers.synthetic import orthoimage, write_mask, write_plain, write_raster
 
+BANDS = WrittenBands(3, np.dtype(np.uint8))
 PIXELS = orthoimage((300, 400))
 RPC_NAMES = [f"{axis}_{kind}" for axis in ("LINE", "SAMP", "LAT", "LONG", "HEIGHT") for kind in ("OFF", "SCALE")]
 RPC_NAMES += [f"{axis}_{part}_COEFF_{number}" for axis in ("LINE", "SAMP") for part in ("NUM", "DEN")
@@ -54,7 +56,7 @@ def contents(folder: Path) -> dict[str, bytes]:
 
 
 def write(path: Path, like: Raster, invalid: np.ndarray | None = None) -> None:
-    with raster_writer(str(path), like, 3, np.dtype(np.uint8), colours=True) as writer:
+    with raster_writer(str(path), like, replace(BANDS, colours=True)) as writer:
         for row in range(0, 300, 100):
             writer.write(row, PIXELS[:, row : row + 100], invalid)
 
@@ -106,7 +108,7 @@ def test_cancelled_midway_it_leaves_no_half_file_and_an_older_one_as_it_was(
 ) -> None:
     before = contents(folder)
     for name in ("out.tif", "new.tif"):
-        with suppress(CancelledError), raster_writer(str(folder / name), like, 3, np.dtype(np.uint8)) as writer:
+        with suppress(CancelledError), raster_writer(str(folder / name), like, BANDS) as writer:
             for strip in range(reached):
                 writer.write(strip * 100, PIXELS[:, :100], np.ones((100, 400), bool))
             raise CancelledError(Message("enough"))
@@ -138,7 +140,7 @@ def test_gdals_own_file_systems(like: Raster) -> None:
     path = "/vsimem/whole-or-not.tif"
     write(Path(path), like)
     assert np.array_equal(OpenRaster(RasterRef(path)).read(like.whole).bands, PIXELS)
-    with suppress(CancelledError), raster_writer(path, like, 3, np.dtype(np.uint8)):
+    with suppress(CancelledError), raster_writer(path, like, BANDS):
         raise CancelledError(Message("enough"))
     assert gdal.VSIStatL(path) is None
 

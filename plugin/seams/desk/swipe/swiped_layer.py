@@ -12,7 +12,7 @@ from ....imagery import messages as imagery_messages
 from ....imagery.errors import Message, RasterError
 from ....imagery.gdal_calls import drop_from_memory, gdal_call
 from ....imagery.open_raster import OpenRaster
-from ....imagery.raster_writer import raster_writer
+from ....imagery.raster_writer import WrittenBands, raster_writer
 from ....imagery.rasters import RasterRef
 from ....toolkit.background_tasks import Cancelled, Job
 from ....toolkit.layers import layer_ref
@@ -156,5 +156,5 @@ def write_composite(composite: WindowComposite, request: WindowRequest, path: st
         request.mosaic, columns=window.width, rows=window.height,
         geotransform=(left, grid.pixel_width, 0.0, top, 0.0, -grid.pixel_height),
     )  # fmt: skip
-    with raster_writer(path, like, len(pixels), pixels.dtype, nodata=mosaic.nodata) as writer:
+    with raster_writer(path, like, WrittenBands(len(pixels), pixels.dtype, nodata=mosaic.nodata)) as writer:
         writer.write(0, pixels)

@@ -33,7 +33,7 @@ from ..scan.blocks.block_grid import BlockKey
 from ..scan.lines.given_seams import GivenSeams
 from ..scan.lines.piece_index import PieceIndex
 from ..scan.lines.seam_pieces import SidedSeam
-from ..scan.scan_journal import ScanJournal, journal_beside
+from ..scan.scan_journal import ScanJournal, fingerprint_of, journal_beside
 from ..scan.scan_request import ScanRequest
 from ..scan.scan_settings import ScanSettings
 from ..scan.whole_scan import whole_scan
@@ -283,8 +283,10 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
     given.append(np.array([one.is_wanted for one in request.pieces]))
     refs = request.mosaic.ref, *(one.ref for one in request.sources)
     outputs = {"mended": mended, **{os.path.basename(path): path for path in _made_patches(patches)}}
+    place = request.mosaic.geotransform, request.mosaic.own_wkt
+    fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, given, place)
     with guarding(outputs, (path for ref in refs for path in ref.paths)), journal_beside(
-        Path(mended), JOURNAL_ENDING, request.mosaic, request.sources, request.settings, given
+        Path(mended), JOURNAL_ENDING, fingerprint
     ) as (journal, _):
         yield Mending(request, patches, mended, journal)
         journal.remove()

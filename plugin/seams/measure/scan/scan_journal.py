@@ -22,7 +22,7 @@ from ....imagery.errors import Message, SettingsError
 from ....imagery.file_identity import OF_NO_CONSEQUENCE, local_state, local_states, remote_state
 from ....imagery.gdal_paths import is_remote, local_file, with_parts
 from ....imagery.messages import system_reason
-from ....imagery.rasters import Raster, RasterRef
+from ....imagery.rasters import RasterRef
 from ....imagery.record_store import RecordFiles, RecordFolder
 from ..source_images import Source
 from . import messages
@@ -164,16 +164,12 @@ INCOMPLETE = "again"
 
 
 @contextmanager
-def journal_beside(
-    output: Path, ending: str, mosaic: Raster, sources: Sequence[Source], settings: Any, seams: Iterable[object]
-) -> Iterator[tuple[ScanJournal, Message | None]]:
-    """The journal beside an output, for this run alone, and what became of an earlier run; ``seams`` as for
-    ``fingerprint_of``. What was killed while it wrote the output leaves nothing.
+def journal_beside(output: Path, ending: str, fingerprint: str) -> Iterator[tuple[ScanJournal, Message | None]]:
+    """The journal beside an output, for this run alone, and what became of an earlier run. What was killed while it
+    wrote the output leaves nothing.
 
     Raises SettingsError as ``open_journal`` does.
     """
-    place = mosaic.geotransform, mosaic.own_wkt
-    fingerprint = fingerprint_of(mosaic.ref, sources, settings, seams, place)
     journal, notice = open_journal(output.with_name(output.name + ending), fingerprint)
     try:
         drop_unfinished(output)

@@ -27,7 +27,7 @@ from .lines.given_seams import given_seams
 from .lines.seam_features import read_seam_features
 from .lone_scan import LoneScanning
 from .mosaic_reading import MosaicReading
-from .scan_journal import MOST_ASKED, ScanJournal, journal_beside
+from .scan_journal import MOST_ASKED, ScanJournal, fingerprint_of, journal_beside
 from .scan_request import ScanRequest, scan_request
 from .scan_result import ScanResult, dated
 from .scan_settings import ScanSettings
@@ -117,9 +117,9 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
     asked = sum(map(is_remote, of_sources)) <= MOST_ASKED
     read = known_states(of_mosaic), known_states(of_sources, asked)
     items = [item for seam in seams for item in seam]
-    with journal_beside(output, JOURNAL_ENDING, request.mosaic, request.sources, request.settings, items) as (
-        journal, notice,
-    ):
+    place = request.mosaic.geotransform, request.mosaic.own_wkt
+    fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, items, place)
+    with journal_beside(output, JOURNAL_ENDING, fingerprint) as (journal, notice):
         yield WholeScan(request, journal, notice, read)
 
 
