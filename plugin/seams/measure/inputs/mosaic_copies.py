@@ -52,16 +52,16 @@ class Likeness(Enum):
 def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
     """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those and of doubtful ones."""
     likeness = likenesses(mosaic, sources)
-    told = {
-        Likeness.COPY: messages.COPY_AMONG_SOURCES, Likeness.EQUAL: messages.MAY_BE_COPY,
-        Likeness.LIKE: messages.MAY_BE_ALTERED_COPY,
-    }
-    kept = [
-        replace(source, may_be_copy=kind in told) for source, kind in zip(sources, likeness)
+    named: dict[Likeness, list[Source]] = {kind: [] for kind in Likeness}
+    for source, kind in zip(sources, likeness):
+        named[kind].append(source)
+    return [
+        replace(source, may_be_copy=kind is not Likeness.OTHER) for source, kind in zip(sources, likeness)
         if kind is not Likeness.COPY
-    ]
-    return kept, [
-        told[kind](name=source.ref.name) for kind in told for source, own in zip(sources, likeness) if own is kind
+    ], [
+        *(messages.COPY_AMONG_SOURCES(name=source.ref.name) for source in named[Likeness.COPY]),
+        *(messages.MAY_BE_COPY(name=source.ref.name) for source in named[Likeness.EQUAL]),
+        *(messages.MAY_BE_ALTERED_COPY(name=source.ref.name) for source in named[Likeness.LIKE]),
     ]
 
 
