@@ -139,12 +139,12 @@
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="26"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="27"/>
         <source>Place windows along seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="28"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="29"/>
         <source>Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window&apos;s side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had to be dropped.</source>
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
@@ -154,7 +154,7 @@
         <translation>Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="36"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="37"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
@@ -164,92 +164,92 @@
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="43"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="44"/>
         <source>Spacing (metres)</source>
         <translation>Odstęp okien (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="44"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="45"/>
         <source>Distance between the centres of neighbouring windows, measured along the seam.</source>
         <translation>Odległość między środkami sąsiednich okien, mierzona wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="48"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="49"/>
         <source>The windows, with the number of their seam and their station along it in metres.</source>
         <translation>Okna z numerem linii mozaikowania i pikietażem wzdłuż niej w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="89"/>
         <source>{windows} windows placed along {seams} seams.</source>
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="65"/>
+        <location filename="../plugin/imagery/messages.py" line="58"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="66"/>
+        <location filename="../plugin/imagery/messages.py" line="59"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="68"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="74"/>
+        <location filename="../plugin/imagery/messages.py" line="67"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="81"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="93"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="95"/>
+        <location filename="../plugin/imagery/messages.py" line="88"/>
         <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="97"/>
+        <location filename="../plugin/imagery/messages.py" line="90"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="101"/>
+        <location filename="../plugin/imagery/messages.py" line="94"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="105"/>
+        <location filename="../plugin/imagery/messages.py" line="98"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="104"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="114"/>
+        <location filename="../plugin/imagery/messages.py" line="107"/>
         <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -304,42 +304,42 @@
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="38"/>
+        <location filename="../plugin/imagery/messages.py" line="31"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="39"/>
+        <location filename="../plugin/imagery/messages.py" line="32"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="41"/>
+        <location filename="../plugin/imagery/messages.py" line="34"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="43"/>
+        <location filename="../plugin/imagery/messages.py" line="36"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy albo zapisz w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="38"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="81"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="83"/>
+        <location filename="../plugin/imagery/messages.py" line="76"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="55"/>
+        <location filename="../plugin/imagery/messages.py" line="48"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -359,7 +359,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="52"/>
+        <location filename="../plugin/imagery/messages.py" line="45"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -394,7 +394,7 @@
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="71"/>
+        <location filename="../plugin/imagery/messages.py" line="64"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
@@ -1534,7 +1534,7 @@
         <translation>Symuluj filtr Bayera</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="40"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="39"/>
         <source>Ground resolution</source>
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
@@ -1849,7 +1849,7 @@
         <translation>Sprawdź szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="39"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="38"/>
         <source>Image quality</source>
         <translation>Jakość obrazu</translation>
     </message>
@@ -2104,7 +2104,7 @@
         <translation>Orientacja wewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="41"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="40"/>
         <source>Interior orientation of photos</source>
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
@@ -2269,7 +2269,7 @@
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="42"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="41"/>
         <source>Satellite images</source>
         <translation>Obrazy satelitarne</translation>
     </message>
@@ -2734,7 +2734,7 @@
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2804,7 +2804,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="85"/>
+        <location filename="../plugin/imagery/messages.py" line="78"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2814,12 +2814,12 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="122"/>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -2844,17 +2844,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="79"/>
+        <location filename="../plugin/imagery/messages.py" line="72"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="77"/>
+        <location filename="../plugin/imagery/messages.py" line="70"/>
         <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2884,22 +2884,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="145"/>
+        <location filename="../plugin/imagery/messages.py" line="132"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="148"/>
+        <location filename="../plugin/imagery/messages.py" line="135"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="150"/>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="153"/>
+        <location filename="../plugin/imagery/messages.py" line="140"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2909,17 +2909,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="156"/>
+        <location filename="../plugin/imagery/messages.py" line="143"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="157"/>
+        <location filename="../plugin/imagery/messages.py" line="144"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="158"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -2984,7 +2984,7 @@
         <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="40"/>
+        <location filename="../plugin/imagery/messages.py" line="33"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
@@ -3404,7 +3404,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -3569,7 +3569,7 @@
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="54"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
@@ -3639,7 +3639,7 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="110"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
@@ -4714,7 +4714,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="86"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -5110,39 +5110,24 @@
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="126"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="127"/>
+        <location filename="../plugin/imagery/messages.py" line="120"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="128"/>
+        <location filename="../plugin/imagery/messages.py" line="121"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="129"/>
-        <source>The server of {name} does not answer ({why}); check the network, and try again.</source>
-        <translation>Serwer pliku {name} nie odpowiada ({why}); sprawdź połączenie z siecią i spróbuj ponownie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="134"/>
-        <source>The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests.</source>
-        <translation>Serwer pliku {name} wysyła tylko całe pliki; skopiuj go na dysk lokalny albo na serwer, który obsługuje żądania zakresu (Range).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="126"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="139"/>
-        <source>{name} can&apos;t be read over the network ({why}); check its address and GDAL&apos;s settings.</source>
-        <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/dock.py" line="162"/>
@@ -5215,17 +5200,17 @@
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="127"/>
+        <location filename="../plugin/seams/jobs.py" line="124"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="129"/>
+        <location filename="../plugin/seams/jobs.py" line="126"/>
         <source>about {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="130"/>
+        <location filename="../plugin/seams/jobs.py" line="127"/>
         <source>about {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
@@ -5345,72 +5330,67 @@
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
-        <source>The scan starts anew, since nothing in {path} can be read any more.</source>
-        <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="116"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="115"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="118"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="117"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="119"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="122"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="121"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="125"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="128"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="130"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="129"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="130"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="132"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="134"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="134"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="146"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="145"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="136"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="135"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
@@ -5475,12 +5455,12 @@
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="181"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="180"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="189"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="188"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
@@ -5490,12 +5470,12 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="193"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="192"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="201"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="200"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -5515,7 +5495,7 @@
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="137"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
@@ -5525,7 +5505,7 @@
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="149"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="148"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -5630,12 +5610,12 @@
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="157"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="156"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="159"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
@@ -5660,14 +5640,9 @@
         <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="129"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="142"/>
-        <source>the file there is something else</source>
-        <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="315"/>
@@ -7512,27 +7487,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="149"/>
+        <location filename="../plugin/imagery/messages.py" line="136"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="151"/>
+        <location filename="../plugin/imagery/messages.py" line="138"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="152"/>
+        <location filename="../plugin/imagery/messages.py" line="139"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="154"/>
+        <location filename="../plugin/imagery/messages.py" line="141"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="155"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -8122,42 +8097,42 @@
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="374"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="378"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="377"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="381"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="380"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="384"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="382"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="386"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="384"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="388"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="429"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="433"/>
         <source>{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s SEAMLINES to measure all of them.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="435"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="439"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="437"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="441"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
@@ -8752,192 +8727,192 @@
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="170"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
         <source>As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is accepted, and the next one is inspected normally.</source>
         <translation>Liczba niezgodnych odcinków leży między Ac {acceptance} a Re {rejection} kontroli ulgowej: ta partia jest przyjęta, a następna podlega kontroli normalnej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="285"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="283"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
         <source>A piece fails when it keeps less than 0, which none can, so every measured piece passes.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="286"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="290"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="290"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
         <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="293"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="295"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="296"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="300"/>
         <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="305"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
         <source>The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok do {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
         <source>Both operators judged {count} windows and agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="330"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="334"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="336"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="337"/>
         <source>The layers of seams are empty; choose those of a scan that found seams.</source>
         <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="334"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="338"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="337"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="341"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="341"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="345"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="344"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="348"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="347"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="351"/>
         <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="350"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="354"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="356"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="360"/>
         <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="361"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="365"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="363"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="367"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="364"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="368"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="370"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="374"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
@@ -9969,37 +9944,27 @@
         <translation>{name} jest urządzeniem, potokiem albo pamięcią, a nie plikiem; skopiuj dane do pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="23"/>
-        <source>{name} is a VRT that leads to {path}, which is not a file; mend the VRT.</source>
-        <translation>{name} jest plikiem VRT, który prowadzi do {path}, a to nie jest plik; popraw plik VRT.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="28"/>
-        <source>{name} is a VRT of more than {most} files; make VRTs of parts of the block.</source>
-        <translation>{name} jest plikiem VRT złożonym z więcej niż {most} plików; utwórz pliki VRT z części bloku.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="29"/>
+        <location filename="../plugin/imagery/messages.py" line="22"/>
         <source>{name} has {count} bands and {most} are the most; take out those that are to be measured.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, a może mieć najwyżej {most}; wydziel te, które mają być mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="31"/>
+        <location filename="../plugin/imagery/messages.py" line="24"/>
         <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles.</source>
         <translation>Raster {name} jest zapisany w blokach {width} × {height} px, zbyt dużych do odczytu; zapisz go ponownie w kaflach.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="33"/>
+        <location filename="../plugin/imagery/messages.py" line="26"/>
         <source>{name} claims {columns} x {rows} px, which no raster has; the file is damaged, so copy it anew.</source>
         <translation>Raster {name} ma mieć {columns} × {rows} px, jakich nie ma żaden raster; plik jest uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="35"/>
+        <location filename="../plugin/imagery/messages.py" line="28"/>
         <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="37"/>
+        <location filename="../plugin/imagery/messages.py" line="30"/>
         <source>{name} is {columns} px wide and {most} are the most; cut it into sheets first.</source>
         <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
     </message>
@@ -10019,7 +9984,7 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="124"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
@@ -10064,12 +10029,12 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="146"/>
+        <location filename="../plugin/imagery/messages.py" line="133"/>
         <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="147"/>
+        <location filename="../plugin/imagery/messages.py" line="134"/>
         <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -10372,7 +10337,7 @@
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="47"/>
+        <location filename="../plugin/imagery/messages.py" line="40"/>
         <source>{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
@@ -10417,72 +10382,72 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="161"/>
+        <location filename="../plugin/imagery/messages.py" line="148"/>
         <source>Permission denied</source>
         <translation>brak dostępu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="172"/>
+        <location filename="../plugin/imagery/messages.py" line="159"/>
         <source>Operation not permitted</source>
         <translation>operacja niedozwolona</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="169"/>
+        <location filename="../plugin/imagery/messages.py" line="156"/>
         <source>No such file or directory</source>
         <translation>nie ma takiego pliku ani katalogu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="166"/>
+        <location filename="../plugin/imagery/messages.py" line="153"/>
         <source>Is a directory</source>
         <translation>jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="171"/>
+        <location filename="../plugin/imagery/messages.py" line="158"/>
         <source>Not a directory</source>
         <translation>nie jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="163"/>
+        <location filename="../plugin/imagery/messages.py" line="150"/>
         <source>File exists</source>
         <translation>plik już istnieje</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="167"/>
+        <location filename="../plugin/imagery/messages.py" line="154"/>
         <source>Too many levels of symbolic links</source>
         <translation>zbyt wiele poziomów dowiązań symbolicznych</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="168"/>
+        <location filename="../plugin/imagery/messages.py" line="155"/>
         <source>File name too long</source>
         <translation>zbyt długa nazwa pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="170"/>
+        <location filename="../plugin/imagery/messages.py" line="157"/>
         <source>No space left on device</source>
         <translation>brak miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="162"/>
+        <location filename="../plugin/imagery/messages.py" line="149"/>
         <source>Disk quota exceeded</source>
         <translation>przekroczony limit miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="173"/>
+        <location filename="../plugin/imagery/messages.py" line="160"/>
         <source>Read-only file system</source>
         <translation>system plików tylko do odczytu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="165"/>
+        <location filename="../plugin/imagery/messages.py" line="152"/>
         <source>Input/output error</source>
         <translation>błąd wejścia/wyjścia</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="164"/>
+        <location filename="../plugin/imagery/messages.py" line="151"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="50"/>
+        <location filename="../plugin/imagery/messages.py" line="43"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
@@ -10716,11 +10681,6 @@
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="143"/>
-        <source>the file there is damaged</source>
-        <translation>istniejący plik jest uszkodzony</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="53"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
@@ -10736,17 +10696,17 @@
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="112"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="131"/>
         <source>where the mosaic or one of the sources lies</source>
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="142"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="141"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -10891,137 +10851,137 @@
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, scan with a longer PIECE, or judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki z co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy obok nich, skanuj z dłuższym PIECE albo oceń tam okna wzrokowo (JUDGE observer); pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="226"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
         <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
         <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="391"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="395"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="439"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="443"/>
         <source>The run was stopped: there is neither report nor XML.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="441"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="445"/>
         <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="445"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="449"/>
         <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="446"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="450"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="447"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="451"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="448"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="452"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="449"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="453"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="450"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="454"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="451"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="455"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="452"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="456"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="453"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="457"/>
         <source>the file does not say where it lies</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="454"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="458"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="455"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="459"/>
         <source>its pixels are {pixel:.4g} m instead of {wanted:.4g} m</source>
         <translation>piksel ma {pixel:.4g} m zamiast {wanted:.4g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="456"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="460"/>
         <source>its reference system is another one</source>
         <translation>ma inny układ odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="457"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="461"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="458"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="462"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="459"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="463"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="462"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="466"/>
         <source>whether it has data everywhere can&apos;t be told</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
@@ -11281,7 +11241,7 @@
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="153"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="152"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
@@ -11498,42 +11458,42 @@
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
         <source>{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted</source>
         <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, {consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected</source>
         <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
         <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="365"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="369"/>
         <source>The {parameter} {value} is none of the standard&apos;s; known are {known}.</source>
         <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="433"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="437"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
@@ -11937,7 +11897,7 @@
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="352"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="356"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
         <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
     </message>
@@ -11945,11 +11905,6 @@
         <location filename="../plugin/imagery/messages.py" line="15"/>
         <source>{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it anew.</source>
         <translation>{name} jest uszkodzony w kolumnach od {left} do {right} i wierszach od {top} do {bottom} (GDAL: {why}); skopiuj go ponownie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="131"/>
-        <source>The server of {name} sends less than {bytes} bytes a second; try again later, or copy it to a local disk.</source>
-        <translation>Serwer pliku {name} wysyła mniej niż {bytes} bajtów na sekundę; spróbuj ponownie później albo skopiuj plik na dysk lokalny.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/distance_words.py" line="44"/>
@@ -12092,17 +12047,17 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="343"/>
         <source>{metres:.0f} m of the seams lie on others and count again</source>
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="163"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="162"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="367"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="371"/>
         <source>{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; inspect the whole lot instead (PLAN all), or draw a sample by stated risks (&apos;Plan an inspection&apos;, PLAN risk with BAD_SHARE {value}).</source>
         <translation>{parameter} {value} nie występuje w dostępnych tu tablicach ISO 2859-2, które mają {known}; zamiast tego skontroluj całą partię (PLAN all) albo wylosuj próbę według podanych ryzyk („Zaplanuj kontrolę”, PLAN risk, BAD_SHARE {value}).</translation>
     </message>
@@ -12159,12 +12114,12 @@
         <translation>Wszystkie liczby kontroli radiometrii z histogramami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="184"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="183"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="197"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="196"/>
         <source>Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -12234,22 +12189,22 @@
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}. Of many more seams made in the same way {low:.2%} to {high:.2%} would fail (95 % interval); this does not decide.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}. Z wielu dalszych linii mozaikowania wykonanych w ten sam sposób niezgodne byłoby od {low:.2%} do {high:.2%} (przedział 95 %); to nie rozstrzyga.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
         <source>{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have no line.</source>
         <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="359"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="363"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="443"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="447"/>
         <source>{parameter} is &apos;{value}&apos;, which is no date; write it as 2026-11-23 or 23.11.2026.</source>
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
     </message>
@@ -12289,17 +12244,7 @@
         <translation>Maska rastra {name}, w nim samym lub w pliku .msk obok, jest uszkodzona; skopiuj oba pliki jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="22"/>
-        <source>{path} lies beside {name} and is a device or a pipe, for which GDAL may wait; remove it.</source>
-        <translation>{path} leży obok {name} i jest urządzeniem albo potokiem, na który GDAL może czekać; usuń go.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="25"/>
-        <source>{name} has metadata, overviews or a mask that lead to {path}, which is not a file; remove what lies beside it, or save it anew.</source>
-        <translation>{name} ma metadane, piramidy lub maskę, które prowadzą do {path}, a to nie jest plik; usuń to, co leży obok, albo zapisz raster od nowa.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="58"/>
+        <location filename="../plugin/imagery/messages.py" line="51"/>
         <source>Some points can&apos;t be transformed to another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
@@ -12756,27 +12701,27 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
         <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>Failures that end at the edge of a sheet where no seam goes on: {count}, {metres:.1f} m (no. {numbers}); they may be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.</source>
         <translation>Usterki kończące się na brzegu arkusza, za którym nie biegnie żadna linia mozaikowania: {count}, {metres:.1f} m (nr {numbers}); za brzegiem mogą być dłuższe. Aby to sprawdzić, przeskanuj arkusz razem z sąsiednimi jako jedną ortofotomapę (VRT).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
         <source>Sheets were scanned apart, so pieces begin anew where seams cross their borders ({count}). With other pieces, as in one scan of all sheets, the failed metres may differ by {within:.0f} m (95 % interval), and by what only one of the scans can measure.</source>
         <translation>Arkusze zeskanowano osobno, więc odcinki zaczynają się od nowa tam, gdzie linie mozaikowania przecinają ich brzegi ({count}). Przy innych odcinkach, jak w jednym skanie wszystkich arkuszy, liczba niezgodnych metrów może się różnić o {within:.0f} m (przedział 95 %) oraz o to, co zmierzy tylko jeden ze skanów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
         <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.</source>
         <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają wartość graniczną ({metres:.0f} m, odcinków: {count}). Oceń okna na nich wzrokowo albo skanuj z dłuższym PIECE, które daje węższe przedziały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
         <source>What would decide it: a scan with a shorter PIECE. Failures end inside of pieces, so a sum of pieces of {piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszym PIECE. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
@@ -12904,7 +12849,7 @@
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="409"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
         <source>{name}: the seamlines name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
         <translation>{name}: linie mozaikowania wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
@@ -13259,92 +13204,92 @@
         <translation>oceniono {judged:.0f} m linii mozaikowania, a według skanu ortofotomapa zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="206"/>
         <source>A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Ciąg odcinków, których nie zmierzono, wraz z niezgodnymi wśród nich, jest dłuższy, niż może być usterka: {metres:.1f} m w miejscu {x:.1f}, {y:.1f} w {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
         <source>There are {count} more such rows.</source>
         <translation>Dalszych takich ciągów: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with all SEAMLINES, or without any.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi SEAMLINES albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
         <source>What would decide it: the files that were scanned, given as MOSAIC and SOURCES, or a scan of those that are there now.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki ortofotomapy i ortoobrazów, podane jako MOSAIC i SOURCES, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
         <source>What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge windows there by eye (JUDGE observer), or scan with a longer PIECE; the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki z ciągów odcinków dłuższych niż {limit:.0f} m, których nie zmierzono. Oceń tam okna wzrokowo (JUDGE observer) albo skanuj z dłuższym PIECE; pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
         <source>What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
         <source>Files that are as they were scanned: {count}.</source>
         <translation>Pliki takie, jak je skanowano: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
         <source>Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again what the decision rests on.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="395"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="399"/>
         <source>{name}: the mosaic passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
         <translation>{name}: ortofotomapa przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="399"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="403"/>
         <source>{name}: along {metres:.0f} m of the given seamlines the mosaic shows one orthoimage on both sides; they are no seams.</source>
         <translation>{name}: wzdłuż {metres:.0f} m podanych linii mozaikowania ortofotomapa pokazuje po obu stronach ten sam ortoobraz; nic się tam nie łączy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="403"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="407"/>
         <source>{name}: {share:.1%} of the mosaic within its outline have no pixels, most of it around {place}.</source>
         <translation>{name}: {share:.1%} ortofotomapy w obrębie jej obrysu nie ma pikseli, najwięcej przy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="406"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="410"/>
         <source>{name}: {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.</source>
         <translation>{name}: obejrzano {share:.0%} ortofotomapy, w obrębie CORRIDOR; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="421"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="425"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make sure that they are the ones that the mosaic was made from.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="460"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="464"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="461"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="465"/>
         <source>it is no part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
@@ -13464,17 +13409,17 @@
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="167"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="166"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="170"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look at it, and give the seamlines that lack or scan without SEAMLINES.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez SEAMLINES.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="176"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="175"/>
         <source>{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy its files anew and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -13547,22 +13492,22 @@
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
         <source>What would decide it: all mosaics of the delivery given as MOSAIC, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie jako MOSAIC wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>What would decide it: a scan with a PIECE of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece keeps enough though a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z PIECE najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
         <source>The layers of seams are of {count} mosaics, and none is given as MOSAIC: whether all of these belong to the delivery is not known.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano jako MOSAIC: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="387"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="391"/>
         <source>Without what a scan with orthoimages tells of the ground, in Python told=, nothing is known of seams that are in no row: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
@@ -13572,17 +13517,17 @@
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="417"/>
         <source>{name}: orthoimages that are the mosaic, or nearly so, wherever they were compared ({names}). Where such an image was made from the mosaic it hides every loss: make sure that it is an original.</source>
         <translation>{name}: ortoobrazy, które wszędzie, gdzie je porównano, są ortofotomapą albo prawie nią ({names}). Gdy taki obraz powstał z ortofotomapy, ukrywa każdą stratę: upewnij się, że to oryginał.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="417"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="421"/>
         <source>{count} mosaics were scanned one by one: a seam along the border between two of them is in no figure. Scan sheets that meet as one mosaic.</source>
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="425"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="429"/>
         <source>{name}: the seams are those of the given seamlines; one that lacks shows where it is longer than some 150 pixels.</source>
         <translation>{name}: linie mozaikowania są podane; brakującą widać, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
@@ -13595,6 +13540,21 @@
         <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
         <source>Covers the whole mosaic, as few of the others do: untick it if it is another mosaic, a map or of another flight.</source>
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: odznacz, jeśli to inna ortofotomapa, mapa albo obraz z innego nalotu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
+        <source>{judged:.0f} m of seam are judged and along {unchanged:.0f} m of them the mosaic does not change its orthoimage; {limit:.0%} may differ</source>
+        <translation>oceniono {judged:.0f} m linii mozaikowania, a na {unchanged:.0f} m z nich ortofotomapa nie zmienia ortoobrazu; różnica może wynosić {limit:.0%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="123"/>
+        <source>{name} can&apos;t be read over the network ({why}); check the network and GDAL&apos;s settings, or copy it to a local disk.</source>
+        <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź połączenie z siecią i ustawienia biblioteki GDAL albo skopiuj plik na dysk lokalny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="130"/>
+        <source>something else is there</source>
+        <translation>w tym miejscu jest coś innego</translation>
     </message>
 </context>
 </TS>
