@@ -82,9 +82,9 @@ class SeamSums:
         is_mixed = mixed.carried * plain[0] >= MIN_CARRIED * expected_shared
         is_replaced = ~is_mixed & (more_left[0] > MOST_UNEXPLAINED * expected)
         judged, share = together(
-            by_energy.times(np.where(is_replaced, np.nan, 1.0)),
-            mixed.kept.times(np.where(is_mixed, 1.0, np.nan)).less_sure(SURE_LEFT * left_share),
+            by_energy.times(np.where(is_replaced, np.nan, 1.0)), mixed.kept.times(np.where(is_mixed, 1.0, np.nan))
         )
+        judged = judged.less_sure(SURE_LEFT * left_share * (1 - share))  # of the mixture's part in it
         kept = np.where(share > 0, energy_levels * mixed.before_in_strip, mixed.levels)
         kept[0] = judged.value
         gain, amplitude = shared / np.maximum(expected_shared, 1e-12), mm / np.maximum(expected, 1e-12)
