@@ -36,10 +36,10 @@ _PROBED_BYTES = 16384  # the least that GDAL fetches
 _TOO_SLOW = "too slow"
 _SILENT = re.compile(f"CURL error|{_TOO_SLOW}")
 _MOST_PROBED = 32  # remote parts of a VRT that are asked which one failed
-_MAY_BE_THE_NETWORK = {
-    message.template
-    for message in (messages.NOT_FOUND, messages.NOT_A_RASTER, messages.NOT_READABLE, messages.DAMAGED)
-}
+_MAY_BE_THE_NETWORK = (
+    messages.NOT_FOUND.template, messages.NOT_A_RASTER.template, messages.NOT_READABLE.template,
+    messages.DAMAGED.template,
+)
 
 
 def remote_parts(path: str) -> tuple[str, ...]:
