@@ -64,8 +64,8 @@ class SeamSums:
         """Profiles of all pieces, in their order; with the bins of so many ``levels``, one at least, all where None."""
         energy, mixed = copy(self._energy), self._mixture.result()
         left_over, mm = in_strip(mixed.left), in_strip(energy.own)[0]  # with all that was added
-        # Beyond what the ground leaves over as well.
-        more_left = np.maximum(left_over - in_strip(energy.left_by_ground), 0)
+        left_by_ground = in_strip(energy.left_by_ground)
+        more_left = np.maximum(left_over - left_by_ground, 0)
         energy.take_out(mixed.edge, mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
         # Where a mixture is told and does not end, the ground around is mixed as well.
@@ -76,15 +76,17 @@ class SeamSums:
         shared, expected, expected_shared = (
             in_strip(sums)[0] for sums in (energy.shared, energy.expected, energy.expected_shared)
         )
-        # Of what the mosaic would have of the sources, by the ground where there is any.
-        left_share = more_left[0] / np.maximum(np.where(expected > 0, expected, in_strip(mixed.plain)[0]), 1e-12)
+        # What the mosaic would have of the sources, by the ground where there is any.
+        whole = np.maximum(np.where(expected > 0, expected, in_strip(mixed.plain)[0]), 1e-12)
         # As much as the ground has of it, where there is ground.
         is_mixed = mixed.carried * plain[0] >= MIN_CARRIED * expected_shared
         is_replaced = ~is_mixed & (more_left[0] > MOST_UNEXPLAINED * expected)
         judged, share = together(
             by_energy.times(np.where(is_replaced, np.nan, 1.0)), mixed.kept.times(np.where(is_mixed, 1.0, np.nan))
         )
-        judged = judged.less_sure(SURE_LEFT * left_share * (1 - share))  # of the mixture's part in it
+        # Codecs leave over up to twice as much from place to place, noise along a seam much more than on the ground.
+        unsure = SURE_LEFT * np.minimum(more_left, left_by_ground)[0] / whole
+        judged = judged.less_sure(unsure * (1 - share))  # of the mixture's part in it
         kept = np.where(share > 0, energy_levels * mixed.before_in_strip, mixed.levels)
         kept[0] = judged.value
         gain, amplitude = shared / np.maximum(expected_shared, 1e-12), mm / np.maximum(expected, 1e-12)
@@ -114,7 +116,7 @@ class SeamSums:
                     measure=Measure.of(float(share[number])),
                     by_energy=_known(by_energy.value[number]),
                     by_mixture=_known(mixed.kept.value[number]),
-                    left_by_mixture=float(left_share[number]),
+                    left_by_mixture=float(more_left[0, number] / whole[number]),
                     lost=float(lost[number]),
                     energy=tuple((plain / np.maximum(area, 1))[:, number].tolist()),
                 )
