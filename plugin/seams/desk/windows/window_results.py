@@ -13,8 +13,8 @@ from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
-from ...measure.inputs.raster_facts import SourceUse, source_use
 from ...measure.window.measured_window import MeasureWindow, measure_window
+from ...measure.window.source_use import SourceUse, source_use
 from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
 from ...tables import window_layer
 from ..inputs.block_cache import BlockCache

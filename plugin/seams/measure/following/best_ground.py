@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..profile.ground import EnergyResponse, fit_response, sampled
+from ..energy_response import EnergyResponse, fit_response, sampled
 
 MIN_STRANGE = 0.4  # of the way from what true sources leave over to all of it: surely another image
 MIN_ALIKE_STRANGE = 0.05  # the same of another image of the same ground, where there is much of it

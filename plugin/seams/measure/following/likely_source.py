@@ -13,7 +13,7 @@ from itertools import combinations, combinations_with_replacement
 import numpy as np
 from scipy import ndimage
 
-from ..profile.ground import EnergyResponse, fit_response, sampled
+from ..energy_response import EnergyResponse, fit_response, sampled
 from ..seam_cells import is_one_of, present
 from .best_ground import (
     MIN_ALIKE_STRANGE,

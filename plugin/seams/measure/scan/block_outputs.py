@@ -11,8 +11,9 @@ from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.record_store import RecordFiles
 from ....imagery.records import packed, unpacked
+from ..energy_response import EnergyResponse
 from ..profile.cell_table import CellTable
-from ..profile.ground import EnergyResponse, LevelGround, grounds
+from ..profile.ground import LevelGround, grounds
 from ..while_measuring import measuring
 from . import messages
 from .block_runs import NOTHING, block_labels, global_numbers, whole_block

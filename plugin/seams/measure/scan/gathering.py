@@ -31,7 +31,7 @@ from .block_outputs import BlockOutputs, OutputsRequest, block_outputs
 from .block_runs import several
 from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of
 from .blocks.scan_block import NOT_LOOKED
-from .lines.followed_ground import LEAST_UNEXPLAINED, FollowedGround
+from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .lines.label_borders import Chain, LabelTile
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided

@@ -12,8 +12,8 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from ..energy_response import bounded, log_link_fit
 from ..profile.cell_table import CELL_PX
-from ..profile.ground import bounded, log_link_fit
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece
 from .lone_blocks import REACH_PX, ZONES_PX, LoneTable

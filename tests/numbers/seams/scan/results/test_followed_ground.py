@@ -11,7 +11,7 @@ from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
-from seam_inspector.plugin.seams.measure.scan.lines.followed_ground import FollowedGround
+from seam_inspector.plugin.seams.measure.scan.followed_ground import FollowedGround
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, SidedSeam
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import optimize
-from seam_inspector.plugin.seams.measure.profile.ground import EnergyResponse, fit_response
+from seam_inspector.plugin.seams.measure.energy_response import EnergyResponse, fit_response
 
 LEAST = 0.01  # DN squared: what is added to every energy
 

@@ -14,10 +14,10 @@ from functools import cached_property
 import numpy as np
 from scipy import ndimage
 
-from ..blocks.block_grid import UNIT_PX, BlockGrid
-from ..blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
-from ..scan_request import LEAST_SEAM_PX, SHORTEST_PIECE_PX
-from .seam_pieces import SeamPiece
+from .blocks.block_grid import UNIT_PX, BlockGrid
+from .blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
+from .lines.seam_pieces import SeamPiece
+from .scan_request import LEAST_SEAM_PX, SHORTEST_PIECE_PX
 
 LEAST_UNEXPLAINED = 0.03
 """Least share of the ground that no source explains, to be told."""
