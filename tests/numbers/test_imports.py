@@ -94,24 +94,53 @@ def test_imports_run_one_way(repository: Path) -> None:
     assert faults(repository / "plugin") == []
 
 
-def circles(package: Path) -> list[set[str]]:
-    """Files that import each other by way of others, also for types alone or within functions; a folder's own
-    ``__init__`` takes no part."""
+def arrows(package: Path) -> set[tuple[str, str]]:
+    """Which file imports which, also for types alone or within functions; a folder's own ``__init__`` takes no part."""
     files = {".".join(("plugin", *path.relative_to(package).with_suffix("").parts)): path
              for path in package.rglob("*.py") if path.name != "__init__.py"}  # fmt: skip
-    names, numbers = list(files), {name: number for number, name in enumerate(files)}
-    arrows = {(numbers[name], numbers[target]) for name, path in files.items()
-              for _, _, taken in imports(path, package)
-              for target in (taken, taken.rpartition(".")[0]) if target in files}  # fmt: skip
-    rows, columns = zip(*arrows) if arrows else ((), ())
+    return {(name, target) for name, path in files.items()
+            for _, _, taken in imports(path, package)
+            for target in (taken, taken.rpartition(".")[0]) if target in files}  # fmt: skip
+
+
+def circles(package: Path) -> list[set[str]]:
+    """Files that import each other by way of others."""
+    pairs = arrows(package)
+    names = sorted({name for pair in pairs for name in pair})
+    rows, columns = zip(*((names.index(first), names.index(second)) for first, second in pairs)) if pairs else ((), ())
     matrix = csr_array((np.ones(len(rows)), (rows, columns)), shape=(len(names),) * 2)
     count, labels = connected_components(matrix, directed=True, connection="strong")
     found = [{names[number] for number in np.flatnonzero(labels == label)} for label in range(count)]
     return [circle for circle in found if len(circle) > 1]
 
 
+def folders_both_ways(package: Path) -> set[tuple[str, str]]:
+    """Folders beside each other of which each imports from the other."""
+    pairs = {(first.rpartition(".")[0], second.rpartition(".")[0]) for first, second in arrows(package)}
+    return {
+        (first, second) for first, second in pairs
+        if first < second and (second, first) in pairs and not second.startswith(f"{first}.")
+    }
+
+
 def test_files_import_each_other_in_no_circle(repository: Path) -> None:
     assert circles(repository / "plugin") == []
+
+
+def test_folders_beside_each_other_import_one_way(repository: Path) -> None:
+    assert folders_both_ways(repository / "plugin") == set()
+
+
+def test_folders_that_import_each_other_are_found(tmp_path: Path) -> None:
+    for folder, name, line in (
+        ("a", "one", "from ..b import two"), ("a", "three", ""),
+        ("b", "two", ""), ("b", "four", "from ..a import three"),
+        ("b/c", "five", "from .. import two"), ("b", "six", "from .c import five"),
+    ):
+        (tmp_path / folder).mkdir(parents=True, exist_ok=True)
+        (tmp_path / folder / f"{name}.py").write_text(line, encoding="utf-8")
+    assert circles(tmp_path) == []
+    assert folders_both_ways(tmp_path) == {("plugin.a", "plugin.b")}
 
 
 def test_a_planted_circle_is_found(tmp_path: Path) -> None:

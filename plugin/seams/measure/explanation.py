@@ -17,9 +17,9 @@ from .causes import Cause, CauseEvidence, Misfit, SourceTone, Texture, find_caus
 from .compared_image import Change, MeasuredClip, gains_of_colours, measure_changes
 from .feather_prediction import expected_ratios, feathers
 from .following.boxes import enlarged, near_border
-from .following.hard_cut import HardCut, cut_hard, follows_at
 from .following.levelling import left_over
 from .following.source_filters import filter_power
+from .hard_cut import HardCut, cut_hard, follows_at
 from .limits import SHARPNESS_TOLERANCE
 from .profile.cell_table import CELL_PX
 from .profile.seam_profile import SeamProfile

@@ -13,7 +13,7 @@ from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_pool import ReadEach
 from ...imagery.wavelets import Curve, clip_curves, judged_plane
 from .compared_image import ComparedImage, MeasuredClip
-from .following.hard_cut import judged_ground
+from .hard_cut import judged_ground
 from .profile.seam_profile import SeamProfile
 from .verdicts import judge
 from .while_measuring import measuring

@@ -9,9 +9,9 @@ import numpy as np
 from scipy import ndimage
 
 from ....imagery.shifts import shifted
-from ..following.hard_cut import JudgedGround
 from ..following.levelling import SQUARE_PX, gain_field, square_means, to_pixels
 from ..following.source_filters import UNTOUCHED, filtered
+from ..hard_cut import JudgedGround
 
 FEWEST_SQUARES = 48
 """Fewest squares of 8 px on which a source is alone: with less nobody can tell its tones."""

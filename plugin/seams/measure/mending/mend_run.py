@@ -18,8 +18,8 @@ from ....imagery.wavelets import judged_plane
 from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
 from ..following.followed_source import high_pass
-from ..following.hard_cut import JudgedGround, as_type, judged_ground
 from ..following.levelling import SQUARE_PX, to_pixels
+from ..hard_cut import JudgedGround, as_type, judged_ground
 from ..limits import MEND_BLEND_PX, MEND_WIDTH_M
 from ..scan.blocks.block_pixels import JUDGED, BlockPixels
 from ..scan.lines.piece_index import NearestPieces, PieceIndex

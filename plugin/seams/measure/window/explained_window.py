@@ -14,7 +14,7 @@ from .. import messages
 from ..causes import Cause
 from ..compared_image import Change, MeasuredClip
 from ..explanation import Explanation, explain
-from ..following.hard_cut import cut_hard, window_loss
+from ..hard_cut import cut_hard, window_loss
 from ..limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from ..profile.window_detail import LossPicture
 from ..seam_cells import UNKNOWN, cell_labels

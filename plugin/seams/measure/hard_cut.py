@@ -11,16 +11,16 @@ from functools import cached_property
 
 import numpy as np
 
-from ..compared_image import ComparedImage, MeasuredClip, judged_planes, on_common_bands
-from ..profile.window_detail import LossPicture, WindowDetail, loss_picture, window_detail
-from ..seam_cells import UNKNOWN, present
-from ..tone import Tone, whole_squares
-from .boxes import near_border
-from .expected_mosaic import ExpectedMosaic, expected_mosaic
-from .followed_source import FollowedSource
-from .likely_source import MIN_FIT
-from .placed_sources import PlacedSources, follow_sources
-from .source_filters import cut_of
+from .compared_image import ComparedImage, MeasuredClip, judged_planes, on_common_bands
+from .following.boxes import near_border
+from .following.expected_mosaic import ExpectedMosaic, expected_mosaic
+from .following.followed_source import FollowedSource
+from .following.likely_source import MIN_FIT
+from .following.placed_sources import PlacedSources, follow_sources
+from .following.source_filters import cut_of
+from .profile.window_detail import LossPicture, WindowDetail, loss_picture, window_detail
+from .seam_cells import UNKNOWN, present
+from .tone import Tone, whole_squares
 
 LEAST_CHANGE = 0.1  # of a grey value of 16 bit: tones that change no more leave it as it was
 _EASED_PX = 48  # beside a seam
