@@ -140,15 +140,15 @@ print(taken({files!r}))
 
 
 @pytest.mark.slow
-def test_ten_thousand_sources_cost_some_calls_each_and_no_remote_one_is_opened(
+def test_a_thousand_sources_cost_some_calls_each_and_no_remote_one_is_opened(
     make_raster: MakeRaster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = make_raster("mosaic.tif", orthoimage((64, 64)))
-    links = [tmp_path / f"{number}.tif" for number in range(1000)]
+    links = [tmp_path / f"{number}.tif" for number in range(100)]
     for link in links:
         os.link(path, link)
     sources = [Source(RasterRef(str(link)), EXTENT) for link in links for _ in range(8)]
-    sources += [Source(RasterRef(f"/vsicurl/http://192.0.2.1/{n}.tif"), EXTENT) for n in range(2_000)]
+    sources += [Source(RasterRef(f"/vsicurl/http://192.0.2.1/{n}.tif"), EXTENT) for n in range(200)]
     opened, opens = set[str](), gdal.OpenEx
     monkeypatch.setattr(gdal, "OpenEx", lambda name, *more: opened.add(name) or opens(name, *more))
     assert calls_of(lambda: fingerprint_of(RasterRef(path), sources, SETTINGS)) < 400 * len(sources)
