@@ -35,7 +35,15 @@ JUDGING_FIELDS = {
 """The fields of both and their kinds. A window layer has those that were used, the first one's word always."""
 
 NORMAL_95 = 1.959964  # standard errors either side of a normal value that hold 95 %
+_SIGMA_OF_MEDIAN = 1.4826  # standard deviation over the median of absolute values, of a normal distribution
 _MOST_FREEDOM = 1e7  # degrees of freedom: beyond, Student's t is normal to 2e-7
+
+
+def robust_sigma(residuals: np.ndarray) -> float:
+    """Standard deviation of what is normal in residuals, by the median of their absolute values."""
+    import numpy as np  # not when QGIS starts
+
+    return _SIGMA_OF_MEDIAN * float(np.median(np.abs(residuals)))
 
 
 def critical_t(confidence: float, freedom: np.ndarray | float) -> np.ndarray:

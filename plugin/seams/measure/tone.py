@@ -11,6 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import minimize_scalar
 
+from ...imagery.statistics import robust_sigma
+
 MIN_TONE_RESIDUAL = 0.05  # grey values: a line that fits the coarse means this well is one
 MIN_GAMMA, MAX_GAMMA = 0.2, 5.0  # that are looked for
 MIN_GAMMA_GAIN = 0.1  # a power function has to leave residuals smaller by this share
@@ -20,7 +22,6 @@ _MOST_POINTS = 512  # means that are fitted to, picked evenly: an exponent takes
 _FEWEST_POINTS = 16  # means: fewer are no base for a robust line
 _EVEN = 1e-9  # grey values: what varies less is even, but for rounding
 _TUKEY_SCALES = 4.685  # where Tukey's weights vanish: those of 95 % efficiency
-_SIGMA_OF_MEDIAN = 1.4826  # standard deviation over the median of absolute values, of a normal distribution
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class Tone:
 
 def tukey_weights(residuals: np.ndarray) -> np.ndarray:
     """Weight of each residual: 1 where it is 0, 0 far beyond their scale."""
-    scale = max(_SIGMA_OF_MEDIAN * float(np.median(np.abs(residuals))), _EVEN)
+    scale = max(robust_sigma(residuals), _EVEN)
     return np.asarray(np.clip(1 - (residuals / (_TUKEY_SCALES * scale)) ** 2, 0, None) ** 2)
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ...imagery.errors import Message, SeamInspectorError, SensorModelError
 from ...imagery.reference_systems import metres_per_unit
+from ...imagery.statistics import robust_sigma
 from . import limits, messages, registry
 from .points import Points
 from .polynomials import Rational
@@ -18,7 +19,6 @@ from .registry import ModelRequest
 from .sensor_model import FittedModel, Scaling, SensorModel, least_squares, locate, reprojected
 
 BLUNDER_PROBABILITY = 0.001  # Baarda: one good point in a thousand is suspected
-SIGMA_OF_MEDIAN = 1.4826  # standard deviation over the median of absolute values, normal coordinates
 RAYLEIGH_MEDIAN = 1.1774  # of the length of a vector of two normal coordinates of standard deviation 1
 MAX_BLUNDER_SIGMAS = 5.0  # of check points, which the fit has not seen
 TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
@@ -228,7 +228,7 @@ def suspects(done: Adjustment) -> np.ndarray:
 
 def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
     """(n,) bool: check points that differ from the others as well as from what the control points let expect."""
-    usual = max(SIGMA_OF_MEDIAN * float(np.median(np.abs(residuals))), np.nan_to_num(sigma), limits.MIN_SIGMA_PX)
+    usual = max(robust_sigma(residuals), np.nan_to_num(sigma), limits.MIN_SIGMA_PX)
     return np.abs(residuals).max(axis=1) > MAX_BLUNDER_SIGMAS * usual
 
 

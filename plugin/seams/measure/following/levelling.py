@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
+from ....imagery.statistics import robust_sigma
 from ..tone import coarse_means, tukey_weights
 from .boxes import enlarged
 
@@ -87,7 +88,7 @@ def evened_gains(
     if np.count_nonzero(squares) < _FEWEST_SQUARES:
         return list(gains)
     means = [square_means(np.asarray(gain * plane, np.float32)) for plane, gain in zip(planes, gains)]
-    contrasts = [float(_off_near(one, squares)[squares].std()) for one in means]
+    contrasts = [float(off_near[squares].std()) for off_near in _off_near(means, squares)]
     if min(contrasts) <= 0:
         return list(gains)
     mean = float(np.exp(np.mean(np.log(contrasts))))
@@ -106,12 +107,7 @@ def left_over(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> tupl
     terms = np.vander((x - x.mean()) / max(float(x.std()), 1e-6), 4)
     bias = mosaic - gain_field(mosaic, source, where) * source
     local = bias - _spread_out(bias, where.astype(np.float32))
-    return _scale(y - terms @ np.linalg.lstsq(terms, y, rcond=None)[0]), _scale(local[where])
-
-
-def _scale(rest: np.ndarray) -> float:
-    """Standard deviation of what is normal in it."""
-    return 1.4826 * float(np.median(np.abs(rest)))
+    return robust_sigma(y - terms @ np.linalg.lstsq(terms, y, rcond=None)[0]), robust_sigma(local[where])
 
 
 def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch: int = 0) -> np.ndarray:
@@ -124,7 +120,7 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
     if np.count_nonzero(where) < _FEWEST_SQUARES:
         return ones
     places = np.flatnonzero(where)
-    x, y = (np.take(_off_near(band, where, patch), places).astype(np.float64) for band in (source, mosaic))
+    x, y = (np.take(off_near, places).astype(np.float64) for off_near in _off_near((source, mosaic), where, patch))
     # Even ground tells nothing of a gain, and where there is much of it residuals would seem to be none.
     telling = np.abs(x) > max(_EVEN * x.std(), _ROUNDING * float(np.abs(source).max()))
     if np.count_nonzero(telling) < _FEWEST_SQUARES:
@@ -145,10 +141,10 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
     return np.asarray(sum(factor * field for factor, field in zip(factors, fields)), np.float32)
 
 
-def _off_near(means: np.ndarray, where: np.ndarray, patch: int = 0) -> np.ndarray:
-    """What squares differ by from the mean of those near them, ``where`` they count, (rows, columns) bool."""
-    near, weight = (_near_means(values, patch) for values in (np.where(where, means, 0), where.astype(np.float32)))
-    return means - near / np.maximum(weight, np.float32(1e-6))
+def _off_near(planes: Sequence[np.ndarray], where: np.ndarray, patch: int = 0) -> list[np.ndarray]:
+    """What squares of planes differ by from the mean of those near them, ``where`` they count, (rows, columns) bool."""
+    weight = np.maximum(_near_means(where.astype(np.float32), patch), np.float32(1e-6))
+    return [means - _near_means(np.where(where, means, 0), patch) / weight for means in planes]
 
 
 def _near_means(values: np.ndarray, patch: int) -> np.ndarray:

@@ -70,17 +70,17 @@ class MeetingSources:
     labels: np.ndarray
     """(rows, columns) uint8: the source that each pixel follows; pixels of ``UNKNOWN`` take no part."""
     numbers: Sequence[int] = ()
-    """Of the sources among the ``compared_planes``."""
+    """Numbers of the sources among the ``compared_planes``."""
     valid: Mapping[int, np.ndarray] = field(default_factory=dict)
     """(rows, columns) bool: pixels that a source has, of those that don't have all."""
     shares: Mapping[int, np.ndarray] | None = None
-    """As ``ExpectedMosaic`` has them."""
+    """Shares of the sources where more than two are mixed (``ExpectedMosaic``)."""
     is_filtered: bool = False
     """Whether each source is among the planes in both ways."""
 
     @classmethod
     def of(cls, expected: ExpectedMosaic, valid: Mapping[int, np.ndarray]) -> MeetingSources:
-        """Those of an expected mosaic."""
+        """The sources of an expected mosaic."""
         return cls(expected.labels, numbers_of(expected), valid, expected.shares, expected.is_filtered)
 
 

@@ -37,7 +37,11 @@ class Kept(NamedTuple):
     @classmethod
     def of(cls, value: np.ndarray, error: np.ndarray, freedom: np.ndarray) -> Kept:
         """kept with its interval, by the standard deviation of its logarithm and the degrees of freedom of that."""
-        ends = critical_t(CONFIDENCE, np.maximum(freedom, 1)) * error
+        return cls._reaching(value, critical_t(CONFIDENCE, np.maximum(freedom, 1)) * error)
+
+    @classmethod
+    def _reaching(cls, value: np.ndarray, ends: np.ndarray) -> Kept:
+        """kept with an interval whose logarithm reaches so far to either side."""
         factor = np.exp(np.minimum(ends, _WIDEST))
         return cls(value, value / factor, value * factor)
 
@@ -47,9 +51,7 @@ class Kept(NamedTuple):
 
     def less_sure(self, error: np.ndarray) -> Kept:
         """kept with another error, a standard deviation of its logarithm, beside those that its interval has."""
-        with np.errstate(divide="ignore", invalid="ignore"):
-            factor = np.exp(np.minimum(np.hypot(self.width / 2, critical_t(CONFIDENCE, np.inf) * error), _WIDEST))
-        return Kept(self.value, self.value / factor, self.value * factor)
+        return Kept._reaching(self.value, np.hypot(self.width / 2, critical_t(CONFIDENCE, np.inf) * error))
 
     @property
     def width(self) -> np.ndarray:

@@ -42,7 +42,7 @@ class WindowDetail:
     """Most energy of detail that rounding leaves, a pixel, DN squared (``energy_of_rounding``)."""
 
     def judged_inside(self, rows: slice, columns: slice) -> WindowDetail:
-        """The same detail, of which these pixels are judged."""
+        """This detail, of which these pixels are judged."""
         rows, columns = (slice(part.start // CELL_PX, part.stop // CELL_PX) for part in (rows, columns))
         return replace(self, inside=(rows, columns))
 
