@@ -35,19 +35,19 @@ def measure_texture(
     whole = (sources == blocks.max(axis=1).max(axis=2)) & (sources != UNKNOWN)
     if np.count_nonzero(whole) < _FEWEST_BLOCKS:
         return None
-    own, filtered, plain = details[:, 0], details[:, 1], details[:, -1]
+    observed, filtered, plain = details[:, 0], details[:, 1], details[:, -1]
     side, followed = _BLOCK_PX // 2, sources[whole]
     sums = np.stack([
         in_squares(np.einsum("dij,dij->ij", a, b), side).sum(axis=1).sum(axis=2, dtype=np.float64)[whole]
-        for a, b in ((own, own), (own, filtered), (filtered, filtered), (plain, plain))
+        for a, b in ((observed, observed), (observed, filtered), (filtered, filtered), (plain, plain))
     ])
     mm, mc, cc, uu = sums
-    left = np.clip(mm - 2 * mc + cc, 0, None) / (3 * side**2)
+    left_over = np.clip(mm - 2 * mc + cc, 0, None) / (3 * side**2)
     weak, strong = np.quantile(cc, (_WEAK, _STRONG))
-    noise, loud = (float(np.sqrt(left[where].mean())) for where in (cc <= weak, cc >= strong))
+    noise, loud = (float(np.sqrt(left_over[where].mean())) for where in (cc <= weak, cc >= strong))
     of_sources = [sums[:, followed == i] for i in np.unique(followed)]
-    of_sources = [one for one in of_sources if one.shape[1] >= _FEWEST_BLOCKS] or [sums]
-    transfers = [_transfer(one) for one in of_sources]
+    of_sources = [blocks for blocks in of_sources if blocks.shape[1] >= _FEWEST_BLOCKS] or [sums]
+    transfers = [_transfer(blocks) for blocks in of_sources]
     # What the sources' own compression left in them is none of the mosaic's.
     traces = quantised = 0.0
     if noise >= MIN_COMPRESSED_DN * unit_dn:
@@ -97,9 +97,11 @@ def grey_unit(mosaic: Raster, values: np.ndarray) -> float:
 
 def range_factor(mosaic: Raster, source: Raster) -> float | None:
     """The source's range of values over the mosaic's, 1 for one type of data; None where that is not known."""
-    own, its = (value_range(one, 0.0) if is_range_known(one) else None for one in (mosaic, source))
-    if own and its:
-        return (its[1] - its[0]) / (own[1] - own[0])
+    mosaic_range, source_range = (
+        value_range(plane, 0.0) if is_range_known(plane) else None for plane in (mosaic, source)
+    )
+    if mosaic_range and source_range:
+        return (source_range[1] - source_range[0]) / (mosaic_range[1] - mosaic_range[0])
     return 1.0 if source.data_type == mosaic.data_type else None
 
 
@@ -134,7 +136,7 @@ def misfit_of(
         for places, size in zip(np.nonzero(seam), seam.shape)
     ]
     rows, columns = (slice(2 * start, 2 * (start + _LOOK_SAMPLES)) for start in starts)
-    first, second = (np.ascontiguousarray(one[rows, columns]) for one in (first, second))
+    first, second = (np.ascontiguousarray(plane[rows, columns]) for plane in (first, second))
     (details,) = placed_components(np.stack([first, second, shifted(second, *misfit)]), wavelet, 1)
     inner, (row, column) = np.s_[_EDGE_SAMPLES:-_EDGE_SAMPLES], starts
     where = seam[row : row + _LOOK_SAMPLES, column : column + _LOOK_SAMPLES][inner, inner]

@@ -224,8 +224,8 @@ class CauseEvidence:
     def off_seam_lost(self) -> float:
         """Share of the window's finest detail energy that is gone and that neither the seams nor clipping took, so that
         all that was taken adds up to what the sharpness says."""
-        told = self.lost if self.has_seam_loss else 0.0
-        return max(1 - (1.0 if self.sharpness is None else self.sharpness) ** 2 - told - self.clipped_lost, 0.0)
+        seam_loss = self.lost if self.has_seam_loss else 0.0
+        return max(1 - (1.0 if self.sharpness is None else self.sharpness) ** 2 - seam_loss - self.clipped_lost, 0.0)
 
     @property
     def is_evened(self) -> bool:

@@ -71,7 +71,7 @@ class ComparedImage:
         pixels: list[tuple[np.ndarray, Sequence[float]]] = [(band[np.newaxis], (1.0,)) for band in other.bands]
         if LUMINANCE in other.coarse:
             pixels.insert(0, (other.bands[:3], imagery_limits.LUMINANCE_WEIGHTS))
-        mosaic, source = (np.stack(list(one.coarse.values())) for one in (self, other))
+        mosaic, source = (np.stack(list(image.coarse.values())) for image in (self, other))
         return dict(zip(self.coarse, fit_tones(mosaic, source, where, pixels)))
 
 
@@ -80,19 +80,19 @@ def on_common_bands(
 ) -> Iterator[ComparedImage]:
     """The mosaic and its sources, reduced to the bands that all of them have; ``planes``: those that are judged."""
     names = _common_names(measured)
-    for one, plane in zip(measured, planes):
-        clip, bands = one.clip, _bands(one.clip, names)
+    for image, plane in zip(measured, planes):
+        clip, bands = image.clip, _bands(image.clip, names)
         coarse = _coarse(bands, names, levels)
         yield ComparedImage(
-            bands, names, coarse, one.curves, clip.raster, (clip.offset_x, clip.offset_y), clip.valid, plane
+            bands, names, coarse, image.curves, clip.raster, (clip.offset_x, clip.offset_y), clip.valid, plane
         )
 
 
 def judged_planes(measured: Sequence[MeasuredClip]) -> Iterator[ComparedImage]:
     """The one plane of each that the verdict looks at, with the ground that was read around the window."""
     names = _common_names(measured)
-    for one in measured:
-        clip = one.around or one.clip
+    for image in measured:
+        clip = image.around or image.clip
         plane = judged_plane(_bands(clip, names), names)
         yield ComparedImage(
             plane[np.newaxis], ("judged",), {}, {}, clip.raster, (clip.offset_x, clip.offset_y), clip.valid, plane
@@ -100,7 +100,7 @@ def judged_planes(measured: Sequence[MeasuredClip]) -> Iterator[ComparedImage]:
 
 
 def _common_names(measured: Sequence[MeasuredClip]) -> tuple[str, ...]:
-    held = [one.clip.raster.band_names for one in measured]
+    held = [names.clip.raster.band_names for names in measured]
     return tuple(name for name in held[0] if all(name in others for others in held))
 
 

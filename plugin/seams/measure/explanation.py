@@ -99,8 +99,8 @@ class Explanation:
     def ground_left(self) -> float:
         """Share of the sources' finest detail that is left in the ground which the seam is compared with; 1 where it
         is as sharp as they are."""
-        left = 1 - self.evidence.off_seam_lost
-        return left if left < (1 - SHARPNESS_TOLERANCE) ** 2 else 1.0
+        left_over = 1 - self.evidence.off_seam_lost
+        return left_over if left_over < (1 - SHARPNESS_TOLERANCE) ** 2 else 1.0
 
 
 def explain(
@@ -127,10 +127,10 @@ def explain(
     detail = ground.detail(wavelet, levels)
     profile, unit = detail.profile, grey_unit(image.raster, image.coarse[judged])
     finest = detail.finest[(..., *(slice(part.start // 2, part.stop // 2) for part in ground.inside))]
-    own, of_sources = (np.einsum("dij,dij->ij", one, one) for one in (finest[:, 0], finest[:, -1]))
+    mosaic_energy, of_sources = (np.einsum("dij,dij->ij", detail, detail) for detail in (finest[:, 0], finest[:, -1]))
     total, known = max(float(of_sources.sum(dtype=np.float64)), 1e-9), ground.labels[::2, ::2] != UNKNOWN
     explained = float(of_sources[known].sum(dtype=np.float64))
-    sharpness = float(np.sqrt(own[known].sum(dtype=np.float64) / explained)) if explained > 0 else None
+    sharpness = float(np.sqrt(mosaic_energy[known].sum(dtype=np.float64) / explained)) if explained > 0 else None
     lost = max(1 - (1.0 if sharpness is None else sharpness) ** 2, 0.0)
     evidence = CauseEvidence(
         missing=1 - ground.explained,
@@ -139,11 +139,11 @@ def explain(
         mixed=following.mixed_share,
         sharpness=sharpness,
         clipped=against_composite[judged].clipped,
-        clipped_lost=_clipped_energy(image.bands, of_sources - own) / total,
+        clipped_lost=_clipped_energy(image.bands, of_sources - mosaic_energy) / total,
         tones=_source_tones(cut, judged, unit),
         unevenness=_unevenness(cut, levels),
         misfit=_misfit(cut, shifts, wavelet),
-        off_pixel=max((float(np.hypot(one.x - round(one.x), one.y - round(one.y))) for one in placed), default=0.0),
+        off_pixel=max((float(np.hypot(at.x - round(at.x), at.y - round(at.y))) for at in placed), default=0.0),
         texture=_texture(finest, cut, detail.unmixed(), unit),
         fit=following.fit,
         mid_scale_gain=_amplitude(image.curves[judged], curves[judged]) / sharpness if sharpness else 1.0,
@@ -171,10 +171,12 @@ def explain(
         added=1 - mc**2 / (mm * cc) if mm > 0 and cc > 0 else None,
         curves=curves,
         ratios={name: curve_ratios(mosaic.curves[name], curve) for name, curve in curves.items()},
-        similarity={name: correlation(mosaic.coarse[name], own) for name, own in coarse.items()},
+        similarity={name: correlation(mosaic.coarse[name], means) for name, means in coarse.items()},
         changes=(*(measure_changes(image, *compared) for compared in zip(images, cut.tones, grounds)),
                  against_composite),
-        expected=expected_ratios(feathers([one.plane for one in images if one.valid is None], wavelet, levels), levels),
+        expected=expected_ratios(
+            feathers([image.plane for image in images if image.valid is None], wavelet, levels), levels
+        ),
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         shares=following.shares,
@@ -196,14 +198,14 @@ def _shift_on_pixels(cut: HardCut, source: int) -> Shift | None:
     return find_shift(cut.mosaic.spectra, other.spectra, where)
 
 
-def _amplitude(own: Curve, other: Curve) -> float:
+def _amplitude(curve: Curve, other: Curve) -> float:
     """Amplitude of the finest detail over that of another clip."""
-    return float(np.sqrt(own.detail[0] * own.variance / max(other.detail[0] * other.variance, 1e-9)))
+    return float(np.sqrt(curve.detail[0] * curve.variance / max(other.detail[0] * other.variance, 1e-9)))
 
 
 def _clipped_energy(bands: np.ndarray, gone: np.ndarray) -> float:
-    """Of ``gone``, energy that the mosaic lacks (rows / 2, columns / 2), that which lies where one of its bands (bands,
-    rows, columns) is at an end of its scale."""
+    """The part of ``gone``, energy that the mosaic lacks (rows / 2, columns / 2), where one of its bands (bands, rows,
+    columns) is at an end of its scale."""
     ends = np.zeros(gone.shape, bool)
     for band in bands:
         ends |= ((band == band.min()) | (band == band.max()))[::2, ::2]
@@ -211,8 +213,8 @@ def _clipped_energy(bands: np.ndarray, gone: np.ndarray) -> float:
 
 
 def _texture(finest: np.ndarray, cut: HardCut, unmixed: np.ndarray, unit: float) -> Texture | None:
-    """Where one source is followed for sure; where that is too little, where one is followed at all. ``unmixed``: cells
-    beyond what seams mix."""
+    """Texture where one source is followed for sure; where that is too little, where one is followed at all.
+    ``unmixed``: cells beyond what seams mix."""
     followed = cut.ground.labels
     large = enlarged(unmixed, CELL_PX)[: followed.shape[0], : followed.shape[1]]
     rows, columns = large.shape
@@ -220,8 +222,8 @@ def _texture(finest: np.ndarray, cut: HardCut, unmixed: np.ndarray, unit: float)
     np.copyto(labels[:rows, :columns], followed[:rows, :columns], where=large)
     sure = np.where(cut.ground.following.clear, labels, np.uint8(UNKNOWN))
     planes = cut.mosaic.plane, cut.ground.expected.unfiltered[cut.ground.inside]
-    found = (measure_texture(finest, one, *planes, unit) for one in (sure, labels))
-    return next((one for one in found if one is not None), None)
+    textures = (measure_texture(finest, where, *planes, unit) for where in (sure, labels))
+    return next((texture for texture in textures if texture is not None), None)
 
 
 def _source_tones(cut: HardCut, judged: str, unit: float) -> tuple[SourceTone, ...]:
@@ -244,11 +246,11 @@ def _unevenness(cut: HardCut, levels: int) -> float:
     main, image = cut.ground.following.followed[0], cut.mosaic
     where = follows_at(cut.ground.following, main, levels)
     bands = [(image.coarse[name], cut.sources[main].coarse[name]) for name in image.names[:3]]
-    left = [left_over(*band, where) for band in bands]
-    least = [MIN_UNEVEN_RANGE * float(np.ptp(own)) + 0.5 for own, _ in bands]
-    if all(curve <= most for (curve, _), most in zip(left, least)):
+    scales = [left_over(*band, where) for band in bands]
+    least = [MIN_UNEVEN_RANGE * float(np.ptp(mosaic_means)) + 0.5 for mosaic_means, _ in bands]
+    if all(curve <= most for (curve, _), most in zip(scales, least)):
         return 0.0
-    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in left)
+    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in scales)
 
 
 def _composite_changes(

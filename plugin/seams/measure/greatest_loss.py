@@ -1,4 +1,4 @@
-"""Where in a window the mosaic lost most detail: the part that is worth to be shown."""
+"""The place of a window where the mosaic lost most detail: the part that is worth to be shown."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -27,24 +27,24 @@ def worst_places(loss: LossPicture, is_hidden: bool = False) -> list[tuple[float
     is_even = len(loss.seam) > 0 and most - even < _LITTLE_MORE * even
     if is_hidden or most < _EVEN or is_even:
         return _along(loss.seam * SAMPLE_PX + SAMPLE_PX / 2)
-    found: list[tuple[float, float]] = []
+    places: list[tuple[float, float]] = []
     least = _WORTH_A_LOOK * most
-    while len(found) < _MOST_PLACES and lost.max() >= least:
+    while len(places) < _MOST_PLACES and lost.max() >= least:
         row, column = (int(place) for place in np.unravel_index(lost.argmax(), lost.shape))
-        found.append(((column + 0.5) * loss.cell_px, (row + 0.5) * loss.cell_px))
+        places.append(((column + 0.5) * loss.cell_px, (row + 0.5) * loss.cell_px))
         lost[max(row - side + 1, 0) : row + side, max(column - side + 1, 0) : column + side] = 0
-    return found
+    return places
 
 
 def _along(seam: np.ndarray) -> list[tuple[float, float]]:
     """Points (column, row) of a seam of (row, column), so many that no two lie within ``SHOWN_PX`` of each other."""
-    found: list[tuple[float, float]] = []
-    left = seam[np.argsort(np.hypot(*(seam - seam.mean(axis=0)).T))] if len(seam) else seam
-    while len(left) and len(found) < _MOST_PLACES:
-        row, column = left[0]
-        found.append((float(column), float(row)))
-        left = left[np.abs(left - left[0]).max(axis=1) >= SHOWN_PX]
-    return found
+    places: list[tuple[float, float]] = []
+    remaining = seam[np.argsort(np.hypot(*(seam - seam.mean(axis=0)).T))] if len(seam) else seam
+    while len(remaining) and len(places) < _MOST_PLACES:
+        row, column = remaining[0]
+        places.append((float(column), float(row)))
+        remaining = remaining[np.abs(remaining - remaining[0]).max(axis=1) >= SHOWN_PX]
+    return places
 
 
 def greatest_loss(mosaic: np.ndarray, sources: Sequence[np.ndarray], side: int) -> tuple[int, int]:

@@ -78,10 +78,10 @@ def as_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:
 def follows_at(following: FollowedSource, source: int, levels: int) -> np.ndarray:
     """Squares of 2^R px that follow one source clearly and wholly, (rows / 2^R, columns / 2^R) bool; where there are
     enough, those away from its seams, over which feathers and blends of several bands ease tones."""
-    found, side = whole_squares((following.labels == source) & following.clear, levels), 2**levels
-    eased = near_border(following.labels[::side, ::side], -(-_EASED_PX // side))[: found.shape[0], : found.shape[1]]
-    far = found & ~eased
-    return far if np.count_nonzero(far) >= _FEWEST_FAR else found
+    places, side = whole_squares((following.labels == source) & following.clear, levels), 2**levels
+    eased = near_border(following.labels[::side, ::side], -(-_EASED_PX // side))[: places.shape[0], : places.shape[1]]
+    far = places & ~eased
+    return far if np.count_nonzero(far) >= _FEWEST_FAR else places
 
 
 MIN_EXPLAINED_SHARE = 0.05  # of the pixels: with less there is nothing to compare with
@@ -121,12 +121,12 @@ class JudgedGround:
         by_plane = np.array(self.followed.source_of, np.uint8)
         labels = self.labels if is_explained else by_plane[first.labels[self.inside]]
         shares = tuple(float((labels == i).mean()) for i in range(len(self.followed.images)))
-        clear, mixed, unexplained = (one[self.inside] for one in (first.clear, first.mixed, first.unexplained))
+        clear, mixed, unexplained = (mask[self.inside] for mask in (first.clear, first.mixed, first.unexplained))
         return FollowedSource(labels, clear, mixed, shares, first.fit, unexplained)
 
     def detail(self, wavelet: str, levels: int) -> WindowDetail:
         """What the mosaic has of its sources' detail."""
-        valid = {i: one.valid for i, one in enumerate(self.followed.images) if one.valid is not None}
+        valid = {i: image.valid for i, image in enumerate(self.followed.images) if image.valid is not None}
         detail = window_detail(self.followed.mosaic.plane, self.expected, valid, wavelet, levels)
         return detail.judged_inside(*self.inside)
 
@@ -164,7 +164,7 @@ def cut_hard(
     known, else ``seam_cells.UNKNOWN``.
     """
     ground = _ground_of(mosaic, sources, labels)
-    planes = [one.plane[ground.inside] for one in (ground.followed.mosaic, *ground.followed.images)]
+    planes = [image.plane[ground.inside] for image in (ground.followed.mosaic, *ground.followed.images)]
     image, *images = on_common_bands((mosaic, *sources), planes, levels)
     tones = [image.tones_of(other, _where_followed(ground.following, i, levels)) for i, other in enumerate(images)]
     bands = [other.bands for other in images]

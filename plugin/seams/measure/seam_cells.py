@@ -30,7 +30,7 @@ class Cell:
 
 
 def cells_over(cells: Sequence[Cell], extent: Extent) -> tuple[Cell, ...]:
-    """Those whose bounding box meets a rectangle."""
+    """Cells whose bounding box meets a rectangle."""
     return tuple(cell for cell in cells if extents_meet(cell.extent, extent))
 
 

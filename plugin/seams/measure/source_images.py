@@ -65,12 +65,12 @@ def gather_sources(
 
 
 def sources_over(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...]:
-    """Those whose footprint covers a rectangle, give or take the share that may be invalid."""
+    """Sources whose footprint covers a rectangle, give or take the share that may be invalid."""
     return tuple(source for source in sources if covers(source.extent, extent))
 
 
 def sources_in(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...]:
-    """Those whose footprint meets a rectangle."""
+    """Sources whose footprint meets a rectangle."""
     return tuple(one for one in sources if extents_meet(one.extent, extent))
 
 
@@ -109,7 +109,7 @@ def _key(ref: RasterRef) -> str:
 
 
 class Footprints:
-    """Those of very many sources, to be asked which of them meet a rectangle: 0.2 ms for 100,000 of them."""
+    """Footprints of very many sources, to be asked which of them meet a rectangle: 0.2 ms for 100,000 of them."""
 
     def __init__(self, sources: Iterable[Source]) -> None:
         self._edges = np.array([source.extent for source in sources], float).reshape(-1, 4).T.copy()

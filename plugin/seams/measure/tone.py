@@ -84,7 +84,7 @@ def fit_tones(
     places = places[:: max(1, len(places) // _MOST_POINTS)]
     tones: list[Tone | None] = []
     for band, (bands, weights) in enumerate(pixels):
-        y, x = (one[band][tuple(places.T)].astype(np.float64) for one in (mosaic, source))
+        y, x = (pixel_values[band][tuple(places.T)].astype(np.float64) for pixel_values in (mosaic, source))
         if len(places) < _FEWEST_POINTS or min(x.std(), y.std()) <= _EVEN:
             tones.append(None)
             continue
@@ -120,10 +120,10 @@ def _gamma(pixels: np.ndarray, weights: Sequence[float], y: np.ndarray) -> float
         means = np.asarray(weights) @ powers.mean(axis=2)
         return _spread(robust_fit(np.stack([np.ones_like(y), means]), y)[1])
 
-    found = minimize_scalar(
+    fitted = minimize_scalar(
         left_over, bounds=np.log([MIN_GAMMA, MAX_GAMMA]), method="bounded", options={"xatol": _GAMMA_STEP}
     )
-    return float(np.exp(found.x)) if found.fun <= (1 - MIN_GAMMA_GAIN) * left_over(0.0) else 1.0
+    return float(np.exp(fitted.x)) if fitted.fun <= (1 - MIN_GAMMA_GAIN) * left_over(0.0) else 1.0
 
 
 def _spread(residuals: np.ndarray) -> float:

@@ -84,19 +84,19 @@ def contrast_sensitivity(frequency: float) -> float:
     return PEAK_SENSITIVITY / _PEAK * 2.6 * (0.0192 + reach) * math.exp(-(reach**1.1))
 
 
-def noticeable_differences(contrast: float, left: float, frequency: float) -> float:
+def noticeable_differences(contrast: float, kept_contrast: float, frequency: float) -> float:
     """How many just noticeable differences lie between two contrasts at one frequency, in cycles a degree; 0 where
     nothing is lost."""
     sensitivity = contrast_sensitivity(frequency)
-    return max(0.0, _steps_from_nothing(contrast * sensitivity) - _steps_from_nothing(left * sensitivity))
+    return max(0.0, _steps_from_nothing(contrast * sensitivity) - _steps_from_nothing(kept_contrast * sensitivity))
 
 
 def _steps_from_nothing(times_threshold: float) -> float:
     """The integral from 0 of dc / delta_c, contrasts as multiples of the threshold."""
     if times_threshold <= 1:
         return times_threshold
-    left = 1 - DISCRIMINATION_EXPONENT
-    return 1 + (times_threshold**left - 1) / left
+    kept_contrast = 1 - DISCRIMINATION_EXPONENT
+    return 1 + (times_threshold**kept_contrast - 1) / kept_contrast
 
 
 def visibility(
@@ -134,9 +134,9 @@ def white_grey(raster: Raster, largest: float) -> float:
     if raster.data_type.startswith("float") and largest <= MOST_REFLECTANCE:
         return max(largest, MOST_REFLECTANCE * 1e-6)
     known = raster if raster.data_type in ("uint8", "uint16") else replace(raster, data_type="uint16", bits=None)
-    found = value_range(known, largest)
-    assert found is not None
-    return found[1]
+    grey = value_range(known, largest)
+    assert grey is not None
+    return grey[1]
 
 
 def window_visibility(

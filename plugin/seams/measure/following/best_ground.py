@@ -50,36 +50,37 @@ class BestGround:
         return bool(min(weak, strong) > MIN_EVEN_LEFT and slope > MIN_EVEN_SLOPE)
 
     def strangeness(
-        self, own: np.ndarray, left: np.ndarray, least: float = MIN_ALIKE_STRANGE, factor: float = MIN_ALIKE_FACTOR
+        self, energy: np.ndarray, left_over: np.ndarray, least: float = MIN_ALIKE_STRANGE,
+        factor: float = MIN_ALIKE_FACTOR,
     ) -> tuple[np.ndarray, np.ndarray]:
-        """How far what is left over of the mosaic's energy ``own`` is on the way from the expected to all, 0 where
+        """How far what is left over of the mosaic's ``energy`` is on the way from the expected to all, 0 where
         nothing is told; and whether that is what images of the same ground leave over (bool): as far as ``least`` and
         ``factor`` times what is expected."""
-        expected = self.response(own)
+        expected = self.response(energy)
         tells = expected < MAX_TELLING
-        expected *= own
-        strange = np.where(tells, (left - expected) / np.where(tells, own - expected, 1), 0)
-        return strange, (strange > least) & (left > factor * expected)
+        expected *= energy
+        strange = np.where(tells, (left_over - expected) / np.where(tells, energy - expected, 1), 0)
+        return strange, (strange > least) & (left_over > factor * expected)
 
 
-def learn_best_ground(own: np.ndarray, left: np.ndarray) -> BestGround | None:
+def learn_best_ground(energy: np.ndarray, left_over: np.ndarray) -> BestGround | None:
     """Best ground of places (n,), from the mosaic's energy and what its sources leave over of it. None where there are
     too few, or values so large that energies are none."""
-    if len(own) < _FEWEST:
+    if len(energy) < _FEWEST:
         return None
-    own, left = sampled(own), sampled(left)
-    share = left / own
-    chosen, most = np.zeros(len(own), bool), np.inf
-    for part in np.array_split(np.argsort(own), _CLASSES):
+    energy, left_over = sampled(energy), sampled(left_over)
+    share = left_over / energy
+    chosen, most = np.zeros(len(energy), bool), np.inf
+    for part in np.array_split(np.argsort(energy), _CLASSES):
         most = min(float(np.quantile(share[part], _BEST)), _MOST_RISE * most)
         chosen[part] = share[part] <= most
     if not chosen.any():  # nor is NaN less than anything
         return None
-    response = fit_response(own[chosen], left[chosen])
+    response = fit_response(energy[chosen], left_over[chosen])
     for _ in range(_ROUNDS):
-        before, chosen = chosen, share <= _MOST_LEARNED * response(own)
+        before, chosen = chosen, share <= _MOST_LEARNED * response(energy)
         if np.count_nonzero(chosen) < _FEWEST // _CLASSES or (chosen == before).all():
             break
-        response = fit_response(own[chosen], left[chosen])
-    weak, strong = np.quantile(own, (_WEAK, _STRONG)).tolist()
+        response = fit_response(energy[chosen], left_over[chosen])
+    weak, strong = np.quantile(energy, (_WEAK, _STRONG)).tolist()
     return BestGround(response, weak, strong)

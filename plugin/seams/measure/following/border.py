@@ -51,11 +51,11 @@ def to_the_pixel(
     return moved
 
 
-def _own_mean(rest: np.ndarray, own: np.ndarray) -> np.ndarray:
+def _own_mean(rest: np.ndarray, followed: np.ndarray) -> np.ndarray:
     """What a source's tone is off by in every tile where it is followed so far; 0 where that is too little."""
-    own = own.reshape(len(own), -1)
-    counts = np.count_nonzero(own, axis=1)
-    sums = np.einsum("tn,tn->t", rest.reshape(own.shape), own.astype(np.float32))
+    followed = followed.reshape(len(followed), -1)
+    counts = np.count_nonzero(followed, axis=1)
+    sums = np.einsum("tn,tn->t", rest.reshape(followed.shape), followed.astype(np.float32))
     return np.where(counts >= _FEWEST_OWN, sums / np.maximum(counts, 1), 0).astype(np.float32)[:, None, None]
 
 

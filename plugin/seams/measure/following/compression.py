@@ -46,8 +46,8 @@ def vanished_share(plane: np.ndarray) -> float:
     transform = np.kron(basis, basis)[fine.ravel()].T.copy()  # of a square's 64 pixels at once
     shares = []
     for top in range(side):
-        for left in range(side):
-            part = plane[top : top + rows * side, left : left + columns * side]
+        for leftmost in range(side):
+            part = plane[top : top + rows * side, leftmost : leftmost + columns * side]
             squares = part.reshape(rows, side, columns, side)[::step, :, ::step].swapaxes(1, 2)
             waves = product(squares.reshape(-1, side**2).astype(np.float32, copy=False), transform)
             shares.append(int(np.count_nonzero(np.abs(waves, out=waves) < _VANISHED_DN)) / waves.size)

@@ -112,7 +112,7 @@ def expected_mosaic(
     mosaic, cutting = sources.mosaic.plane, _Cutting(sources, closeness)
     cut = cutting.learned() if filters is None or sources.moves else cutting.cut(cutting.likely(filters), filters)
     labels, filters = cut.labels, cut.filters
-    toned = {i: one.plane for i, one in cut.in_tone.items()}
+    toned = {i: source.plane for i, source in cut.in_tone.items()}
     shown, shares = {i: filters.applied(i, plane) for i, plane in toned.items()}, None
     if sources.known is None and len(shown) > 1:
         labels = to_the_pixel(mosaic, shown, labels, sources.valid)
@@ -126,13 +126,13 @@ def expected_mosaic(
     plane = unfiltered = cut_of(mosaic, toned, labels)
     if sources.moves:  # to be moved by parts of a pixel costs detail as well
         given = {i: sources.images[sources.source_of[i]].plane for i in toned}
-        unmoved = {i: one.plane + one.gain * (given[i] - sources.planes[i]) for i, one in cut.in_tone.items()}
+        unmoved = {i: source.plane + source.gain * (given[i] - sources.planes[i]) for i, source in cut.in_tone.items()}
         unfiltered = cut_of(mosaic, unmoved, labels)
     if filters.taps and filters.came_over_cuts:
         plane = np.where(labels == UNKNOWN, mosaic, filtered(plane, next(iter(filters.taps.values()))))
     elif filters.taps:
         plane = cut_of(mosaic, shown, labels)
-        toned = {i: filters.placed(i, one) for i, one in toned.items()}
+        toned = {i: filters.placed(i, plane) for i, plane in toned.items()}
     expected = ExpectedMosaic(plane, unfiltered, labels, shown, toned, shares, filters).of_sources(sources.source_of)
     if sources.mosaic.valid is None:
         return expected
@@ -147,7 +147,7 @@ class _Cut:
     in_tone: Mapping[int, Levelled]
     """Planes that any pixel follows, in the mosaic's grey values."""
     filters: Filters
-    left: float
+    left_over: float
     """Share of the mosaic's fine detail that they leave over."""
 
 
@@ -178,22 +178,22 @@ class _Cutting:
         learned anew until it settles; what leaves least of the mosaic over counts.
         """
         first = self.sources.following
-        own, *planes = self.sources.fine
+        mosaic, *planes = self.sources.fine
         fine = {i: planes[i] for i in sorted(first.followed) if i not in left_out}
         labels, clear = first.labels, self.sources.clear
         if filters is not None:
-            return self._likely({i: filters.applied(i, one) for i, one in fine.items()}, labels, clear)
+            return self._likely({i: filters.applied(i, plane) for i, plane in fine.items()}, labels, clear)
         tried = []
         for _ in range(_ROUNDS):
             won = {i: one for i, one in fine.items() if (labels == i).any()}
-            shown = {i: through_filter(own, one, _surest(labels == i, clear)) for i, one in won.items()}
+            shown = {i: through_filter(mosaic, plane, _surest(labels == i, clear)) for i, plane in won.items()}
             likely = self._likely(shown, labels, clear)
             tried.append(likely)
             changed, labels = np.count_nonzero(likely.labels != labels) / labels.size, likely.labels
             if changed < _SETTLED or len(won) < 2 or all(shown[i] is won[i] for i in won):
                 break
             clear = ~(likely.unexplained | near_border(labels, _UNSURE_PX))
-        return min(tried, key=lambda likely: likely.left)
+        return min(tried, key=lambda likely: likely.left_over)
 
     def _likely(self, shown: Mapping[int, np.ndarray], labels: np.ndarray, clear: np.ndarray) -> LikelySource:
         sources = self.sources
@@ -210,10 +210,10 @@ class _Cutting:
         sure = self.sources.clear if self.closeness.patch_px else self.unmixed(labels)
         planes = dict(enumerate(self.sources.planes))
         in_tone = _in_tone(self.sources.mosaic.plane, planes, labels, sure, self.closeness.patch_px)
-        return _Cut(labels, in_tone, filters, likely.left)
+        return _Cut(labels, in_tone, filters, likely.left_over)
 
     def unmixed(self, labels: np.ndarray) -> np.ndarray:
-        """Where one source is followed for sure, or at least without another, (rows, columns) bool."""
+        """Pixels where one source is followed for sure, or at least without another, (rows, columns) bool."""
         return _sure(np.where(self.sources.following.mixed, np.uint8(UNKNOWN), labels), self.sources.clear)
 
     def learned(self) -> _Cut:
@@ -221,8 +221,8 @@ class _Cutting:
         cut = self.cut(self.likely(None), UNFILTERED)
         unmixed = self.unmixed(cut.labels)
         anywhere = _sure(cut.labels, unmixed)
-        own, fine = self.sources.fine[0], dict(enumerate(self.sources.fine[1:]))
-        cut = replace(cut, filters=find_filters(own, fine, cut.in_tone, cut.labels, anywhere))
+        mosaic, fine = self.sources.fine[0], dict(enumerate(self.sources.fine[1:]))
+        cut = replace(cut, filters=find_filters(mosaic, fine, cut.in_tone, cut.labels, anywhere))
         made = self._made(cut)
         return self._mixed(cut, made) or cut
 
@@ -237,17 +237,17 @@ class _Cutting:
             i for i in most_first
             if i not in pair and i not in unmixed and (alone.labels == i).mean() < MIN_THIRD_SHARE
         ]
-        found = self._mixed_ground(alone, made, pair, few) if len(pair) == 2 else None
-        if found is None:
+        mixture = self._mixed_ground(alone, made, pair, few) if len(pair) == 2 else None
+        if mixture is None:
             return None
-        ground, gains = found
+        ground, gains = mixture
         # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
         made = ground.mosaic[SAMPLE]
         chance = {i for i in few if share_left(fine[0], made, alone.labels, [i]) <= MOST_LEFT_OF_THIRD}
         kept = {*pair, *present(alone.labels)} - chance
         filters = alone.filters.with_own(dict(zip(pair, ground.taps)), range(len(self.sources.planes)))
         likely = self.likely(filters, [i for i in first if i not in kept])
-        if likely.left > MOST_LEFT_BY_MIXED * alone.left:
+        if likely.left_over > MOST_LEFT_BY_MIXED * alone.left_over:
             return None
         cut = self.cut(likely, filters, alone.labels == UNKNOWN)
         means, planes = square_means(self.sources.mosaic.plane), self.sources.planes
@@ -260,32 +260,32 @@ class _Cutting:
     def _mixed_ground(
         self, alone: _Cut, made: np.ndarray, pair: Sequence[int], few: Sequence[int]
     ) -> tuple[MixedGround, list[np.ndarray]] | None:
-        """Where two sources mixed nearly everywhere explain more than each on its own side, and their gains; None for
-        other windows."""
-        own, *fine = self.sources.fine
+        """The ground where two sources mixed nearly everywhere explain more than each on its own side, and their
+        gains; None for other windows."""
+        mosaic, *fine = self.sources.fine
         where = is_one_of(alone.labels, (*pair, *few, UNKNOWN))
         for i in pair:
             where &= self.sources.valid.get(i, True)
         inside = np.where(where, alone.labels, np.uint8(UNKNOWN))
-        left_alone = share_left(own, made, inside, pair)
+        left_alone = share_left(mosaic, made, inside, pair)
         if left_alone < MIN_LEFT_UNMIXED:
             return None
         gains = [alone.in_tone[i].gain if i in alone.in_tone else np.float32(1) for i in pair]
         gains = evened_gains([self.sources.planes[i] for i in pair], gains, where)
         images = [gain * fine[i] for i, gain in zip(pair, gains)]
         taps = alone.filters.taps
-        shown = [alone.filters.placed(i, one) if i in taps else one for i, one in zip(pair, images)]
-        ground = mixed_ground(own, images, shown, where)
-        if ground is None or share_left(own, ground.mosaic[SAMPLE], inside, pair) > MOST_LEFT_OF_THAT * left_alone:
+        shown = [alone.filters.placed(i, image) if i in taps else image for i, image in zip(pair, images)]
+        ground = mixed_ground(mosaic, images, shown, where)
+        if ground is None or share_left(mosaic, ground.mosaic[SAMPLE], inside, pair) > MOST_LEFT_OF_THAT * left_alone:
             return None
         return ground, [ground.gain * gain for gain in gains]
 
     def _made(self, cut: _Cut) -> np.ndarray:
         """What the sources make of the mosaic's fine detail, each on its own side, a ``SAMPLE``."""
-        own, *fine = self.sources.fine
+        mosaic, *fine = self.sources.fine
         place = np.s_[:] if cut.filters.taps else SAMPLE  # a filter needs what is around
-        shown = {i: cut.filters.applied(i, one.gain[place] * fine[i][place]) for i, one in cut.in_tone.items()}
-        made = cut_of(own[place], shown, cut.labels[place])
+        shown = {i: cut.filters.applied(i, source.gain[place] * fine[i][place]) for i, source in cut.in_tone.items()}
+        made = cut_of(mosaic[place], shown, cut.labels[place])
         return made[SAMPLE] if cut.filters.taps else made
 
 
@@ -314,7 +314,7 @@ def mosaic_of(
     in_tone = _in_tone(mosaic, planes, labels, sure, patch_px)
     fine = {i: high_pass(plane) for i, plane in planes.items()}
     filters = find_filters(high_pass(mosaic), fine, in_tone, labels, sure & within)
-    return cut_of(mosaic, {i: filters.applied(i, one.plane) for i, one in in_tone.items()}, labels), filters
+    return cut_of(mosaic, {i: filters.applied(i, source.plane) for i, source in in_tone.items()}, labels), filters
 
 
 def _in_tone(

@@ -28,9 +28,9 @@ MIN_MIXTURE_WEIGHT = 0.1  # of each of the two sources
 LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values leaves
 
 
-def local_correlation(own: np.ndarray, energy: np.ndarray, shared: np.ndarray) -> np.ndarray:
+def local_correlation(mosaic: np.ndarray, energy: np.ndarray, shared: np.ndarray) -> np.ndarray:
     """Correlation of the mosaic with a source; energies above zero."""
-    return np.asarray(shared / np.sqrt(own * energy))
+    return np.asarray(shared / np.sqrt(mosaic * energy))
 
 
 def highest(values: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
@@ -46,25 +46,25 @@ def highest(values: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 def is_sure(correlation: np.ndarray, lead: np.ndarray) -> np.ndarray:
     """Whether the source of highest correlation is followed for sure."""
-    left, next_left = 1 - np.maximum(correlation, 0) ** 2, 1 - np.maximum(correlation - lead, 0) ** 2
-    return np.asarray((lead >= MIN_WINNER_LEAD) | (next_left >= MIN_LEFT_FACTOR * left))
+    left_over, next_left_over = 1 - np.maximum(correlation, 0) ** 2, 1 - np.maximum(correlation - lead, 0) ** 2
+    return np.asarray((lead >= MIN_WINNER_LEAD) | (next_left_over >= MIN_LEFT_FACTOR * left_over))
 
 
 def mixtures(
-    own: np.ndarray, energies: Mapping[int, np.ndarray], shared: Mapping[int, np.ndarray],
+    mosaic: np.ndarray, energies: Mapping[int, np.ndarray], shared: Mapping[int, np.ndarray],
     common: Callable[[int, int], np.ndarray],
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Where two sources together explain the mosaic and neither does alone, and the share that two explain.
+    """Places where two sources together explain the mosaic and neither does alone, and the share that two explain.
 
     Least squares for the weights of every two, both of which have to take part; energies above zero.
     """
-    alone, explained = np.zeros_like(own), np.zeros_like(own)
+    alone, explained = np.zeros_like(mosaic), np.zeros_like(mosaic)
     for i in energies:
-        np.maximum(alone, np.maximum(shared[i], 0) ** 2 / (own * energies[i]), out=alone)
+        np.maximum(alone, np.maximum(shared[i], 0) ** 2 / (mosaic * energies[i]), out=alone)
     for i, j in combinations(energies, 2):
         a, b = weights_of_two(energies[i], energies[j], shared[i], shared[j], common(i, j))
         takes_part = np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)  # never where they add up to less than 0
-        np.maximum(explained, np.where(takes_part, (a * shared[i] + b * shared[j]) / own, 0), out=explained)
+        np.maximum(explained, np.where(takes_part, (a * shared[i] + b * shared[j]) / mosaic, 0), out=explained)
     return (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN), explained
 
 
@@ -158,17 +158,17 @@ def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
     """Which source a mosaic follows; ``fine``: its fine detail (``high_pass``), then that of the sources, each (rows,
     columns), on one grid."""
     mosaic, *sources = fine
-    own = square_sums(mosaic, mosaic, CELL_PX)
+    mosaic_energy = square_sums(mosaic, mosaic, CELL_PX)
     energies = [square_sums(source, source, CELL_PX) for source in sources]
     shared = [square_sums(mosaic, source, CELL_PX) for source in sources]
-    near, wide = _correlations(own, energies, shared)
+    near, wide = _correlations(mosaic_energy, energies, shared)
     winner, lead = highest(near)
     if len(sources) > 1:
         winner = np.where(lead < MIN_WINNER_LEAD, highest(wide)[0], winner)  # else a wider neighbourhood decides
         winner = _without_specks(winner, len(sources))
-    mixed, explained = _mixtures(sources, own, energies, shared, winner)
+    mixed, explained = _mixtures(sources, mosaic_energy, energies, shared, winner)
     best = np.take_along_axis(np.stack(near), winner[np.newaxis], axis=0)[0]
-    textured = own > LEAST_ENERGY * CELL_PX**2
+    textured = mosaic_energy > LEAST_ENERGY * CELL_PX**2
     clear = ~mixed & (is_sure(best, lead) | ~textured)
     fit = np.maximum(explained, np.maximum(best, 0) ** 2)
     unexplained = _around(np.where(textured, fit, 1))[1] < MIN_EXPLAINED
@@ -195,11 +195,11 @@ def _binomial(band: np.ndarray, spacing: int, axis: int) -> np.ndarray:
 
 
 def _correlations(
-    own: np.ndarray, energies: Sequence[np.ndarray], shared: Sequence[np.ndarray]
+    mosaic_energy: np.ndarray, energies: Sequence[np.ndarray], shared: Sequence[np.ndarray]
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """Local correlation of the mosaic with each source, (cell rows, cell columns), near and wide."""
     least = np.float32(LEAST_ENERGY * CELL_PX**2)
-    of_mosaic = [one + least for one in _around(own)]
+    of_mosaic = [energy + least for energy in _around(mosaic_energy)]
     correlations = []
     for energy, product in zip(energies, shared):
         for mosaic, of_source, both in zip(of_mosaic, _around(energy), _around(product)):
@@ -219,7 +219,7 @@ def _without_specks(winner: np.ndarray, count: int) -> np.ndarray:
 
 def _mixtures(
     sources: Sequence[np.ndarray],
-    own: np.ndarray,
+    mosaic_energy: np.ndarray,
     energies: Sequence[np.ndarray],
     shared: Sequence[np.ndarray],
     winner: np.ndarray,
@@ -229,7 +229,7 @@ def _mixtures(
     wins = np.bincount(winner.ravel(), minlength=len(sources))
     followed = [i for i, count in enumerate(wins) if count >= MIN_FOLLOWED_SHARE * winner.size]
     return mixtures(
-        _together(own) + LEAST_ENERGY,
+        _together(mosaic_energy) + LEAST_ENERGY,
         {i: _together(energies[i]) + LEAST_ENERGY for i in followed},
         {i: _together(shared[i]) for i in followed},
         lambda i, j: _together(square_sums(sources[i], sources[j], CELL_PX)),

@@ -152,7 +152,7 @@ class _NoiseCells:
         rows, columns = energy.shape
         labels = sums.labels[1::2, 1::2][:rows, :columns]
         masks = [valid[1::2, 1::2][:rows, :columns] for valid in sums.valid.values()]
-        border = np.logical_or.reduce([near_border(one, 1) for one in (labels, *masks)])
+        border = np.logical_or.reduce([near_border(plane, 1) for plane in (labels, *masks)])
         seen = np.logical_or.reduce(masks) if len(masks) == len(sums.energies) else np.ones_like(border)
         mean_weights = {i: _means(weight) * CELL_PX**2 for i, weight in weights.items()}
         if pairs:
@@ -263,39 +263,39 @@ class _Squares:
             scatter = min(scatter, max((high - middle) / _normal(0.9), _LEAST_SCATTER))
         return _Fit(expected + middle, float(scatter), float(np.quantile(expected[followed], 0.8)))
 
-    def _to_borders(self, found: np.ndarray, expected: np.ndarray) -> np.ndarray:
+    def _to_borders(self, parts_found: np.ndarray, expected: np.ndarray) -> np.ndarray:
         """Parts that squares found up to where half of a smaller one is within them, by correlation: the smallest that
         tells nearly all of what was found from what is explained."""
-        if not found.any():
-            return found
+        if not parts_found.any():
+            return parts_found
         cells, least = self.cells, 1 - np.tanh(expected) ** 2
-        for side in (one for one in _BORDERS if one <= self.side):
+        for side in (width for width in _BORDERS if width <= self.side):
             energy, left_over = _box_means((cells.energy, cells.left_over), side)
             part = (left_over / np.maximum(energy, 1e-3) - least) / np.maximum(1 - least, 0.05)
-            low, inside = np.clip(np.quantile(part[found], (_UNTOLD, 0.5)), 0, 1).tolist()
+            low, inside = np.clip(np.quantile(part[parts_found], (_UNTOLD, 0.5)), 0, 1).tolist()
             half = 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2
             if low > half:
                 break
-        near = widened(found, self.side) & self.textured & (part > half)
+        near = widened(parts_found, self.side) & self.textured & (part > half)
         near = narrowed(widened(near, 1), 1) & self.textured
-        found = opened(ndimage.binary_propagation(found & near, mask=near), min(side, _HALF))
-        parts, _ = ndimage.label(found)
+        parts_found = opened(ndimage.binary_propagation(parts_found & near, mask=near), min(side, _HALF))
+        parts, _ = ndimage.label(parts_found)
         sizes = np.bincount(parts.ravel())
         sizes[0] = 0
-        return np.asarray((sizes >= _MIN_PART * found.size)[parts])
+        return np.asarray((sizes >= _MIN_PART * parts_found.size)[parts])
 
 
 def _weights(sums: CellSums, pairs: Mapping[tuple[int, int], np.ndarray]) -> dict[int, np.ndarray]:
     """Weight of every source in the neighbourhood of every cell, (rows, columns) each: of the one that leaves least
     over, or of two where Schwarz's criterion says that the second pays."""
     least = np.float32(LEAST_ENERGY * CELL_PX**2)
-    own = box_means(sums.mosaic, (WIDE_CELLS,))[0]
-    shared = {i: np.maximum(box_means(one, (WIDE_CELLS,))[0], 0) for i, one in sums.shared.items()}
-    energies = {i: box_means(one, (WIDE_CELLS,))[0] + least for i, one in sums.energies.items()}
-    weights, single = {i: np.zeros_like(own) for i in energies}, np.full_like(own, np.inf)
+    mosaic = box_means(sums.mosaic, (WIDE_CELLS,))[0]
+    shared = {i: np.maximum(box_means(products, (WIDE_CELLS,))[0], 0) for i, products in sums.shared.items()}
+    energies = {i: box_means(products, (WIDE_CELLS,))[0] + least for i, products in sums.energies.items()}
+    weights, single = {i: np.zeros_like(mosaic) for i in energies}, np.full_like(mosaic, np.inf)
     for i in energies:
         weight = shared[i] / energies[i]
-        rest = own - weight * shared[i]
+        rest = mosaic - weight * shared[i]
         better = rest < single
         np.copyto(single, rest, where=better)
         for j in energies:
@@ -306,7 +306,7 @@ def _weights(sums: CellSums, pairs: Mapping[tuple[int, int], np.ndarray]) -> dic
         determinant = 1.0001 * energies[i] * energies[j] - both**2 + 1e-9
         first = (shared[i] * energies[j] - shared[j] * both) / determinant
         second = (shared[j] * energies[i] - shared[i] * both) / determinant
-        rest = own - first * shared[i] - second * shared[j]
+        rest = mosaic - first * shared[i] - second * shared[j]
         better = (first > 0) & (second > 0) & (rest < best - pays * single)
         np.copyto(best, rest, where=better)
         for k in energies:
@@ -323,7 +323,7 @@ def _means(cells: np.ndarray) -> np.ndarray:
 
 def _box_means(planes: Sequence[np.ndarray], side: int) -> list[np.ndarray]:
     """Means over squares of ``side`` cells about every cell, of several planes."""
-    return [box_means(one, (side,))[0] for one in planes]
+    return [box_means(plane, (side,))[0] for plane in planes]
 
 
 def _fisher(share: np.ndarray | float) -> np.ndarray:
@@ -335,8 +335,8 @@ def _by_energy(logs: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, np.ndarray,
     """What is explained by the logarithm of the energy, with its scatter, of the better explained half of the ground:
     log energies, z and scatter of some bins. Of stronger detail no less is explained."""
     bins = np.array_split(np.argsort(logs), max(2, min(6, len(logs) // 40)))
-    at = np.array([logs[one].mean() for one in bins])
-    quantiles = np.array([np.quantile(z[one], (0.75, 0.85, 0.95)) for one in bins])
+    at = np.array([logs[part].mean() for part in bins])
+    quantiles = np.array([np.quantile(z[part], (0.75, 0.85, 0.95)) for part in bins])
     scatter = (quantiles[:, 2] - quantiles[:, 0]) / (_normal(0.95) - _normal(0.75))
     scatter = np.maximum(scatter, _LEAST_SCATTER)
     scatter = np.minimum(scatter, np.median(scatter))  # a bin may be mostly foreign
@@ -347,13 +347,13 @@ def _share_left(energy: np.ndarray, left_over: np.ndarray) -> Callable[[np.ndarr
     """Share left over in a cell as a function of its energy."""
     logs = np.log(np.maximum(energy, 1e-3))
     bins = np.array_split(np.argsort(logs), max(2, min(10, len(logs) // 60)))
-    at = np.array([logs[one].mean() for one in bins])
-    share = np.minimum.accumulate([left_over[one].sum() / max(energy[one].sum(), 1e-9) for one in bins])
+    at = np.array([logs[part].mean() for part in bins])
+    share = np.minimum.accumulate([left_over[part].sum() / max(energy[part].sum(), 1e-9) for part in bins])
     return lambda energies: np.asarray(np.interp(np.log(np.maximum(energies, 1e-3)), at, share))
 
 
 def _true_sources(fits: Mapping[int, _Fit], is_compressed: IsCompressed) -> list[int]:
-    """Those that are no substitutes for another image wherever they are followed."""
+    """Sources that are no substitutes for another image wherever they are followed."""
     most = max((fit.strong for fit in fits.values()), default=0.0)
     true = [
         number for number, fit in fits.items()

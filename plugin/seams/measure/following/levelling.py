@@ -42,30 +42,30 @@ class Levelled:
 
 
 def levelled(
-    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray, patch: int = 0
+    mosaic_means: np.ndarray, source: np.ndarray, followed: np.ndarray, clear: np.ndarray, patch: int = 0
 ) -> Levelled:
     """A source's plane in the mosaic's grey values; (rows, columns), float32 and bool.
 
-    ``mosaic_means``: of the mosaic's squares of 8 px. ``own``: pixels that follow the source, ``clear``: pixels that
-    follow one source for sure. ``patch``: see ``gain_field``.
+    ``mosaic_means``: of the mosaic's squares of 8 px. ``followed``: pixels that follow the source, ``clear``: pixels
+    that follow one source for sure. ``patch``: see ``gain_field``.
     """
-    where = square_means(own & clear) > _MIN_OWN
+    where = square_means(followed & clear) > _MIN_OWN
     if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
-        where = square_means(own) > _MIN_OWN
+        where = square_means(followed) > _MIN_OWN
     gains = gain_field(mosaic_means, square_means(source), where, patch)
-    return _with_bias(mosaic_means, source, own, gains, to_pixels(gains, source.shape))
+    return _with_bias(mosaic_means, source, followed, gains, to_pixels(gains, source.shape))
 
 
-def levelled_by(mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, gain: np.ndarray) -> Levelled:
+def levelled_by(mosaic_means: np.ndarray, source: np.ndarray, followed: np.ndarray, gain: np.ndarray) -> Levelled:
     """A source's plane in the mosaic's grey values where its ``gain``, (rows, columns), is known."""
-    return _with_bias(mosaic_means, source, own, square_means(gain), gain)
+    return _with_bias(mosaic_means, source, followed, square_means(gain), gain)
 
 
 def _with_bias(
-    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, gains: np.ndarray, gain: np.ndarray
+    mosaic_means: np.ndarray, source: np.ndarray, followed: np.ndarray, gains: np.ndarray, gain: np.ndarray
 ) -> Levelled:
     # A square that two sources share tells neither's tone.
-    bias = _spread_out(mosaic_means - gains * square_means(source), square_means(own))
+    bias = _spread_out(mosaic_means - gains * square_means(source), square_means(followed))
     plane = to_pixels(bias, source.shape)
     plane += gain * source
     return Levelled(plane, gain)
@@ -154,7 +154,7 @@ def _near_means(values: np.ndarray, patch: int) -> np.ndarray:
     sums, counts = values, np.ones(values.shape, np.float32)
     for axis in (0, 1):
         firsts = np.arange(0, values.shape[axis], patch)
-        sums, counts = (np.add.reduceat(one, firsts, axis=axis) for one in (sums, counts))
+        sums, counts = (np.add.reduceat(values, firsts, axis=axis) for values in (sums, counts))
     means = enlarged(sums / counts, patch)
     return np.asarray(means[: values.shape[0], : values.shape[1]])
 

@@ -1,4 +1,4 @@
-"""Where exactly a mosaic passes from one source to another: to that which leaves least of its fine detail unexplained.
+"""The border where a mosaic passes from one source to another: to that which leaves least of its fine detail over.
 
 The correlation that finds what a mosaic follows leans towards the stronger of two sources where they meet. What a
 source leaves over does not: beside a seam it grows alike on either side, and in a feather the border lies where both
@@ -85,7 +85,7 @@ class LikelySource:
     """(rows, columns) uint8"""
     unexplained: np.ndarray
     """(rows, columns) bool: where not even that one explains the mosaic's fine detail."""
-    left: float
+    left_over: float
     """Share of the mosaic's fine detail that it leaves over, the less the better."""
 
 
@@ -114,8 +114,8 @@ def likely_source(
     grid = np.s_[::step, ::step]
     first = np.ascontiguousarray(labels[grid])
     sure = clear[grid] & ~near_border(first, _INSIDE_PX // step)
-    own = sampling.sums(mosaic, mosaic)
-    near, wide = box_means(own, (near_side, wide_side))
+    mosaic_energy = sampling.sums(mosaic, mosaic)
+    near, wide = box_means(mosaic_energy, (near_side, wide_side))
     costs, energies, products = [], {}, {}
     for i, plane in sources.items():
         energy, shared = sampling.sums(plane, plane), sampling.sums(mosaic, plane)
@@ -137,15 +137,15 @@ def likely_source(
     nearest, cost = _least(list(sources), costs)
     followed = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
     times = CELL_PX // step
-    in_cells = _in_cells(own, times)
-    cut = np.zeros_like(own)
+    in_cells = _in_cells(mosaic_energy, times)
+    cut = np.zeros_like(mosaic_energy)
     for i in sources:
-        np.copyto(cut, np.maximum(own - 2 * products[i] + energies[i], 0), where=followed == i)
+        np.copyto(cut, np.maximum(mosaic_energy - 2 * products[i] + energies[i], 0), where=followed == i)
     place = np.s_[: in_cells.shape[0], : in_cells.shape[1]]
     sums = CellSums(
         in_cells,
-        {i: _in_cells(one, times) for i, one in energies.items()},
-        {i: _in_cells(one, times) for i, one in products.items()},
+        {i: _in_cells(energy, times) for i, energy in energies.items()},
+        {i: _in_cells(product, times) for i, product in products.items()},
         _in_cells(cut, times),
         followed[::times, ::times][place],
         {i: valid[i][grid][::times, ::times][place] for i in sources if i in valid},
@@ -154,46 +154,46 @@ def likely_source(
     unexplained = enlarged(_unexplained(sums, fine, sampling is FINE), times, followed.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
-    left = float(cost[np.isfinite(cost)].sum()) / max(float(near.sum()), 1e-9)
-    return LikelySource(enlarged(followed, step), enlarged(unexplained, step), left)
+    share_left = float(cost[np.isfinite(cost)].sum()) / max(float(near.sum()), 1e-9)
+    return LikelySource(enlarged(followed, step), enlarged(unexplained, step), share_left)
 
 
 def _unexplained(sums: CellSums, fine: FineDetail, is_window: bool) -> np.ndarray:
     """Cells that the sources explain worse than true ones do, (cell rows, cell columns) bool: by the noise of each
     where anything was compressed, else by the best ground of all, which tells images that are nearly alike as well."""
-    own, labels, energies, products = sums.mosaic, sums.labels, sums.energies, sums.shared
-    energy, product = np.zeros_like(own), np.zeros_like(own)
+    mosaic, labels, energies, products = sums.mosaic, sums.labels, sums.energies, sums.shared
+    energy, product = np.zeros_like(mosaic), np.zeros_like(mosaic)
     for i in energies:
         of = labels == i
         gain = np.float32(max(float(products[i][of].sum()), 0.0) / max(float(energies[i][of].sum()), 1e-9))
         np.copyto(energy, gain**2 * energies[i], where=of)
         np.copyto(product, gain * products[i], where=of)
     least = np.float32(LEAST_ENERGY * CELL_PX**2)
-    rest = own - 2 * product + energy
-    wide, energy, product = (box_means(one, (WIDE_CELLS,))[0] for one in (own, energy, product))
+    rest = mosaic - 2 * product + energy
+    wide, energy, product = (box_means(plane, (WIDE_CELLS,))[0] for plane in (mosaic, energy, product))
     wide += least
     energy += least
     # Where the mosaic shows nothing of a source's texture it was clipped, or blurred away.
     textured = (wide > _MIN_TEXTURED * least) & (wide >= MIN_TEXTURE * energy)
-    left = np.maximum(wide - np.maximum(product, 0) ** 2 / energy, 0)
-    if _is_explained(wide, left, textured):
+    left_over = np.maximum(wide - np.maximum(product, 0) ** 2 / energy, 0)
+    if _is_explained(wide, left_over, textured):
         return np.zeros_like(textured)
     if fine.is_compressed(None):
-        return enlarged(foreign_ground(sums, fine.is_compressed, is_window), NOISE_CELL_PX // CELL_PX, own.shape)
+        return enlarged(foreign_ground(sums, fine.is_compressed, is_window), NOISE_CELL_PX // CELL_PX, mosaic.shape)
     # A step of tones leaves over much along a line, and nothing beside it.
-    even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
+    even = box_means(rest * wide >= _EVEN_PART * left_over * mosaic, (WIDE_CELLS,))[0] >= _EVEN_SHARE
     sharp = textured & (wide >= _AS_STRONG * energy)  # a seam that was brushed soft is followed all the same
-    cells = _Cells(wide, left, textured, sharp, even, labels, is_window)
+    cells = _Cells(wide, left_over, textured, sharp, even, labels, is_window)
     strange = cells.strange()
     if len(energies) == 1 or not strange.any():
         return strange
-    near, *with_mosaic = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *products.values()))
+    near, *with_mosaic = (box_means(plane, (NEAR_CELLS,))[0] for plane in (mosaic, *products.values()))
     shared = dict(zip(products, with_mosaic))
     common = {
         (i, j): box_means(energies[i] if i == j else sums.between(i, j), (NEAR_CELLS,))[0]
         for i, j in combinations_with_replacement(energies, 2)
     }
-    mixed = left.copy()
+    mixed = left_over.copy()
     for count in (2, 3):  # a mixture of some that are given is nothing strange
         for some in combinations(energies, count):
             pairs = combinations_with_replacement(some, 2)
@@ -202,7 +202,7 @@ def _unexplained(sums: CellSums, fine: FineDetail, is_window: bool) -> np.ndarra
     if _is_explained(wide, mixed, textured):
         return np.zeros_like(strange)
     # What weights that change within a square leave over of a mixture is as much as of one that stands in.
-    cells = replace(cells, left=mixed, sharp=sharp & (mixed > _MIXED_LEFT * left))
+    cells = replace(cells, left_over=mixed, sharp=sharp & (mixed > _MIXED_LEFT * left_over))
     return cells.strange(fine.interpolated)
 
 
@@ -212,7 +212,7 @@ class _Cells:
 
     wide: np.ndarray
     """Energy of the mosaic, over the wide squares."""
-    left: np.ndarray
+    left_over: np.ndarray
     """What is left over of that."""
     textured: np.ndarray
     """bool: what is told at all."""
@@ -235,47 +235,47 @@ class _Cells:
         return parts
 
     def _stand_ins(self) -> np.ndarray:
-        """Where a source stands in for one of the same ground, (cell rows, cell columns) bool: it leaves over many
-        times as much as it does on its own best ground, or all over its part as much more than the others do on theirs,
-        and unevenly. One that was resampled leaves over evenly what is finest."""
+        """Cells where a source stands in for another of the same ground, (cell rows, cell columns) bool: it leaves over
+        many times as much as it does on its own best ground, or all over its part as much more than the others do on
+        theirs, and unevenly. One that was resampled leaves over evenly what is finest."""
         stand_ins = np.zeros_like(self.sharp)
-        sharp, wide, left = self.sharp, self.wide, self.left
-        if not opened(sharp & self.even & (left > MIN_STAND_IN_STRANGE * wide), _ALIKE_CELLS).any():
+        sharp, wide, left_over = self.sharp, self.wide, self.left_over
+        if not opened(sharp & self.even & (left_over > MIN_STAND_IN_STRANGE * wide), _ALIKE_CELLS).any():
             return stand_ins
         parts = {number: sharp & (self.labels == number) for number in present(self.labels)}
-        grounds = {number: learn_best_ground(wide[its], left[its]) for number, its in parts.items()}
+        grounds = {number: learn_best_ground(wide[cells_of], left_over[cells_of]) for number, cells_of in parts.items()}
         for number, ground in grounds.items():
             if ground is None:
                 continue
             part = parts[number]
-            stand_ins |= part & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
+            stand_ins |= part & ground.strangeness(wide, left_over, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
             # A seam leaves something over along itself.
             inside = part & narrowed(self.labels == number, WIDE_CELLS // 2 + 1)
             if inside.any() and np.median(expected := ground.response(wide[inside])) >= MIN_STAND_IN_STRANGE:
-                others = [one for one in parts if one != number]
+                others = [other for other in parts if other != number]
                 rest = sharp & (self.labels != number)
-                best = grounds[others[0]] if len(others) == 1 else learn_best_ground(wide[rest], left[rest])
-                if best is not None and _is_nowhere_true(expected, best, wide[inside], left[inside]):
-                    stand_ins |= part & (left > MIN_STAND_IN_STRANGE * wide)
+                best = grounds[others[0]] if len(others) == 1 else learn_best_ground(wide[rest], left_over[rest])
+                if best is not None and _is_nowhere_true(expected, best, wide[inside], left_over[inside]):
+                    stand_ins |= part & (left_over > MIN_STAND_IN_STRANGE * wide)
         return stand_ins
 
     def _strange_parts(self, of: np.ndarray, stand_ins: np.ndarray) -> np.ndarray:
         """Parts of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns)
         bool, and evenly. Images that resemble the true one are told as well, ``stand_ins`` are such."""
-        textured, wide, left = self.textured & of, self.wide, self.left
+        textured, wide, left_over = self.textured & of, self.wide, self.left_over
         seen = textured & self.even
         certain = seen & stand_ins
-        could_be = opened(seen & (left > MIN_STRANGE * wide), _STRIP_CELLS).any()
+        could_be = opened(seen & (left_over > MIN_STRANGE * wide), _STRIP_CELLS).any()
         if not could_be:
-            could_be = opened(certain | (seen & (left > MIN_ALIKE_STRANGE * wide)), _ALIKE_CELLS).any()
-        if not could_be and not (self.is_window and _is_much_left(wide, left, textured)):
+            could_be = opened(certain | (seen & (left_over > MIN_ALIKE_STRANGE * wide)), _ALIKE_CELLS).any()
+        if not could_be and not (self.is_window and _is_much_left(wide, left_over, textured)):
             return np.zeros_like(seen)  # whatever true sources leave over
-        ground = learn_best_ground(wide[textured], left[textured])
+        ground = learn_best_ground(wide[textured], left_over[textured])
         if ground is None:
             return np.zeros_like(textured)
         if self.is_window and ground.is_of_none():
             return textured
-        strange, alike = ground.strangeness(wide, left)
+        strange, alike = ground.strangeness(wide, left_over)
         parts = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
         inside = ndimage.binary_propagation(opened(certain, _ALIKE_CELLS), mask=certain)
         parts |= opened(seen & alike, _ALIKE_CELLS) | inside
@@ -285,56 +285,56 @@ class _Cells:
         return without_islands(parts.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
 
 
-def _is_nowhere_true(expected: np.ndarray, others: BestGround, own: np.ndarray, left: np.ndarray) -> bool:
+def _is_nowhere_true(expected: np.ndarray, others: BestGround, energy: np.ndarray, left_over: np.ndarray) -> bool:
     """Whether a source stands in for another wherever it is followed, by the mosaic's energy there, what is left and
     what share it leaves over on its own best ground."""
-    of_others = others.response(own)
+    of_others = others.response(energy)
     if np.mean(expected >= np.maximum(_FOREIGN_LEFT, _FOREIGN_FACTOR * of_others)) >= 0.5:
         return True
     is_more = expected >= np.maximum(MIN_STAND_IN_STRANGE, _NOWHERE_FACTOR * of_others)
-    low, high = np.quantile(left / (expected * own), (0.25, 0.75))
+    low, high = np.quantile(left_over / (expected * energy), (0.25, 0.75))
     return bool(is_more.mean() >= 0.5 and high >= _NOWHERE_SPREAD * low)
 
 
-def _is_explained(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> bool:
+def _is_explained(wide: np.ndarray, left_over: np.ndarray, textured: np.ndarray) -> bool:
     """Whether nothing could be strange, whatever true sources leave over: the usual window, in a tenth of the time."""
-    much = (textured & (left > least * wide) for least in (MIN_STRANGE, MIN_STAND_IN_STRANGE))
-    if any(opened(one, side).any() for one, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
+    much = (textured & (left_over > least * wide) for least in (MIN_STRANGE, MIN_STAND_IN_STRANGE))
+    if any(opened(cells, side).any() for cells, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
         return False
-    return not _is_much_left(wide, left, textured)
+    return not _is_much_left(wide, left_over, textured)
 
 
-def _is_much_left(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> bool:
+def _is_much_left(wide: np.ndarray, left_over: np.ndarray, textured: np.ndarray) -> bool:
     """Whether not even the best ground may be of a given source."""
-    return np.count_nonzero(textured & (left > MIN_EVEN_LEFT / 2 * wide)) * 2 >= np.count_nonzero(textured)
+    return np.count_nonzero(textured & (left_over > MIN_EVEN_LEFT / 2 * wide)) * 2 >= np.count_nonzero(textured)
 
 
-def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:
+def _to_borders(cells: np.ndarray, strange: np.ndarray) -> np.ndarray:
     """Parts without the blur of their borders: up to where half of a wide square is within them."""
     for _ in range(3):  # the blur is in what is found first
-        parts, count = ndimage.label(found)
+        parts, count = ndimage.label(cells)
         if not count:
             break
         boxes = enumerate(ndimage.find_objects(parts), 1)
         inside = np.clip([np.median(strange[box][parts[box] == number]) for number, box in boxes], 0, 1)
         # A share is the square of a correlation, and that is what is halfway.
         halfway = np.concatenate([[np.inf], 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2])
-        found = strange > halfway[parts]
-    return found
+        cells = strange > halfway[parts]
+    return cells
 
 
-def _left_by(own: np.ndarray, shared: Sequence[np.ndarray], common: Sequence[np.ndarray]) -> np.ndarray:
+def _left_by(mosaic: np.ndarray, shared: Sequence[np.ndarray], common: Sequence[np.ndarray]) -> np.ndarray:
     """What a mixture of some sources leaves over of the mosaic's energy, over the wide squares; its weights, all of
-    which are above zero, are even within the near ones. Means over those: ``own`` of the mosaic, ``shared`` of each
+    which are above zero, are even within the near ones. Means over those: of the ``mosaic``, ``shared`` of each
     with it, ``common`` of each with itself and those after it."""
     count = len(shared)
     normal: dict[tuple[int, int], np.ndarray] = {}
-    for (row, column), one in zip(combinations_with_replacement(range(count), 2), common):
-        normal[row, column] = one.astype(np.float64)
+    for (row, column), products in zip(combinations_with_replacement(range(count), 2), common):
+        normal[row, column] = products.astype(np.float64)
         if row == column:
             normal[row, row] += LEAST_ENERGY * CELL_PX**2
     # By elimination, as ``solve`` has it, in a fifth of the time.
-    rest = [one.astype(np.float64) for one in shared]
+    rest = [products.astype(np.float64) for products in shared]
     for row in range(count):
         for below in range(row + 1, count):
             factor = normal[row, below] / normal[row, row]
@@ -345,10 +345,10 @@ def _left_by(own: np.ndarray, shared: Sequence[np.ndarray], common: Sequence[np.
         for column in range(row + 1, count):
             rest[row] -= normal[row, column] * rest[column]
         rest[row] /= normal[row, row]
-    explained = sum(weight * one for weight, one in zip(rest, shared))
+    explained = sum(weight * products for weight, products in zip(rest, shared))
     all_above = np.logical_and.reduce([weight > 0 for weight in rest])
-    left = np.where(all_above, np.maximum(own - explained, 0), own)
-    return box_means(left, (WIDE_CELLS - NEAR_CELLS + 1,))[0]
+    left_over = np.where(all_above, np.maximum(mosaic - explained, 0), mosaic)
+    return box_means(left_over, (WIDE_CELLS - NEAR_CELLS + 1,))[0]
 
 
 def _in_cells(sums: np.ndarray, times: int) -> np.ndarray:
@@ -361,35 +361,35 @@ def _in_cells(sums: np.ndarray, times: int) -> np.ndarray:
 
 
 def _learned(
-    sample: np.ndarray, own: np.ndarray, energy: np.ndarray, shared: np.ndarray, fewest: int
+    sample: np.ndarray, mosaic: np.ndarray, energy: np.ndarray, shared: np.ndarray, fewest: int
 ) -> EnergyResponse:
     """The gain of a source by its energy, from squares that follow it, ``sample`` by number.
 
     What it can't explain is no part of it: learned from the squares that it explains best, then from all that are like
     those, round by round.
     """
-    own, energy, shared = (sums.ravel()[sample] for sums in (own, energy, shared))
-    explains = shared * np.abs(shared) / np.maximum(own * energy, 1e-9)
+    mosaic, energy, shared = (sums.ravel()[sample] for sums in (mosaic, energy, shared))
+    explains = shared * np.abs(shared) / np.maximum(mosaic * energy, 1e-9)
     chosen = explains >= np.quantile(explains, _BEST)
     for _ in range(_ROUNDS):
         gain = fit_response(energy[chosen], np.maximum(shared[chosen], 0))
-        left, stranger = _left_over(own, energy, shared, gain(energy))
-        response = fit_response(energy[chosen], np.maximum(left[chosen], 0))
+        left_over, stranger = _left_over(mosaic, energy, shared, gain(energy))
+        response = fit_response(energy[chosen], np.maximum(left_over[chosen], 0))
         expected = np.minimum(response(energy) * energy, MAX_EXPECTED * stranger)
-        explained = left - expected < MAX_LEARNED * (stranger - expected)
-        if np.count_nonzero(explained) < min(fewest, len(own)) or (explained == chosen).all():
+        explained = left_over - expected < MAX_LEARNED * (stranger - expected)
+        if np.count_nonzero(explained) < min(fewest, len(mosaic)) or (explained == chosen).all():
             break
         chosen = explained
     return gain
 
 
 def _left_over(
-    own: np.ndarray, energy: np.ndarray, shared: np.ndarray, gain: np.ndarray
+    mosaic: np.ndarray, energy: np.ndarray, shared: np.ndarray, gain: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """What is left of the mosaic's energy without a source, and what would be without a stranger as strong."""
     weighted = gain * energy
     weighted *= gain
-    stranger = own + weighted
+    stranger = mosaic + weighted
     rest = gain * shared
     rest *= -2
     rest += stranger

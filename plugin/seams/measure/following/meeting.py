@@ -1,4 +1,4 @@
-"""Where more than two sources meet a wide feather mixes all of them: how much of each there is in the mosaic.
+"""More than two sources that meet in a wide feather, which mixes all of them: how much of each there is in the mosaic.
 
     m = sum of w_i x_i        by least squares over squares of 40 px, no weight below 0
 """
@@ -47,15 +47,15 @@ def mixed_shares(
     planes = [mosaic, *sources.values()]
     meet = np.count_nonzero(near, axis=0) > 2
     products = np.empty((int(np.count_nonzero(meet)), len(planes), len(planes)))
-    for i, one in enumerate(planes):
-        for j, other in enumerate(planes[i:], i):
-            products[:, i, j] = products[:, j, i] = _around(one, other)[meet]
+    for i, first in enumerate(planes):
+        for j, second in enumerate(planes[i:], i):
+            products[:, i, j] = products[:, j, i] = _around(first, second)[meet]
     weights = _weights(products[:, 1:, 1:], products[:, 0, 1:], near[:, meet].T)
     # A cut is no mixture, whatever lies around it.
     rest = mosaic - cut_of(mosaic, sources, labels)
     signed = np.concatenate([np.ones((len(weights), 1)), -weights], axis=1)
-    left = np.einsum("ni,nij,nj->n", signed, products, signed)
-    weights[left > _MOST_LEFT * _around(rest, rest)[meet]] = 0
+    left_over = np.einsum("ni,nij,nj->n", signed, products, signed)
+    weights[left_over > _MOST_LEFT * _around(rest, rest)[meet]] = 0
     shares = np.zeros(near.shape, np.float32)
     shares[:, meet] = (weights / np.maximum(weights.sum(axis=1, keepdims=True), _LEAST_ENERGY)).T
     return dict(zip(sources, shares))

@@ -47,20 +47,20 @@ def mixed_ground(
     """
     enough = square_shares(where, BLOCK_PX) >= _MIN_BLOCK
     gain, lesser = 1.0, 0.0
-    found: MixedGround | None = None
+    ground: MixedGround | None = None
     for _ in range(_ROUNDS):
         before = lesser
-        first, lesser = _first_weights([np.where(where, one, np.float32(0)) for one in (mosaic, *shown)], enough)
+        first, lesser = _first_weights([np.where(where, plane, np.float32(0)) for plane in (mosaic, *shown)], enough)
         if lesser < MIN_MIXED_WEIGHT:
             return None
-        if found is not None and abs(lesser - before) < _SETTLED:
+        if ground is not None and abs(lesser - before) < _SETTLED:
             break
         pixels = enlarged(first, BLOCK_PX, mosaic.shape)
         weights = pixels, 1 - pixels
-        taps = fit_filters(mosaic, [gain * weight * one for weight, one in zip(weights, fine)], where)
+        taps = fit_filters(mosaic, [gain * weight * image for weight, image in zip(weights, fine)], where)
         if taps is None:
             return None
-        made = [filtered(one, own_taps) for one, own_taps in zip(fine, taps)]
+        made = [filtered(plane, own_taps) for plane, own_taps in zip(fine, taps)]
         passed = np.array([_amplitude(b, where) / max(_amplitude(a, where), 1e-9) for a, b in zip(fine, made)])
         if passed.min() <= 0:
             return None
@@ -70,10 +70,10 @@ def mixed_ground(
         scale = float(taps.sum()) / len(taps)
         if scale <= 0:
             return None
-        shown = [np.float32(gain * by) * one for by, one in zip(even, made)]
+        shown = [np.float32(gain * by) * image for by, image in zip(even, made)]
         gain *= scale
-        found = MixedGround(gain, taps / scale, weights[0] * shown[0] + weights[1] * shown[1])
-    return found
+        ground = MixedGround(gain, taps / scale, weights[0] * shown[0] + weights[1] * shown[1])
+    return ground
 
 
 def _amplitude(plane: np.ndarray, where: np.ndarray) -> float:

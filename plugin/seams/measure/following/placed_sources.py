@@ -67,7 +67,7 @@ class PlacedSources:
         return beside.union(self.moves)
 
     def with_known(self, known: np.ndarray | None) -> PlacedSources:
-        """Where labels are known, those of sources, (rows, columns) uint8, else ``UNKNOWN``."""
+        """These sources with labels that are known, numbers of sources, (rows, columns) uint8, else ``UNKNOWN``."""
         if known is None:
             return self
         first_plane = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
@@ -79,9 +79,9 @@ def follow_given(
     image: ComparedImage, images: Sequence[ComparedImage], filters: Filters = UNFILTERED
 ) -> PlacedSources:
     """What the mosaic follows of sources where they are given; ``filters``: what came over it, as far as known."""
-    planes = tuple(one.plane for one in images)
+    planes = tuple(image.plane for image in images)
     fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
-    following = follow_planes([fine[0], *(filters.applied(i, one) for i, one in enumerate(fine[1:]))])
+    following = follow_planes([fine[0], *(filters.applied(i, plane) for i, plane in enumerate(fine[1:]))])
     return PlacedSources(image, tuple(images), following, planes, fine, tuple(range(len(planes))))
 
 
@@ -136,28 +136,30 @@ def _clearer_in_window(given: PlacedSources) -> PlacedSources:
 def clearer_by_parts(given: PlacedSources, parts: np.ndarray) -> PlacedSources:
     """Sources where seams are known: ``parts``, (rows, columns) int, each of one source, whichever explains most of it,
     -1 elsewhere. A filter is learned where its source is followed."""
-    own, *fine = given.fine
+    mosaic, *fine = given.fine
     followed = np.full(parts.shape, -1)
     for part in np.unique(parts[parts >= 0]).tolist():
         where = parts == part
-        left = [float(np.square(own[where] - _through_filter(own, one, where)[where]).sum()) for one in fine]
-        followed[where] = int(np.argmin(left))
+        rests = (mosaic[where] - _through_filter(mosaic, plane, where)[where] for plane in fine)
+        left_over = [float(np.square(rest).sum()) for rest in rests]
+        followed[where] = int(np.argmin(left_over))
     return _clearer(given, [followed == i for i in range(len(fine))])
 
 
 def _clearer(given: PlacedSources, where: Sequence[np.ndarray]) -> PlacedSources:
     """Sources with what is followed through filters that are learned there, (rows, columns) bool of each, if that is
     clearer."""
-    own, *fine = given.fine
-    plain, through = given.following, follow_planes([own, *(_through_filter(own, *each) for each in zip(fine, where))])
+    mosaic, *fine = given.fine
+    filtered_planes = (_through_filter(mosaic, plane, part) for plane, part in zip(fine, where))
+    plain, through = given.following, follow_planes([mosaic, *filtered_planes])
     is_clearer = through.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share and through.fit >= plain.fit
     return replace(given, following=through) if is_clearer else given
 
 
-def _through_filter(own: np.ndarray, one: np.ndarray, where: np.ndarray) -> np.ndarray:
+def _through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:
     """A source's fine detail as the mosaic shows it in a part; itself where that is too little to learn from."""
-    taps = fit_filter(own, one, where)
-    return one if taps is None else filtered(one, taps)
+    taps = fit_filter(mosaic, source, where)
+    return source if taps is None else filtered(source, taps)
 
 
 def _is_of_all(shifts: Sequence[Shift | None]) -> bool:

@@ -59,7 +59,7 @@ def fit_filters(
     normal, right = np.zeros((count, count)), np.zeros(count)
     for start in range(0, len(places), _AT_A_TIME):
         part = places[start : start + _AT_A_TIME]
-        samples = np.concatenate([np.take(one, part[:, np.newaxis] + offsets) for one in references], axis=1)
+        samples = np.concatenate([np.take(plane, part[:, np.newaxis] + offsets) for plane in references], axis=1)
         normal += product(samples.T, samples)
         right += np.take(image, part) @ samples
     mean = float(np.trace(normal)) / count
@@ -102,8 +102,8 @@ class Filters:
 
     def with_own(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
         """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
-        own = {i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}
-        return replace(self, taps=own, came_over_cuts=False)
+        separate = {i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}
+        return replace(self, taps=separate, came_over_cuts=False)
 
     def placed(self, source: int, plane: np.ndarray) -> np.ndarray:
         """A source's plane as sharp as it was, only moved: what came over a whole mosaic can't be told from what came
@@ -138,22 +138,23 @@ class Learned:
 
 
 def find_filters(
-    own: np.ndarray, fine: Mapping[int, np.ndarray], in_tone: Mapping[int, Levelled], labels: np.ndarray,
+    mosaic: np.ndarray, fine: Mapping[int, np.ndarray], in_tone: Mapping[int, Levelled], labels: np.ndarray,
     sure: np.ndarray,
 ) -> Filters:
     """What has to be done to the sources in the mosaic's tones."""
     # The gain is even enough to be taken for the same within the reach of a high-pass.
     def reference(place: slice | tuple[slice, ...]) -> np.ndarray:
-        return cut_of(own[place], {i: one.gain[place] * fine[i][place] for i, one in in_tone.items()}, labels[place])
+        toned = {i: source.gain[place] * fine[i][place] for i, source in in_tone.items()}
+        return cut_of(mosaic[place], toned, labels[place])
 
-    if _is_a_multiple(own[SAMPLE], reference(SAMPLE), labels[SAMPLE], sure[SAMPLE]):
+    if _is_a_multiple(mosaic[SAMPLE], reference(SAMPLE), labels[SAMPLE], sure[SAMPLE]):
         return UNFILTERED
-    return _fitted_filters(own, reference(np.s_[:]), labels, sure)
+    return _fitted_filters(mosaic, reference(np.s_[:]), labels, sure)
 
 
-def share_left(own: np.ndarray, made: np.ndarray, labels: np.ndarray, of: Sequence[int]) -> float:
+def share_left(mosaic: np.ndarray, made: np.ndarray, labels: np.ndarray, of: Sequence[int]) -> float:
     """Share of the mosaic's fine detail that some sources leave over, by what was made of them, a ``SAMPLE``."""
-    sample, plane = _chosen(is_one_of(labels[SAMPLE], of), own[SAMPLE], made)
+    sample, plane = _chosen(is_one_of(labels[SAMPLE], of), mosaic[SAMPLE], made)
     total = float(sample @ sample)
     return float((sample - plane) @ (sample - plane)) / total if total > 0 else 0.0
 
@@ -181,8 +182,8 @@ def _of_best_ground(mosaic: np.ndarray, source: np.ndarray, shown: np.ndarray, w
         if taps is None:
             break
         made = filtered(source, taps)
-        own, before, after = _chosen(best[SAMPLE], *(one[SAMPLE] for one in (mosaic, shown, made)))
-        if np.square(own - after).sum() > MOST_LEFT_OF_BEST * np.square(own - before).sum():
+        observed, before, after = _chosen(best[SAMPLE], *(plane[SAMPLE] for plane in (mosaic, shown, made)))
+        if np.square(observed - after).sum() > MOST_LEFT_OF_BEST * np.square(observed - before).sum():
             break
         shown, best = made, _best_explained(mosaic, made, where)
     return shown
@@ -190,9 +191,9 @@ def _of_best_ground(mosaic: np.ndarray, source: np.ndarray, shown: np.ndarray, w
 
 def _best_explained(mosaic: np.ndarray, shown: np.ndarray, where: np.ndarray) -> np.ndarray:
     """The half of a part, (rows, columns) bool, that a source is correlated with best, square by square."""
-    side, counted, own, its = _SQUARE_PX // _EVERY, where[SAMPLE], mosaic[SAMPLE], shown[SAMPLE]
+    side, counted, m, s = _SQUARE_PX // _EVERY, where[SAMPLE], mosaic[SAMPLE], shown[SAMPLE]
     area, energy, source, shared = (
-        in_squares(counted * values, side).sum(axis=(1, 3)) for values in (np.float32(1), own**2, its**2, own * its)
+        in_squares(counted * values, side).sum(axis=(1, 3)) for values in (np.float32(1), m**2, s**2, m * s)
     )
     known = (2 * area >= side**2) & (energy > 0)
     if not known.any():
@@ -227,10 +228,10 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
     if len(numbers) > 1:
         parts = {i: sure & (labels == i) for i in numbers}
         fitted = {i: fit_filter(fine, reference, part, gain=1.0) for i, part in parts.items()}
-        single = {i: one for i, one in fitted.items() if one is not None}
+        single = {i: taps_of_source for i, taps_of_source in fitted.items() if taps_of_source is not None}
         if any(
-            _explains_more(fine, common, filtered(reference, one), parts[i], MIN_SINGLE_GAIN)
-            for i, one in single.items()
+            _explains_more(fine, common, filtered(reference, taps_of_source), parts[i], MIN_SINGLE_GAIN)
+            for i, taps_of_source in single.items()
         ):
             return Filters({i: single.get(i, taps) for i in numbers}, False)
     return Filters(dict.fromkeys(numbers, taps), True)
@@ -246,21 +247,21 @@ def _is_a_multiple(
     """
     parts = np.where(where, labels, np.uint8(UNKNOWN))
     inside = (parts != UNKNOWN) & ~near_border(parts, -(-BORDER_PX // _EVERY))
-    own, before = _chosen(inside, mosaic, plain)
-    return len(own) > _FEWEST_SAMPLES and _left_by_multiple(own, before) <= most * float(own @ own)
+    observed, before = _chosen(inside, mosaic, plain)
+    return len(observed) > _FEWEST_SAMPLES and _left_by_multiple(observed, before) <= most * float(observed @ observed)
 
 
 def _explains_more(
     mosaic: np.ndarray, plain: np.ndarray, made: np.ndarray, where: np.ndarray, least: float = MIN_FILTERED_GAIN
 ) -> bool:
     """Whether less of the mosaic is left over by a filtered image than by a mere multiple of the plain one."""
-    own, before, after = _chosen(where[SAMPLE], *(image[SAMPLE] for image in (mosaic, plain, made)))
-    rest = own - after
-    return float(rest @ rest) < _left_by_multiple(own, before) - least * float(own @ own)
+    observed, before, after = _chosen(where[SAMPLE], *(image[SAMPLE] for image in (mosaic, plain, made)))
+    rest = observed - after
+    return float(rest @ rest) < _left_by_multiple(observed, before) - least * float(observed @ observed)
 
 
-def _left_by_multiple(own: np.ndarray, plain: np.ndarray) -> float:
-    rest = own - float(own @ plain) / max(float(plain @ plain), 1e-12) * plain
+def _left_by_multiple(mosaic: np.ndarray, plain: np.ndarray) -> float:
+    rest = mosaic - float(mosaic @ plain) / max(float(plain @ plain), 1e-12) * plain
     return float(rest @ rest)
 
 

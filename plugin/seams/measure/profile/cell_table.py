@@ -50,12 +50,12 @@ class Rows:
     @classmethod
     def joined(cls: type[_Rows], tables: Sequence[_Rows]) -> _Rows:
         """One after the other; at least one."""
-        return cls(*(np.concatenate([getattr(one, name) for one in tables], axis=-1) for name in cls.names()))
+        return cls(*(np.concatenate([getattr(table, name) for table in tables], axis=-1) for name in cls.names()))
 
     @classmethod
     def names(cls) -> tuple[str, ...]:
         """Names of the fields."""
-        return tuple(one.name for one in fields(cls))
+        return tuple(field.name for field in fields(cls))
 
     def chosen(self: _Rows, where: np.ndarray) -> _Rows:
         """The rows that a mask or an index names."""
@@ -70,7 +70,7 @@ class Rows:
         return replace(self, row=self.row + np.int32(rows), column=self.column + np.int32(columns))
 
     def within(self: _Rows, place: tuple[slice, slice]) -> _Rows:
-        """Those of some rows and columns of cells."""
+        """Rows of the table that lie in some rows and columns of cells."""
         return self.chosen(self.are_within(place))
 
     def are_within(self, place: tuple[slice, slice]) -> np.ndarray:
@@ -117,9 +117,9 @@ class CellTable(Rows):
         if not len(self):
             return self, np.zeros(0, np.intp)
         # Numbered by the rectangle around them, as sorting takes ten times as long.
-        top, left = int(self.row.min()), int(self.column.min())
-        width = int(self.column.max()) - left + 1
-        place = (self.row.astype(np.intp) - top) * width + (self.column - left)
+        top, leftmost = int(self.row.min()), int(self.column.min())
+        width = int(self.column.max()) - leftmost + 1
+        place = (self.row.astype(np.intp) - top) * width + (self.column - leftmost)
         held = np.flatnonzero(np.bincount(place))
         number = np.empty(int(held[-1]) + 1, np.intp)
         number[held] = np.arange(len(held))
@@ -130,7 +130,7 @@ class CellTable(Rows):
             for values in (self.area, self.mm, self.cc, self.mc)
         )
         nearest = has_bin.argmax(axis=1).astype(np.uint8)
-        return CellTable(top + held // width, left + held % width, nearest, area, mm, cc, mc), cell
+        return CellTable(top + held // width, leftmost + held % width, nearest, area, mm, cc, mc), cell
 
     @classmethod
     def empty(cls, levels: int) -> CellTable:

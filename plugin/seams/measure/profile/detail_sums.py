@@ -53,7 +53,7 @@ def energy_of_rounding(plane: np.ndarray) -> float:
 
 @dataclass(frozen=True, eq=False)
 class SeamGeometry:
-    """Where a window's seams run, on the grid of the finest coefficients, (rows / 2, columns / 2) each."""
+    """The course of a window's seams, on the grid of the finest coefficients, (rows / 2, columns / 2) each."""
 
     labels: np.ndarray
     """uint8: the source that is followed."""
@@ -247,19 +247,19 @@ def _among_others(shares: Mapping[int, np.ndarray], numbers: Sequence[int], labe
     if not shares:
         return np.zeros((0, *labels.shape))
     squares = (enlarged(shares[number], SHARES_PX // _GRID_PX, labels.shape) for number in numbers)
-    among = np.stack([np.where(labels == number, 0, one) for number, one in zip(numbers, squares)])
+    among = np.stack([np.where(labels == number, 0, share) for number, share in zip(numbers, squares)])
     among[:, np.count_nonzero(among, axis=0) < 2] = 0
     return np.asarray(among / np.maximum(among.sum(axis=0), 1e-9))
 
 
-def _beyond(found: np.ndarray, details: np.ndarray, at: np.ndarray, among: np.ndarray, first: int) -> np.ndarray:
+def _beyond(beyond: np.ndarray, details: np.ndarray, at: np.ndarray, among: np.ndarray, first: int) -> np.ndarray:
     """Details of the other side, (3, n), at the places ``at``: as found, or by the shares ``among``, (sources, n), of
     the planes from ``first`` on, where there are any."""
     some = np.flatnonzero(among.any(axis=0))
     if len(some):
         planes = details[:, first : first + len(among)].reshape(3, len(among), -1)
-        found[:, some] = np.einsum("dsn,sn->dn", planes[..., at[some]], among[:, some])
-    return found
+        beyond[:, some] = np.einsum("dsn,sn->dn", planes[..., at[some]], among[:, some])
+    return beyond
 
 
 @cache

@@ -91,14 +91,14 @@ class EnergySums:
         """kept of one level, 0 the finest, at every distance, (bins, count)."""
         return self._with_interval(self.own[level], self.area[level], self._by_kept[:, level])
 
-    def take_out(self, edge: np.ndarray, left: np.ndarray) -> None:
+    def take_out(self, edge: np.ndarray, left_over: np.ndarray) -> None:
         """Take out what no source has, energy by (levels, bins, count), DN squared: what the mosaic's detail has of the
         cut's own edge, and what soft feathers leave over."""
-        unsure = SURE_LEFT * left
+        unsure = SURE_LEFT * left_over
         self._unsure = in_strip(unsure)[0] / np.maximum(in_strip(self.own)[0], 1e-12)
         self.own = self.own - edge - unsure
 
-    def _with_interval(self, own: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:
+    def _with_interval(self, mosaic_energy: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:
         """What is kept of areas, (..., count) each, by their energies and those ``by_kept``: as sure as the scatter of
         the ground around lets it be, and as what is kept shows in energies."""
         expected = np.maximum(in_strip(self.expected)[0], 1e-12)
@@ -111,9 +111,9 @@ class EnergySums:
             scatter * (1 / own_blocks + 1 / blocks) + LABEL_ERROR**2 * (BLOCK_CELLS * CELL_PX) ** 2 / area_px
             + reach + LEAST_ERROR**2 + self._unsure**2
         )
-        kept = _kept(own, by_kept)
+        kept = _kept(mosaic_energy, by_kept)
         with np.errstate(divide="ignore", invalid="ignore"):
-            by_response = np.nan_to_num(np.log(kept * by_kept[_ALL] / own), nan=0.0, posinf=0.0, neginf=0.0)
+            by_response = np.nan_to_num(np.log(kept * by_kept[_ALL] / mosaic_energy), nan=0.0, posinf=0.0, neginf=0.0)
         error = np.hypot(error / _slope(kept, by_kept), RESPONSE_ERROR * by_response)
         return Kept.of(kept, error, np.broadcast_to(blocks - 1, error.shape))
 
@@ -128,14 +128,14 @@ class EnergySums:
         self._noise += weight * np.array((ground.scatter**2, ground.blocks, ground.reach**2))[:, np.newaxis]
 
 
-def _kept(own: np.ndarray, by_kept: np.ndarray) -> np.ndarray:
+def _kept(mosaic_energy: np.ndarray, by_kept: np.ndarray) -> np.ndarray:
     """The share of which such an energy is left, (...), NaN where nothing is expected; ``by_kept`` (TRIED, ...)."""
     tried = np.append(0, TRIED)
     rising = np.maximum.accumulate(np.concatenate([np.zeros_like(by_kept[:1]), by_kept]))
-    at = np.clip((rising < own).sum(axis=0), 1, len(TRIED))
+    at = np.clip((rising < mosaic_energy).sum(axis=0), 1, len(TRIED))
     below, above = np.take_along_axis(rising, np.stack([at - 1, at]), 0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        part = (np.maximum(own, 0) - below) / (above - below)
+        part = (np.maximum(mosaic_energy, 0) - below) / (above - below)
     return np.where(by_kept[_ALL] > 0, tried[at - 1] + part * (tried[at] - tried[at - 1]), np.nan)
 
 

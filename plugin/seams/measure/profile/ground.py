@@ -89,14 +89,14 @@ def _is_whole(cells: CellTable) -> np.ndarray:
     return np.asarray(cells.area[0] >= CELL_PX**2)
 
 
-def _scatter_of_blocks(own: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
+def _scatter_of_blocks(mosaic_energy: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
     """Standard deviation of the logarithm of own / expected between blocks, and how many blocks of one weight these
     are as good as."""
     known = expected > 0
     if np.count_nonzero(known) < 2:
         return 1.0, 1.0
     weights = expected[known]
-    ratios = own[known] / weights
+    ratios = mosaic_energy[known] / weights
     mean = float(np.average(ratios, weights=weights))
     count = float(weights.sum() ** 2 / (weights**2).sum())
     variance = float(np.average((ratios - mean) ** 2, weights=weights)) * count / max(count - 1, 1)

@@ -71,7 +71,7 @@ def together(energy: Kept, mixture: Kept) -> tuple[Kept, np.ndarray]:
     both = has_energy & has_mixture
     agree = both & meet
     by_mixture = has_mixture & ~has_energy | both & ~agree & (mixture.value < energy.value)
-    precise, other = (1 / np.maximum(one.width, 1e-3) ** 2 for one in (energy, mixture))
+    precise, other = (1 / np.maximum(kept.width, 1e-3) ** 2 for kept in (energy, mixture))
     share = np.where(agree, precise / (precise + other), np.where(by_mixture, 0.0, 1.0))
     return Kept(*(weighted(share, *ends) for ends in zip(energy, mixture))), share
 

@@ -61,7 +61,7 @@ class Mixtures:
     a cut."""
     edge: np.ndarray
     """(n, levels, SLOTS): energy of the mosaic's detail that is the cut's edge, DN squared."""
-    left: np.ndarray
+    left_over: np.ndarray
     """(n, levels, SLOTS): energy that neither source nor the edge explains, DN squared."""
     carried: np.ndarray
     """(n, SLOTS): weights of both sources together: less than on the ground where something else is in their place."""
@@ -87,18 +87,18 @@ def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
     source, other, edge = np.moveaxis(weights, -1, 0)
     of_edge = edge * (2 * (source * products[..., _SK] + other * products[..., _OK]) + edge * products[..., _KK])
     fitted = np.einsum("...i,...ij,...j->...", weights, products[..., _NORMAL], weights)
-    left = np.maximum(products[..., _MM] + fitted - 2 * (weights * products[..., _RIGHT]).sum(axis=-1), 0)
+    left_over = np.maximum(products[..., _MM] + fitted - 2 * (weights * products[..., _RIGHT]).sum(axis=-1), 0)
     shares = _shares(products[:, 0], weights[:, 0])
     known = ~np.isnan(shares)
     mixed, unsure, blended = fit_ramps(
-        np.where(known, shares, 0), np.where(known, spread, np.inf), _most_floor(products[:, 0], left[:, 0])
+        np.where(known, shares, 0), np.where(known, spread, np.inf), _most_floor(products[:, 0], left_over[:, 0])
     )
     return Mixtures(
-        mixed, unsure, blended, 1 - sharp[:, :1], of_edge, left, np.maximum(source[:, 0] + other[:, 0], 0)
+        mixed, unsure, blended, 1 - sharp[:, :1], of_edge, left_over, np.maximum(source[:, 0] + other[:, 0], 0)
     )
 
 
-def _most_floor(products: np.ndarray, left: np.ndarray) -> np.ndarray:
+def _most_floor(products: np.ndarray, left_over: np.ndarray) -> np.ndarray:
     """Share of the other source that noise of either side's own one can make of pure ground, (n, 2), by what is left
     over beyond the strip, DN squared.
 
@@ -107,7 +107,7 @@ def _most_floor(products: np.ndarray, left: np.ndarray) -> np.ndarray:
     """
     ss, so, oo, rest = (
         values.reshape(-1, 2, MIXED_BINS)[..., BEYOND:].sum(axis=2)
-        for values in (*(products[..., product] for product in _SHOWN), left)
+        for values in (*(products[..., product] for product in _SHOWN), left_over)
     )
     rho = np.clip(so / np.sqrt(np.maximum(ss * oo, 1e-12)), 0, 0.99)
     return np.asarray(rho / (1 - rho**2) * np.sqrt(rest / np.maximum(oo, 1e-12)))
@@ -247,8 +247,8 @@ class MixedStrips:
         deviations = shares - shares.mean(axis=1, keepdims=True)
         fitted = fit_mixtures(whole, _spread(deviations))
         self._other, self._area, other = fitted.other, whole[:, 0, :, _AREA], fitted.other[:, np.newaxis]
-        self.edge, self.left, self.soft_left = map(
-            self._both_sides, (fitted.edge, fitted.left, fitted.left * fitted.soft)
+        self.edge, self.left_over, self.soft_left_over = map(
+            self._both_sides, (fitted.edge, fitted.left_over, fitted.left_over * fitted.soft)
         )
         """(levels, bins, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what the
         mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
@@ -326,5 +326,5 @@ def _spread(deviations: np.ndarray) -> np.ndarray:
     return np.asarray(np.sqrt(np.where(np.isnan(variance), np.inf, variance) + known**2))
 
 
-def _ratio(own: np.ndarray, plain: np.ndarray, unknown: float = np.nan) -> np.ndarray:
-    return np.divide(own, plain, out=np.full(own.shape, unknown), where=plain > 0)
+def _ratio(part: np.ndarray, whole: np.ndarray, unknown: float = np.nan) -> np.ndarray:
+    return np.divide(part, whole, out=np.full(part.shape, unknown), where=whole > 0)

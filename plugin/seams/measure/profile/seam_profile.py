@@ -111,7 +111,7 @@ def strip_bins(level: int) -> slice:
 
 def in_strip(sums: np.ndarray) -> np.ndarray:
     """Sums over the strip, (levels, count), of those by bins, (levels, bins, count)."""
-    return np.stack([one[strip_bins(level)].sum(axis=0) for level, one in enumerate(sums)])
+    return np.stack([by_bin[strip_bins(level)].sum(axis=0) for level, by_bin in enumerate(sums)])
 
 
 def band_width_px(bins: Sequence[ProfileBin]) -> float:

@@ -63,10 +63,10 @@ class SeamSums:
     def profiles(self, levels: int | None = None) -> list[StripProfile]:
         """Profiles of all pieces, in their order; with the bins of so many ``levels``, one at least, all where None."""
         energy, mixed = copy(self._energy), self._mixture.result()
-        left_over, mm = in_strip(mixed.left), in_strip(energy.own)[0]  # with all that was added
+        left_over, mm = in_strip(mixed.left_over), in_strip(energy.own)[0]  # with all that was added
         left_by_ground = in_strip(energy.left_by_ground)
         more_left = np.maximum(left_over - left_by_ground, 0)
-        energy.take_out(mixed.edge, mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
+        energy.take_out(mixed.edge, mixed.soft_left_over * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
         # Where a mixture is told and does not end, the ground around is mixed as well.
         is_endless = (mixed.shares()[MIXED_BINS - 1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
@@ -104,7 +104,7 @@ class SeamSums:
             profile = None
             if area[0, number] >= MIN_STRIP_PX and not np.isnan(judged.value[number]):
                 own_bins = tuple(known_bin for row in bins if (known_bin := row[number]) is not None)
-                finest = [one for one in own_bins if one.level == 1 and not np.isinf(one.far_px)]
+                finest = [each for each in own_bins if each.level == 1 and not np.isinf(each.far_px)]
                 profile = SeamProfile(
                     kept=tuple(map(_known, kept[:, number])),
                     low=float(judged.low[number]),

@@ -167,12 +167,12 @@ def loss_picture(
 
 
 def _lower_to_sources(
-    kept: np.ndarray, expected: np.ndarray, own: np.ndarray, plain: np.ndarray, labels: np.ndarray
+    kept: np.ndarray, expected: np.ndarray, mosaic_energy: np.ndarray, cut_energy: np.ndarray, labels: np.ndarray
 ) -> None:
     """In place, what is kept of the ground becomes what is kept of each source: where one is followed, all that is lost
     is what is missing of it, be it blurred alone or moved.
 
-    ``own``, ``plain``: energy of the mosaic's finest coefficients and of those of its hard cut, unfiltered.
+    ``mosaic_energy``, ``cut_energy``: of the mosaic's finest coefficients, and of those of its hard cut, unfiltered.
     """
     middle = labels[LOSS_CELL_PX // 2 :: LOSS_CELL_PX, LOSS_CELL_PX // 2 :: LOSS_CELL_PX]
     followed = np.full(kept.shape, UNKNOWN, np.uint8)
@@ -180,12 +180,14 @@ def _lower_to_sources(
     samples = labels[::SAMPLE_PX, ::SAMPLE_PX]
     for number in present(labels):
         where = (followed == number) & ~np.isnan(kept)
-        its_own, its_plain = (float(one[samples == number].sum(dtype=np.float64)) for one in (own, plain))
+        mosaic_total, cut_total = (
+            float(energy[samples == number].sum(dtype=np.float64)) for energy in (mosaic_energy, cut_energy)
+        )
         most_1, weights = np.minimum(kept[where], 1), expected[where]
         around = float(most_1 @ weights)
-        if its_plain <= 0 or around <= 0:
+        if cut_total <= 0 or around <= 0:
             continue
-        lowered = its_own / its_plain * float(weights.sum()) / around
+        lowered = mosaic_total / cut_total * float(weights.sum()) / around
         if lowered < (1 - SHARPNESS_TOLERANCE) ** 2:
             kept[where] = most_1 * np.float32(lowered)
 

@@ -34,7 +34,7 @@ def energy_of(detail: WindowDetail, mixture: MixedStrips | None = None) -> Kept:
     sums = EnergySums(1, LEVELS)
     sums.add(detail.cells, detail.ground, np.zeros(len(detail.cells), int))
     mixture = mixture or mixture_of(detail)
-    sums.take_out(mixture.edge, mixture.soft_left)
+    sums.take_out(mixture.edge, mixture.soft_left_over)
     return sums.kept()[0]
 
 
@@ -151,7 +151,7 @@ def test_a_long_seam_is_surer_than_a_short_one() -> None:
             sums.add(detail.mixture, np.where(detail.mixture.are_within(beside), 0, -1))
             energy.add(detail.cells, detail.ground, np.where(detail.cells.are_within(beside), 0, -1))
             mixture = sums.result()
-            energy.take_out(mixture.edge, mixture.soft_left)
+            energy.take_out(mixture.edge, mixture.soft_left_over)
             widths[place] += np.log(ratio(mixture.kept)), np.log(ratio(energy.kept()[0]))
     assert (widths[0] > 1.2 * widths[1]).all()
 

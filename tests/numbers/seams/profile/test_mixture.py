@@ -59,7 +59,7 @@ def test_shares_are_found_whatever_gain_and_noise_came_after(gain: float, noise:
     expected = linear(60)
     found = fitted(products_of(expected, gain=gain, noise=noise))
     np.testing.assert_allclose(found.other[0], expected, atol=0.01)
-    np.testing.assert_allclose(found.left[0, 0], gain**2 * noise * 1000, atol=gain**2 * 10)
+    np.testing.assert_allclose(found.left_over[0, 0], gain**2 * noise * 1000, atol=gain**2 * 10)
 
 
 def test_a_whole_edge_is_a_cut_that_mixes_nothing_and_its_energy_is_taken_out() -> None:
@@ -74,7 +74,7 @@ def test_what_the_mosaic_has_of_neither_source_is_no_mixture() -> None:
     products[..., 2:5] = 0  # m is a stranger
     found = fitted(products)
     np.testing.assert_allclose(found.other, 0, atol=1e-9)
-    np.testing.assert_allclose(found.left[:, 0], products[..., 1], rtol=1e-3)
+    np.testing.assert_allclose(found.left_over[:, 0], products[..., 1], rtol=1e-3)
 
 
 def test_a_bin_without_pixels_follows_its_neighbours() -> None:
@@ -97,7 +97,7 @@ def test_a_source_without_any_detail_weighs_nothing(without: str) -> None:
     found = fitted(products)
     np.testing.assert_allclose(found.other[:, MIXED_BINS:], 0, atol=1e-3)
     assert np.isfinite(found.other).all()
-    assert np.isfinite(found.left).all()
+    assert np.isfinite(found.left_over).all()
 
 
 @given(share=st.floats(0, 1), rho=st.floats(-0.9, 0.9))
