@@ -12,7 +12,7 @@ from seam_inspector.plugin.toolkit.charts.chart_style import PAPER, source_look
 def draw_curves(axes: Axes, curves: Sequence[ChartCurve], max_ratio: float) -> None:
     """Mosaic bold, sources thin, the limit of a significant loss at level 1."""
     levels = len(curves[0].detail) if curves else 0
-    draw_frame(axes, PAPER)
+    draw_frame(axes)
     axes.set_xticks(range(levels + 1), [*map(str, range(1, levels + 1)), "background"])
     axes.set_xlim(-0.4, max(levels, 1) + 0.4)
     axes.set_ylim(*share_range(Chart(tuple(curves), max_ratio)))

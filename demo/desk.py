@@ -226,7 +226,7 @@ class Desk:
         self.report.setdefault("screenshots", []).append(str(path))
 
     def show_tab(self, number: int) -> None:
-        """0: curves, 1: images, 2: noise."""
+        """0: curves, 1: images."""
         self.dock.findChild(QTabWidget).setCurrentIndex(number)
         self.pause(0.3)
 
@@ -241,21 +241,13 @@ class Desk:
 
     def curves_of(self, fid: int) -> bool:
         """Whether the chart shows a window's curves."""
-        result, panel = self.session.result(fid), self.dock.panels["curves"].curves
-        return bool(result is not None and panel._export._results == [result])
+        result, panel = self.session.result(fid), self.dock.curves.curves
+        return bool(result is not None and panel.shown == [result])
 
     def first_curves_of(self, fid: int) -> bool:
         """Whether the chart shows the curves of a window's clips, whatever else is still to come."""
-        clips, panel = self.session.clips(fid), self.dock.panels["curves"].curves
+        clips, panel = self.session.clips(fid), self.dock.curves.curves
         return bool(clips is not None and panel.shown == [clips])
-
-    def noise_of(self, fid: int) -> bool:
-        """Whether the noise tab shows what was measured in a window, drawn."""
-        request, panel = self.session.request(fid), self.dock.panels["noise"]
-        chart, wanted = panel._chart, panel._wanted
-        if request is None or chart is None or wanted is None or wanted[1].window_id != request.window_id:
-            return False
-        return bool(panel._pages.currentWidget() is chart and chart.isEnabled() and chart.is_drawn)
 
     # Leaving
 

@@ -49,7 +49,7 @@
         <translation>Skontrolowane okna</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="15"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="93"/>
         <source>Curves</source>
         <translation>Krzywe</translation>
     </message>
@@ -454,7 +454,7 @@
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="222"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="117"/>
         <source>significant loss below</source>
         <translation>istotna strata poniżej</translation>
     </message>
@@ -464,22 +464,22 @@
         <translation>tło</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="206"/>
+        <location filename="../plugin/noise/charts.py" line="181"/>
         <source>level</source>
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="207"/>
+        <location filename="../plugin/noise/charts.py" line="182"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="60"/>
+        <location filename="../plugin/plugin.py" line="58"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="44"/>
+        <location filename="../plugin/plugin.py" line="43"/>
         <source>Inspect how much detail a mosaic kept along its seams</source>
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
@@ -517,11 +517,6 @@
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="105"/>
-        <source>source</source>
-        <translation>źródło</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="37"/>
@@ -584,47 +579,47 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="191"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="191"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="221"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="158"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="156"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="242"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -634,12 +629,12 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="248"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="246"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="251"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -649,37 +644,37 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="257"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="255"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="258"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -699,67 +694,67 @@
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="277"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="278"/>
         <source>{count} of the {selected} selected windows: mean and range</source>
         <translation>{count} z {selected} zaznaczonych okien: średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="281"/>
         <source>{count} windows: mean and range</source>
         <translation>{count} {count:okno|okna|okien}: średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="211"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="282"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="285"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="297"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="298"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="300"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="301"/>
         <source>None of the selected windows can be compared.</source>
         <translation>Żadnego z zaznaczonych okien nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="303"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="304"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="295"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="306"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="310"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="311"/>
         <source>The curves are not kept with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="311"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="312"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="140"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="123"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="144"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="127"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="151"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="134"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
@@ -774,12 +769,12 @@
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="313"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="266"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="326"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="275"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
@@ -859,12 +854,12 @@
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="141"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="124"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="145"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="128"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
@@ -894,42 +889,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="155"/>
+        <location filename="../plugin/seams/desk/dock.py" line="152"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="155"/>
+        <location filename="../plugin/seams/desk/dock.py" line="152"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="158"/>
+        <location filename="../plugin/seams/desk/dock.py" line="155"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="158"/>
+        <location filename="../plugin/seams/desk/dock.py" line="155"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="173"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="173"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="179"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="179"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -939,12 +934,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="25"/>
+        <location filename="../plugin/seams/desk/dock.py" line="205"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="314"/>
+        <location filename="../plugin/seams/desk/dock.py" line="306"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -1054,11 +1049,6 @@
         <translation>Oś logarytmiczna, która uwidacznia najdokładniejsze poziomy; po wyłączeniu: oś liniowa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/charts/chart_style.py" line="75"/>
-        <source>The chart needs the Python package matplotlib: install python3-matplotlib with apt on Debian and Ubuntu, or run &apos;python -m pip install matplotlib&apos; in the OSGeo4W shell on Windows.</source>
-        <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/inputs/source_list.py" line="88"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
@@ -1074,11 +1064,6 @@
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="232"/>
-        <source>{name} (resampled)</source>
-        <translation>{name} (przepróbkowany)</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/windows/new_windows.py" line="81"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
@@ -1089,134 +1074,29 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="144"/>
-        <source>Save or copy what is shown: as a picture, or as a table of all values</source>
-        <translation>Zapisz lub skopiuj to, co widać: jako obraz albo jako tabelę wszystkich wartości</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
-        <source>The picture, for documents</source>
-        <translation>Obraz do dokumentów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
-        <source>Save as SVG...</source>
-        <translation>Zapisz jako SVG...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
-        <source>The picture, sharp at every size</source>
-        <translation>Obraz ostry w każdej wielkości</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="63"/>
-        <source>Save as CSV...</source>
-        <translation>Zapisz jako CSV...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="145"/>
-        <source>All rasters and bands of the windows</source>
-        <translation>Wszystkie rastry i kanały w oknach</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
-        <source>Copy picture</source>
-        <translation>Kopiuj obraz</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
-        <source>To the clipboard</source>
-        <translation>Do schowka</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="65"/>
-        <source>Copy values</source>
-        <translation>Kopiuj wartości</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="59"/>
-        <source>To the clipboard, for a spreadsheet</source>
-        <translation>Do schowka, do arkusza kalkulacyjnego</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="77"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="67"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="82"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="67"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="86"/>
-        <source>Table with commas</source>
-        <translation>Tabela rozdzielana przecinkami</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="170"/>
-        <source>Save curves</source>
-        <translation>Zapisz krzywe</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="171"/>
-        <source>The curves were not saved to {path}: {error}. Choose another folder.</source>
-        <translation>Nie zapisano krzywych w {path}: {error}. Wybierz inny katalog.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="170"/>
-        <source>The curves were saved to {path}.</source>
-        <translation>Zapisano krzywe w {path}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="100"/>
-        <source>Screen pixels per image pixel</source>
-        <translation>Liczba pikseli ekranu na piksel obrazu</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="104"/>
-        <source>Zoom all pictures out (wheel, -)</source>
-        <translation>Pomniejsz wszystkie obrazy (kółko, -)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="107"/>
-        <source>Zoom all pictures in (wheel, +)</source>
-        <translation>Powiększ wszystkie obrazy (kółko, +)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="113"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="133"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="258"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="180"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="262"/>
-        <source>Choose the mosaic under Inputs to see the pictures of this window.</source>
-        <translation>Wybierz ortofotomapę w danych wejściowych, aby zobaczyć obrazy tego okna.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="266"/>
-        <source>No picture: neither the mosaic nor a source can be read in this window.</source>
-        <translation>Brak obrazu: w tym oknie nie można odczytać ani ortofotomapy, ani ortoobrazu źródłowego.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/desk/bar_dock.py" line="330"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="389"/>
-        <source>{window}: reading ...</source>
-        <translation>{window}: wczytywanie...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="391"/>
-        <source>{window}: no source covers it</source>
-        <translation>{window}: bez pokrycia źródłami</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="60"/>
@@ -1269,7 +1149,7 @@
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="240"/>
+        <location filename="../plugin/seams/desk/session.py" line="235"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>
@@ -1344,17 +1224,12 @@
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
-        <source>Save as PNG...</source>
-        <translation>Zapisz jako PNG...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/plugin.py" line="51"/>
+        <location filename="../plugin/plugin.py" line="49"/>
         <source>Bar groups</source>
         <translation>Grupy pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="52"/>
+        <location filename="../plugin/plugin.py" line="50"/>
         <source>Draw lines across the groups of a bar target and watch their profiles</source>
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
@@ -1374,12 +1249,12 @@
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="188"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -1392,11 +1267,6 @@
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="91"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/desk_tabs.py" line="26"/>
-        <source>The clips of the selected window side by side, to judge the loss by eye</source>
-        <translation>Wycinki zaznaczonego okna obok siebie, do oceny straty okiem</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/more_box.py" line="61"/>
@@ -1519,12 +1389,12 @@
         <translation>Grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="37"/>
+        <location filename="../plugin/resolution/charts.py" line="36"/>
         <source>resolved</source>
         <translation>rozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="101"/>
+        <location filename="../plugin/resolution/charts.py" line="95"/>
         <source>along the line, px</source>
         <translation>wzdłuż linii, px</translation>
     </message>
@@ -1879,7 +1749,7 @@
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest mierzony na wszystkich rastrach, które obejmuje. Bez okien na każdym rastrze wybieranych jest do 25 okien o boku 1024 px, rozłożonych na części z danymi, najpierw najmniej przesycone.</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="31"/>
+        <location filename="../plugin/noise/checknoise.py" line="70"/>
         <source>Noise</source>
         <translation>Szum</translation>
     </message>
@@ -2754,11 +2624,6 @@
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="145"/>
-        <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
-        <translation>Tabela par nie ma pola „contrast_1”, więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="171"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
@@ -2784,7 +2649,7 @@
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="162"/>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
@@ -3987,17 +3852,17 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="55"/>
+        <location filename="../plugin/noise/charts.py" line="52"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="150"/>
+        <location filename="../plugin/noise/charts.py" line="125"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="167"/>
+        <location filename="../plugin/noise/charts.py" line="142"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
@@ -4012,12 +3877,12 @@
         <translation>w poprzek kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="38"/>
+        <location filename="../plugin/resolution/charts.py" line="37"/>
         <source>not resolved</source>
         <translation>nierozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="39"/>
+        <location filename="../plugin/resolution/charts.py" line="38"/>
         <source>aliasing</source>
         <translation>aliasing</translation>
     </message>
@@ -4027,7 +3892,7 @@
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="163"/>
+        <location filename="../plugin/resolution/charts.py" line="157"/>
         <source>group {group}, {grd:.2f} cm: {verdict}</source>
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
@@ -4037,7 +3902,6 @@
         <translation>Okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="166"/>
         <source>{name} (mosaic)</source>
         <translation>{name} (ortofotomapa)</translation>
     </message>
@@ -4568,7 +4432,7 @@
         <translation>Powody</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="108"/>
+        <location filename="../plugin/resolution/report.py" line="109"/>
         <source>No group is resolved in every band.</source>
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
@@ -4654,59 +4518,9 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="181"/>
+        <location filename="../plugin/seams/desk/dock.py" line="178"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/desk_tabs.py" line="32"/>
-        <source>How much random noise the mosaic, or a source, has in the selected window</source>
-        <translation>Ile szumu losowego ma ortofotomapa albo ortoobraz źródłowy w zaznaczonym oknie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="142"/>
-        <source>Raster whose noise is measured: the mosaic, or a source that covers the window</source>
-        <translation>Raster, którego szum jest mierzony: ortofotomapa albo ortoobraz źródłowy pokrywający okno</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="233"/>
-        <source>Measure the noise</source>
-        <translation>Pomiar szumu</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="263"/>
-        <source>Select a window, in the table or on the map, to see its noise.</source>
-        <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego szum.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="278"/>
-        <source>The measurement was stopped. Select the window again to measure it.</source>
-        <translation>Pomiar przerwano. Zaznacz okno ponownie, aby je zmierzyć.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="129"/>
-        <source>{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
-        <translation>{finding}; sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="177"/>
-        <source>Low noise: the curve rises at every level</source>
-        <translation>Mały szum: krzywa rośnie na każdym poziomie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="183"/>
-        <source>Strong noise: the curve falls from level 1 to 2 and from 2 to 3</source>
-        <translation>Silny szum: krzywa opada z poziomu 1 na 2 i z 2 na 3</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="185"/>
-        <source>Moderate noise: the curve falls from level 1 to 2, then rises</source>
-        <translation>Umiarkowany szum: krzywa opada z poziomu 1 na 2, potem rośnie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="186"/>
-        <source>Moderate noise</source>
-        <translation>Umiarkowany szum</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="11"/>
@@ -5130,22 +4944,22 @@
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="167"/>
+        <location filename="../plugin/seams/desk/dock.py" line="164"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="167"/>
+        <location filename="../plugin/seams/desk/dock.py" line="164"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5200,17 +5014,17 @@
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="124"/>
+        <location filename="../plugin/seams/jobs.py" line="92"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="126"/>
+        <location filename="../plugin/seams/jobs.py" line="94"/>
         <source>about {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="127"/>
+        <location filename="../plugin/seams/jobs.py" line="95"/>
         <source>about {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
@@ -5635,11 +5449,6 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="318"/>
-        <source>Relative variance of the details by level, 1 the finest. Only the bold curve is judged. The red bar at a level stands as high as the bold curve does one level before: in an image with little noise the curve rises above it. Where the bold curve is in the red, below the bar, noise lifted the finer level.</source>
-        <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
-    </message>
-    <message>
         <location filename="../plugin/imagery/messages.py" line="129"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
@@ -5670,22 +5479,22 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="463"/>
+        <location filename="../plugin/seams/window_summary.py" line="460"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="466"/>
+        <location filename="../plugin/seams/window_summary.py" line="463"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="474"/>
+        <location filename="../plugin/seams/window_summary.py" line="471"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="478"/>
+        <location filename="../plugin/seams/window_summary.py" line="475"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -5715,59 +5524,14 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="280"/>
-        <source>Swipe</source>
-        <translation>Kurtyna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="282"/>
-        <source>Compare the mosaic with a source on the map: drag the handle, X swaps the sides, Esc ends</source>
-        <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="375"/>
-        <source>Compare the mosaic with {name}</source>
-        <translation>Porównaj ortofotomapę z {name}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="379"/>
-        <source>No source here</source>
-        <translation>Nie ma tu ortoobrazu</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="381"/>
-        <source>Swap the sides (X)</source>
-        <translation>Zamień strony (X)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="383"/>
-        <source>Horizontal handle</source>
-        <translation>Uchwyt poziomy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="384"/>
-        <source>Compare above and below instead of left and right</source>
-        <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="103"/>
-        <source>Open {name}</source>
-        <translation>Otwórz {name}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="245"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="227"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="249"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="225"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_item.py" line="210"/>
-        <source>Drag to compare the mosaic with the other image. X swaps them, Esc ends.</source>
-        <translation>Przeciągnij, aby porównać ortofotomapę z drugim obrazem. X zamienia je stronami, Esc kończy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/notes_row.py" line="49"/>
@@ -5790,172 +5554,97 @@
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="60"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="57"/>
         <source>First operator</source>
         <translation>Pierwszy operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="60"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="57"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="163"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="144"/>
         <source>Second operator</source>
         <translation>Drugi operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="58"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="68"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="65"/>
         <source>Blind</source>
         <translation>W ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="66"/>
         <source>Hides what the tool found, and what the other operator said: in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
-        <source>Agreement of both ...</source>
-        <translation>Zgodność obu...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="74"/>
-        <source>How often both operators agree, and how much of that is beyond chance.</source>
-        <translation>Jak często obaj operatorzy są zgodni i ile z tego nie jest przypadkiem.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="86"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="78"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="86"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="78"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="87"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="79"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="88"/>
-        <source>Choose the operator, judge blind, and see how well both agree.</source>
-        <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="148"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="131"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="148"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="131"/>
         <source>You can&apos;t tell. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="152"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="135"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="154"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="137"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="157"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="140"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="299"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="252"/>
         <source>Window {numbers}. What was found is hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="426"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="342"/>
         <source>Then the next window comes. Click again to take it back.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="208"/>
-        <source>No window was judged by both operators yet; &apos;not sure&apos; does not count.</source>
-        <translation>Żadne okno nie ma jeszcze opinii obu operatorów; niepewna się nie liczy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="211"/>
-        <source>Both judged {count} windows and agreed on {agreed} ({percent} %).</source>
-        <translation>Obaj ocenili {count} {count:okno|okna|okien}, zgodnie {agreed} ({percent} %).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="214"/>
-        <source>Only the first saw a loss: {first}. Only the second: {second}.</source>
-        <translation>Stratę widział tylko pierwszy: {first}. Tylko drugi: {second}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="220"/>
-        <source>Cohen&apos;s kappa: {value} (95 % interval {low} to {high}), {word}.</source>
-        <translation>Kappa Cohena: {value} (od {low} do {high} z ufnością 95 %), {word}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="228"/>
-        <source>slight agreement</source>
-        <translation>zgodność znikoma</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="228"/>
-        <source>fair agreement</source>
-        <translation>zgodność słaba</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="228"/>
-        <source>moderate agreement</source>
-        <translation>zgodność umiarkowana</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="229"/>
-        <source>substantial agreement</source>
-        <translation>zgodność znaczna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
-        <source>no more than chance</source>
-        <translation>zgodność nie większa niż przypadkowa</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
-        <source>almost perfect agreement</source>
-        <translation>zgodność prawie pełna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="238"/>
-        <source>Agreement of both operators</source>
-        <translation>Zgodność obu operatorów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="242"/>
-        <source>Show where they differ</source>
-        <translation>Pokaż, gdzie się różnią</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging.py" line="334"/>
+        <location filename="../plugin/seams/desk/judging.py" line="323"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="342"/>
+        <location filename="../plugin/seams/desk/judging.py" line="331"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="344"/>
+        <location filename="../plugin/seams/desk/judging.py" line="333"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -6005,109 +5694,29 @@
         <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="78"/>
-        <source>{judged} of {count} judged, {left} to go</source>
-        <translation>{judged} z {count}, zostało {left}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="167"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="157"/>
         <source>judged</source>
         <translation>z opinią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="171"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="161"/>
         <source>to be judged</source>
         <translation>do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="291"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
         <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/window_pictures.py" line="62"/>
+        <location filename="../plugin/seams/desk/map/compared_layer.py" line="66"/>
         <source>Cut the composite</source>
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="218"/>
-        <source>Space: {name}</source>
-        <translation>Spacja: {name}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="231"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="209"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="409"/>
-        <source>Drag to move, turn the wheel to zoom.</source>
-        <translation>Przeciągnij, aby przesunąć; obróć kółko, aby zmienić powiększenie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="411"/>
-        <source>Hold Space to see {name} here.</source>
-        <translation>Przytrzymaj spację, aby zobaczyć tu {name}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/picture_strip.py" line="68"/>
-        <source>the hard-cut composite: each pixel from the source that the mosaic follows</source>
-        <translation>kompozycja z ostrym cięciem: każdy piksel z ortoobrazu, z którego pochodzi ortofotomapa</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/picture_strip.py" line="93"/>
-        <source>Compare the large picture with {name}</source>
-        <translation>Porównaj duży obraz z {name}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="95"/>
-        <source>All pictures side by side, or one large one</source>
-        <translation>Wszystkie obrazy obok siebie albo jeden duży</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="110"/>
-        <source>Show the whole picture</source>
-        <translation>Pokaż cały obraz</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="138"/>
-        <source>As delivered</source>
-        <translation>Oryginał</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="139"/>
-        <source>8 bit as it is, 16 bit by its range of values: the same in all windows</source>
-        <translation>8 bitów bez zmian, 16 bitów według zakresu wartości: tak samo we wszystkich oknach</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="140"/>
-        <source>One stretch</source>
-        <translation>Wspólnie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="141"/>
-        <source>More contrast: the mosaic&apos;s darkest and brightest 2 % cut off, the same in all windows</source>
-        <translation>Większy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli ortofotomapy, tak samo we wszystkich oknach</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="142"/>
-        <source>Each window</source>
-        <translation>Każde okno</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="148"/>
-        <source>How grey values are shown; never band by band, so that colours stay as they are</source>
-        <translation>Jak wyświetlane są odcienie; nigdy kanał po kanale, więc barwy pozostają bez zmian</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="346"/>
-        <source>composite: reading ...</source>
-        <translation>kompozycja: wczytywanie...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="346"/>
-        <source>no source explains it</source>
-        <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/profile_painter.py" line="78"/>
@@ -6145,44 +5754,19 @@
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="216"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="217"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="224"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="225"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="226"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="227"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="179"/>
-        <source>Save or copy the seam profile: as a picture, or as a table of all levels</source>
-        <translation>Zapisz lub skopiuj profil linii mozaikowania: jako obraz albo jako tabelę wszystkich poziomów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="180"/>
-        <source>All levels and distances</source>
-        <translation>Wszystkie poziomy i odległości</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="204"/>
-        <source>Save seam profile</source>
-        <translation>Zapisz profil linii mozaikowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="205"/>
-        <source>The seam profile was not saved to {path}: {error}. Choose another folder.</source>
-        <translation>Nie zapisano profilu linii mozaikowania w {path}: {error}. Wybierz inny katalog.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="204"/>
-        <source>The seam profile was saved to {path}.</source>
-        <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/charts/profile_panel.py" line="109"/>
@@ -6200,37 +5784,32 @@
         <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="165"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="164"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="171"/>
-        <source>The profile is not at hand. Inspect again to see it.</source>
-        <translation>Nie ma profilu pod ręką. Aby go zobaczyć, skontroluj okno ponownie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="176"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="169"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="177"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="170"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="198"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="193"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="385"/>
+        <location filename="../plugin/seams/desk/dock.py" line="377"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="386"/>
+        <location filename="../plugin/seams/desk/dock.py" line="378"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
@@ -6240,22 +5819,22 @@
         <translation>Przywróć okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="63"/>
+        <location filename="../plugin/seams/desk/dock.py" line="62"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="291"/>
+        <location filename="../plugin/seams/desk/dock.py" line="283"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="300"/>
+        <location filename="../plugin/seams/desk/dock.py" line="292"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="297"/>
+        <location filename="../plugin/seams/desk/dock.py" line="289"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -6345,7 +5924,7 @@
         <translation>najbliższe miejsce, które można ocenić: {metres:.1f} m na {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="206"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="213"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
@@ -6370,47 +5949,47 @@
         <translation>{metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="248"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="252"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="249"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="253"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="253"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="257"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="254"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="258"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="258"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="262"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="259"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="263"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="263"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="267"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="267"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="271"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="268"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="272"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
@@ -6475,22 +6054,22 @@
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="275"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="279"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="276"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="280"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="279"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="283"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="280"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="284"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
@@ -6575,29 +6154,19 @@
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
-        <source>looking for sources ...</source>
-        <translation>szukanie ortoobrazów...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="158"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="263"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="110"/>
-        <source>Look at the sources</source>
-        <translation>Sprawdź ortoobrazy</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/source_list.py" line="86"/>
@@ -6610,12 +6179,12 @@
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="339"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="264"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="339"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="264"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -6670,22 +6239,22 @@
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="148"/>
+        <location filename="../plugin/seams/measure/messages.py" line="144"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="149"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="155"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -6725,22 +6294,17 @@
         <translation>Piksele {own}, a w ortofotomapie i innych rastrach {mosaic}: kopia po konwersji.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="15"/>
-        <source>Covers the whole mosaic: being compared with it ...</source>
-        <translation>Pokrywa całą ortofotomapę: trwa porównanie...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="27"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="17"/>
         <source>The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z {name} w żadnym z okien, w których brał on udział (liczba: {count}): czy to jeden z jej ortoobrazów?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="31"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
         <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="35"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
         <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
         <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
     </message>
@@ -6777,7 +6341,7 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="17"/>
+        <location filename="../plugin/seams/desk/dock.py" line="203"/>
         <source>How the variance of the selected windows spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
@@ -6792,7 +6356,7 @@
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="471"/>
+        <location filename="../plugin/seams/window_summary.py" line="468"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
@@ -6802,7 +6366,7 @@
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="455"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="224"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
@@ -6812,27 +6376,27 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="251"/>
+        <location filename="../plugin/seams/desk/dock.py" line="245"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="150"/>
+        <location filename="../plugin/seams/measure/messages.py" line="146"/>
         <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
         <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="153"/>
+        <location filename="../plugin/seams/measure/messages.py" line="149"/>
         <source>The filter can&apos;t use geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/messages.py" line="152"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
@@ -6902,54 +6466,14 @@
         <translation>grupa {group}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="153"/>
-        <source>Group by</source>
-        <translation>Grupuj według</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="257"/>
-        <source>{value}: {band} of {count} of {all} windows</source>
-        <translation>{value}: {band}, {count} z {all} {all:okna|okien|okien}</translation>
-    </message>
-    <message>
         <location filename="../plugin/noise/noise_summary.py" line="24"/>
         <source>uncertain</source>
         <translation>niepewny</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="119"/>
+        <location filename="../plugin/noise/noise_summary.py" line="110"/>
         <source>no value</source>
         <translation>brak wartości</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="131"/>
-        <source>{finding}; in {band} sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
-        <translation>{finding}; w kanale {band} sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="155"/>
-        <source>sigma {sigma} DN, at most {largest} DN with grain, kurtosis by level {kurtosis}</source>
-        <translation>sigma {sigma} DN, z ziarnem najwyżej {largest} DN, kurtoza na kolejnych poziomach {kurtosis}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="169"/>
-        <source>Grain: {sigma} DN, {size} px.</source>
-        <translation>Ziarno: {sigma} DN, {size} px.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="172"/>
-        <source>At most {sigma} DN.</source>
-        <translation>Najwyżej {sigma} DN.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="179"/>
-        <source>Uncertain</source>
-        <translation>Szum niepewny</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="181"/>
-        <source>Strong noise</source>
-        <translation>Silny szum</translation>
     </message>
     <message>
         <location filename="../plugin/noise/measure/messages.py" line="9"/>
@@ -6977,22 +6501,22 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="126"/>
+        <location filename="../plugin/noise/charts.py" line="101"/>
         <source>{field}: {value}</source>
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="127"/>
+        <location filename="../plugin/noise/charts.py" line="102"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="149"/>
+        <location filename="../plugin/noise/charts.py" line="124"/>
         <source>1 window</source>
         <translation>1 okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="150"/>
+        <location filename="../plugin/noise/charts.py" line="125"/>
         <source>{name}: mean and range of {count} windows</source>
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
@@ -7517,57 +7041,57 @@
         <translation>średnia geometryczna</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="103"/>
+        <location filename="../plugin/resolution/report.py" line="104"/>
         <source>all of them</source>
         <translation>wszyscy razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="110"/>
+        <location filename="../plugin/resolution/report.py" line="111"/>
         <source>Ground resolved distance: one bar of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="111"/>
+        <location filename="../plugin/resolution/report.py" line="112"/>
         <source>Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek i jedna przerwa najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="115"/>
+        <location filename="../plugin/resolution/report.py" line="116"/>
         <source>higher</source>
         <translation>wyższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="115"/>
+        <location filename="../plugin/resolution/report.py" line="116"/>
         <source>lower</source>
         <translation>niższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="116"/>
+        <location filename="../plugin/resolution/report.py" line="117"/>
         <source>the group&apos;s own bars against plain gaps</source>
         <translation>własne paski grupy względem gładkich przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="116"/>
+        <location filename="../plugin/resolution/report.py" line="117"/>
         <source>that of the coarsest group</source>
         <translation>amplituda najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="118"/>
+        <location filename="../plugin/resolution/report.py" line="119"/>
         <source>group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide</source>
         <translation>szerokość grupy {group} wynosi {grd:.2f} cm, a grupa o następnym numerze ({coarser}) jest {step:.3f} razy szersza</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="120"/>
+        <location filename="../plugin/resolution/report.py" line="121"/>
         <source>bars in each group</source>
         <translation>paski w każdej grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="121"/>
+        <location filename="../plugin/resolution/report.py" line="122"/>
         <source>widths</source>
         <translation>szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="123"/>
+        <location filename="../plugin/resolution/report.py" line="124"/>
         <source>widths are of</source>
         <translation>szerokości dotyczą</translation>
     </message>
@@ -7577,17 +7101,17 @@
         <translation>jeden pasek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="123"/>
+        <location filename="../plugin/resolution/report.py" line="124"/>
         <source>a bar and a gap together</source>
         <translation>pasek i przerwa razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="124"/>
+        <location filename="../plugin/resolution/report.py" line="125"/>
         <source>criterion</source>
         <translation>kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="125"/>
+        <location filename="../plugin/resolution/report.py" line="126"/>
         <source>full amplitude</source>
         <translation>pełna amplituda</translation>
     </message>
@@ -7807,12 +7331,12 @@
         <translation>kontrast testu, paski do przerw, {band}: {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="159"/>
+        <location filename="../plugin/resolution/charts.py" line="153"/>
         <source>group {group} {direction}</source>
         <translation>grupa {group} {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="160"/>
+        <location filename="../plugin/resolution/charts.py" line="154"/>
         <source>{grd:.2f} cm: {verdict}</source>
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
@@ -9969,17 +9493,17 @@
         <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="61"/>
+        <location filename="../plugin/plugin.py" line="59"/>
         <source>The first inspection in five minutes, and a page for every algorithm</source>
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="185"/>
+        <location filename="../plugin/seams/desk/dock.py" line="182"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="185"/>
+        <location filename="../plugin/seams/desk/dock.py" line="182"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -10268,12 +9792,12 @@
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="253"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="257"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="258"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="262"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -10342,7 +9866,7 @@
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="222"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="220"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -10547,12 +10071,12 @@
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="244"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="245"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="246"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="247"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
@@ -10622,7 +10146,7 @@
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="494"/>
+        <location filename="../plugin/seams/window_summary.py" line="491"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -11181,44 +10705,39 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="171"/>
+        <location filename="../plugin/seams/desk/dock.py" line="168"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="172"/>
+        <location filename="../plugin/seams/desk/dock.py" line="169"/>
         <source>Accept or reject the delivery: by its last scan, or all the way from its files</source>
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="230"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="233"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
         <source>{asked} m is too small for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za mało dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="232"/>
         <source>{asked} m is too large for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="130"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="116"/>
         <source>Why?</source>
         <translation>Dlaczego?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="133"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="119"/>
         <source>What the sentence rests on: intervals, what an eye sees, all causes with their figures, the paper&apos;s rule.</source>
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging.py" line="80"/>
-        <source>{judged} of {count} judged, {unsure} not sure, {left} to go</source>
-        <translation>oceniono {judged} z {count}, niepewne: {unsure}, pozostało {left}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="84"/>
@@ -11261,7 +10780,7 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="421"/>
+        <location filename="../plugin/seams/window_summary.py" line="418"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
@@ -11271,32 +10790,32 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="423"/>
+        <location filename="../plugin/seams/window_summary.py" line="420"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="433"/>
+        <location filename="../plugin/seams/window_summary.py" line="430"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="436"/>
+        <location filename="../plugin/seams/window_summary.py" line="433"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="420"/>
+        <location filename="../plugin/seams/window_summary.py" line="417"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="445"/>
+        <location filename="../plugin/seams/window_summary.py" line="442"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="493"/>
+        <location filename="../plugin/seams/window_summary.py" line="490"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -11583,16 +11102,6 @@
         <translation>duży</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="145"/>
-        <source>Amount: {amount}; {sigma} DN without texture, signal to noise {ratio}.</source>
-        <translation>Poziom szumu: {amount}; {sigma} DN bez tekstury, stosunek sygnału do szumu {ratio}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="144"/>
-        <source>Amount: {amount}.</source>
-        <translation>Poziom szumu: {amount}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/noise/report.py" line="139"/>
         <source>amount</source>
         <translation>poziom szumu</translation>
@@ -11713,11 +11222,6 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="86"/>
-        <source>{left} to go</source>
-        <translation>jeszcze {left}</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="8"/>
         <source>Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider.</source>
         <translation>Oba ortoobrazy mają piksele w zbyt małej części korytarza, by ciąć od końca do końca; poszerz go.</translation>
@@ -11834,17 +11338,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="356"/>
+        <location filename="../plugin/seams/desk/dock.py" line="348"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="357"/>
+        <location filename="../plugin/seams/desk/dock.py" line="349"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="358"/>
+        <location filename="../plugin/seams/desk/dock.py" line="350"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -12254,11 +11758,6 @@
         <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="68"/>
-        <source>Field that windows are grouped by, such as land use or scale: the range of all windows with the selected window&apos;s value stands behind its curves. Empty: no groups.</source>
-        <translation>Pole, według którego grupowane są okna, np. użytkowanie terenu lub skala: za krzywymi zaznaczonego okna widać zakres wszystkich okien z tą samą wartością. Puste pole: bez grup.</translation>
-    </message>
-    <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
         <source>Rectangles in any reference system; each is checked separately on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
@@ -12284,74 +11783,34 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="102"/>
-        <source>Beside the seam {kept} % kept ({low} to {high} %) of the ground around, which has {left} % of the orthoimages&apos; detail</source>
-        <translation>Przy linii zachowane {kept} % (od {low} do {high} %) szczegółów terenu wokół, który ma {left} % szczegółów ortoobrazów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="104"/>
-        <source>{kept} % kept of the ground, which has {left} %</source>
-        <translation>zachowane {kept} % terenu, który ma {left} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="143"/>
-        <source>Most contrast: each window&apos;s darkest and brightest 2 % are cut off. Windows can&apos;t be compared, and grey may look coloured.</source>
-        <translation>Największy kontrast: w każdym oknie obcięto 2 % najciemniejszych i najjaśniejszych pikseli. Okien nie da się porównywać, a szarość może wyglądać na barwną.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="427"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="343"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="164"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="145"/>
         <source>Somebody else judges the same windows and is not told what was found or said.</source>
         <translation>Ktoś inny ocenia te same okna i nie widzi, co wykryto ani co powiedziano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="219"/>
-        <source>One of them gave one verdict only, so agreement can&apos;t be distinguished from chance.</source>
-        <translation>Jeden z nich wyraził wszędzie tę samą opinię, więc zgodności nie da się odróżnić od przypadku.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="44"/>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="34"/>
         <source>Judge</source>
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="46"/>
-        <source>Judge window after window: the map takes the room, and what lies over the mosaic goes (J); again: all is as before</source>
-        <translation>Ocena okno po oknie: mapa zajmuje cały ekran, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="24"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="16"/>
         <source>All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.</source>
         <translation>Wszystkie okna ocenione: widoczna {visible}, niewidoczna {invisible}, niepewna {unsure}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="35"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="27"/>
         <source>The tool agrees on {same} of {count}.</source>
         <translation>Narzędzie zgadza się w {same} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="51"/>
-        <source>Your verdicts support a limit of {limit} % kept along the seam ({low} to {high} %); {set} % is set.</source>
-        <translation>Twoje oceny wskazują granicę {limit} % zachowanych wzdłuż linii mozaikowania (od {low} do {high} %); ustawione jest {set} %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="37"/>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="29"/>
         <source>The tool agrees on {same} of {count}. Called significant and not seen: {vain}; seen and not called so: {missed}.</source>
         <translation>Narzędzie zgadza się w {same} z {count}. Uznane za istotne, a niewidoczne: {vain}; widoczne, a nieuznane: {missed}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="47"/>
-        <source>Too few for a limit of your own ({visible} visible, {invisible} invisible with a number along the seam).</source>
-        <translation>Za mało na własną granicę (z wartością wzdłuż linii mozaikowania: {visible} widocznych, {invisible} niewidocznych).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="82"/>
-        <source>Find the limit that the verdicts support</source>
-        <translation>Wyznaczanie granicy, którą wskazują oceny</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="85"/>
@@ -12364,7 +11823,7 @@
         <translation>Zaczyna tam, gdzie granica leży głęboko w przedziale tego, co zachowano: tam oko mówi najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="52"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="42"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -12464,7 +11923,7 @@
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="469"/>
+        <location filename="../plugin/seams/window_summary.py" line="466"/>
         <source>it measures detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
@@ -12874,11 +12333,6 @@
         <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
-        <source>{kept} % kept, ground {left} %</source>
-        <translation>zach. {kept} %, teren {left} %</translation>
-    </message>
-    <message>
         <location filename="../plugin/photos/measure/messages.py" line="144"/>
         <source>The mark &apos;{mark}&apos; was measured at column {column:g}, row {row:g}, where no scanned photo has pixels; correct or remove it.</source>
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
@@ -13049,14 +12503,9 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="92"/>
+        <location filename="../plugin/seams/desk/judging.py" line="88"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_summary.py" line="56"/>
-        <source>These are {count} verdicts; judge some {more} more before you rely on it.</source>
-        <translation>To {count} opinii; zanim zaufasz tej granicy, dodaj jeszcze około {more}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="394"/>
@@ -13364,32 +12813,22 @@
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="207"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="214"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="16"/>
-        <source>A copy of the mosaic: it goes with it across its seams. It would hide every loss.</source>
-        <translation>Kopia ortofotomapy: zmienia się wraz z nią na jej liniach łączenia. Ukryłaby każdą stratę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="18"/>
-        <source>The mosaic itself wherever they were compared: one of its orthoimages, or a copy of it or of a part of it; untick it in that case.</source>
-        <translation>Identyczny z ortofotomapą wszędzie, gdzie je porównano: jeden z jej ortoobrazów albo kopia jej lub jej części; w takim razie odznacz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="40"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
         <source>{name} goes with the mosaic across its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="44"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="34"/>
         <source>{name} is the mosaic itself wherever they were compared. It takes part, as it may be one of the orthoimages; if it is a copy of the mosaic or of a part of it, it hides every loss there, so take it out of the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="38"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so take it out of the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -13537,11 +12976,6 @@
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
-        <source>Covers the whole mosaic, as few of the others do: untick it if it is another mosaic, a map or of another flight.</source>
-        <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: odznacz, jeśli to inna ortofotomapa, mapa albo obraz z innego nalotu.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
         <source>{judged:.0f} m of seam are judged and along {unchanged:.0f} m of them the mosaic does not change its orthoimage; {limit:.0%} may differ</source>
         <translation>oceniono {judged:.0f} m linii mozaikowania, a na {unchanged:.0f} m z nich ortofotomapa nie zmienia ortoobrazu; różnica może wynosić {limit:.0%}</translation>
@@ -13555,6 +12989,106 @@
         <location filename="../plugin/imagery/messages.py" line="130"/>
         <source>something else is there</source>
         <translation>w tym miejscu jest coś innego</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="53"/>
+        <source>Save the chart as a picture (PNG or SVG)</source>
+        <translation>Zapisz wykres jako obraz (PNG lub SVG)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="69"/>
+        <source>Save picture</source>
+        <translation>Zapisz obraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="86"/>
+        <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
+        <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="89"/>
+        <source>The picture was saved to {path}.</source>
+        <translation>Zapisano obraz w {path}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="82"/>
+        <source>it can&apos;t be written</source>
+        <translation>nie można go zapisać</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
+        <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/compared_layer.py" line="63"/>
+        <source>Open a source</source>
+        <translation>Otwórz ortoobraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="126"/>
+        <source>What the mosaic is compared with</source>
+        <translation>Z czym porównywana jest ortofotomapa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="225"/>
+        <source>no source here</source>
+        <translation>brak tu ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
+        <source>Choose the operator, and judge blind.</source>
+        <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="78"/>
+        <source>{left} to go: {judged} of {count} judged</source>
+        <translation>zostało {left}: oceniono {judged} z {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="80"/>
+        <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
+        <translation>zostało {left}: oceniono {judged} z {count}, niepewne: {unsure}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="36"/>
+        <source>Judge window after window: QGIS&apos;s panels make room, and what lies over the mosaic goes (J); again: all is as before</source>
+        <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/flicker.py" line="116"/>
+        <source>hard cut: reading ...</source>
+        <translation>ostre cięcie: wczytywanie...</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="14"/>
+        <source>Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.</source>
+        <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <source>Both operators judged {count} windows and agreed on {agreed}. Cohen&apos;s kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.</source>
+        <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="244"/>
+        <source>code of the reason</source>
+        <translation>kod powodu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="102"/>
+        <source>Beside the seam {kept} % ({low} to {high} %) of the ground&apos;s detail; the ground has {left} % of the orthoimages&apos;</source>
+        <translation>Przy linii {kept} % (od {low} do {high} %) detali terenu; teren ma {left} % detali ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="104"/>
+        <source>Seam: {kept} % of the ground; ground: {left} % of the orthoimages</source>
+        <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
+        <source>Seam {kept} %, ground {left} %</source>
+        <translation>Linia {kept} %, teren {left} %</translation>
     </message>
 </context>
 </TS>

@@ -34,10 +34,9 @@ class SeamInspectorPlugin:
     def initGui(self) -> None:
         assert self._iface is not None
         self.initProcessing()
-        for make, charts, icon, name, words, tooltip in (
+        for make, icon, name, words, tooltip in (
             (
                 _inspection_dock,
-                False,
                 "seam_inspector",
                 "seamInspectorAction",
                 tr("Seam Inspector"),
@@ -45,7 +44,6 @@ class SeamInspectorPlugin:
             ),
             (
                 _bar_dock,
-                True,
                 "bar_group",
                 "seamInspectorBarAction",
                 tr("Bar groups"),
@@ -55,7 +53,7 @@ class SeamInspectorPlugin:
             action = QAction(QIcon(icon_path(icon)), words, self._iface.mainWindow())
             action.setObjectName(name)
             action.setToolTip(tooltip)
-            self._desks.append(Desk(self._iface, action, make, charts))
+            self._desks.append(Desk(self._iface, action, make))
         book = QgsApplication.getThemeIcon("/mActionHelpContents.svg")
         self._help = QAction(book, tr("Seam Inspector"), self._iface.mainWindow())
         self._help.setToolTip(tr("The first inspection in five minutes, and a page for every algorithm"))
@@ -83,10 +81,9 @@ class Desk:
     """A button in the raster toolbar and menu, and its dock, made on first use: QGIS starts without what it needs."""
 
     def __init__(
-        self, iface: QgisInterface, action: QAction, make: Callable[[QgisInterface], QgsDockWidget], charts: bool
+        self, iface: QgisInterface, action: QAction, make: Callable[[QgisInterface], QgsDockWidget]
     ) -> None:
-        """With charts it needs what draws them in files, too."""
-        self._iface, self._make, self._charts = iface, make, charts
+        self._iface, self._make = iface, make
         self.action = action
         self.dock: QgsDockWidget | None = None
         action.setCheckable(True)
@@ -109,7 +106,7 @@ class Desk:
 
     def _show(self, shown: bool) -> None:
         if self.dock is None:
-            why_not = missing_packages_sentence(charts=self._charts)
+            why_not = missing_packages_sentence()
             if not why_not:
                 try:
                     self.dock = self._make(self._iface)
@@ -137,10 +134,9 @@ class Desk:
 
 
 def _inspection_dock(iface: QgisInterface) -> QgsDockWidget:
-    from .desk_tabs import TABS
     from .seams.desk.dock import InspectionDock
 
-    return InspectionDock(iface, TABS)
+    return InspectionDock(iface)
 
 
 def _bar_dock(iface: QgisInterface) -> QgsDockWidget:

@@ -13,12 +13,14 @@ from .seams.algorithms.block_parameters import gathered_sources, given_sources
 from .toolkit.algorithms import parameters as common
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from .acceptance.paper.proofs import Proof, ProofPanel, Prover
-    from .imagery.grids import Extent, PixelWindow
+    from .imagery.grids import Extent
     from .imagery.rasters import Raster, RasterRef
-    from .seams.clip_pictures import ClipPicture, PictureRequest
     from .seams.measure.inspection import Block
     from .seams.measure.source_images import Source
+    from .seams.measure.window.window_request import WindowRequest
     from .seams.measure.window.window_result import WindowResult
     from .toolkit.algorithms.run import Run
 
@@ -74,7 +76,6 @@ def proof_of(block: Block, extent: Extent, piece: Extent, sides: tuple[str, str]
     where both are found.
     """
     from .acceptance.paper.proofs import PROOF_PX, Proof
-    from .seams.clip_pictures import PictureRequest
     from .seams.measure.inspection import InspectionSettings, inspect_window, window_request
     from .seams.report.clip_parts import PlacedLoss, most_lost
 
@@ -93,7 +94,7 @@ def proof_of(block: Block, extent: Extent, piece: Extent, sides: tuple[str, str]
     row, column = (window.height - side) // 2, (window.width - side) // 2
     if result.loss is not None and result.window is not None:
         row, column = most_lost(window, PlacedLoss(result.window, result.loss), side)
-    panels = tuple(_panels(PictureRequest(request), window, (row, column, side)))
+    panels = tuple(_panels(request, (row, column, side)))
     part = replace(window, column=window.column + column, row=window.row + row, width=side, height=side)
     return Proof(panels, part, _profile(measured, min_kept)) if len(panels) > 1 else None
 
@@ -106,29 +107,31 @@ def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, 
     return named if len({source_stem(one.ref.name) for one in named}) == _MOST_IMAGES else tuple(sources)
 
 
-def _panels(request: PictureRequest, window: PixelWindow, part: tuple[int, int, int]) -> Iterator[ProofPanel]:
+def _panels(request: WindowRequest, part: tuple[int, int, int]) -> Iterator[ProofPanel]:
     """Panels of a part, given by row, column and side in the window."""
     from .acceptance.paper.proofs import CUT_PANEL, IMAGE_PANEL, MOSAIC_PANEL, ProofPanel
-    from .seams.clip_pictures import composite_picture, make_pictures
+    from .imagery.limits import has_colours
+    from .seams.clip_pictures import make_pictures
     from .seams.measure.window.explained_window import WindowComposite, window_composite
+    from .toolkit.picture_stretch import brightness
 
-    found = make_pictures(request)
-    if not found.pictures or not found.pictures[0].is_mosaic:
+    pictures, ranges = make_pictures(request)
+    if not pictures or not pictures[0].is_mosaic:
         return
-    mosaic, *images = found.pictures
-    yield ProofPanel(MOSAIC_PANEL, "", _part(mosaic, part))
-    composite = window_composite(request.window)
+    mosaic, *images = pictures
+    yield ProofPanel(MOSAIC_PANEL, "", _part(mosaic.pixels, part))
+    composite = window_composite(request)
     if isinstance(composite, WindowComposite):
-        yield ProofPanel(CUT_PANEL, "", _part(composite_picture(composite, mosaic, found.used), part))
+        shown = composite.bands[: 3 if has_colours(composite.names) else 1]
+        yield ProofPanel(CUT_PANEL, "", _part(brightness(shown, ranges), part))
     images.sort(key=lambda one: -one.covered)
     for image in sorted(images[:_MOST_IMAGES], key=lambda one: one.raster):
-        yield ProofPanel(IMAGE_PANEL, image.raster, _part(image, part))
+        yield ProofPanel(IMAGE_PANEL, image.raster, _part(image.pixels, part))
 
 
-def _part(picture: ClipPicture, part: tuple[int, int, int]):  # type: ignore[no-untyped-def]
+def _part(pixels: np.ndarray, part: tuple[int, int, int]) -> np.ndarray:
     row, column, side = part
-    top, left = (0, 0) if picture.inside is None else (picture.inside.row, picture.inside.column)
-    return picture.pixels[top + row : top + row + side, left + column : left + column + side]
+    return pixels[row : row + side, column : column + side]
 
 
 def _profile(result: WindowResult, min_kept: float) -> str:

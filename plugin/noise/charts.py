@@ -12,7 +12,7 @@ from matplotlib.ticker import Locator, NullLocator
 
 from ..imagery.errors import printable
 from ..imagery.limits import LUMINANCE, judged_band
-from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
+from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.charts.round_ticks import decade_ticks, round_below
 from ..toolkit.translation import band_title, filled, formatted, tr
@@ -24,78 +24,53 @@ _LINES = {1: "-", 2: "--"}
 _HEADROOM = 1.25
 MAX_LEGEND = 16  # lines
 MAX_PANELS = 8  # classes of windows that a chart shows; the report's table has all
-BEHIND = "#8a8a8a"  # of the range behind a window's own curves: no band has it
 MAX_TITLE = 40  # characters of a name
 
 
-def draw_noise(
-    axes: Axes, measured: Mapping[str, BandNoise], style: ChartStyle = PAPER, line: str = "-", label: str = ""
-) -> None:
+def draw_noise(axes: Axes, measured: Mapping[str, BandNoise], line: str = "-", label: str = "") -> None:
     """The curves of one clip by band, the judged one (the noisiest) bold; see ``draw_rule``."""
     bold = noisiest_band(measured) if measured else ""
-    spare = cycle(style.sources)
+    spare = cycle(PAPER.sources)
     for band, noise in measured.items():
         if noise.curve.variance == 0:
             continue
         is_alone = band in (LUMINANCE, bold)
-        colour = BAND_COLOURS.get(band) or (style.text if is_alone else next(spare))
+        colour = BAND_COLOURS.get(band) or (PAPER.text if is_alone else next(spare))
         detail = noise.curve.detail
         width, size, order = (2.4, 5, 4) if band == bold else (1.3, 3, 3)
         axes.plot(
-            range(1, len(detail) + 1), detail, color=colour, linestyle=line, linewidth=width * style.scale,
-            marker="o", markersize=size * style.scale, zorder=order, label=f"{label} {band_title(band)}".strip(),
+            range(1, len(detail) + 1), detail, color=colour, linestyle=line, linewidth=width,
+            marker="o", markersize=size, zorder=order, label=f"{label} {band_title(band)}".strip(),
         )
 
 
-def draw_rule(axes: Axes, detail: Sequence[float], style: ChartStyle = PAPER) -> None:
+def draw_rule(axes: Axes, detail: Sequence[float]) -> None:
     """The rising rule of a curve: where each level has to stay out of for the noise to be low."""
     for level, finer in enumerate(detail[:-1], 2):
         reach = [level - 0.22, level + 0.22]
-        axes.fill_between(reach, finer, finer * 1e-9, color=style.limit, alpha=0.13, linewidth=0)
+        axes.fill_between(reach, finer, finer * 1e-9, color=PAPER.limit, alpha=0.13, linewidth=0)
         label = tr("bold curve in the red: noise") if level == 2 else None
-        axes.plot(reach, [finer, finer], color=style.limit, linewidth=1.6 * style.scale, label=label)
+        axes.plot(reach, [finer, finer], color=PAPER.limit, linewidth=1.6, label=label)
 
 
-def draw_noise_clip(
-    axes: Axes, measured: Mapping[str, BandNoise], style: ChartStyle = PAPER,
-    group: tuple[str, Sequence[Sequence[float]]] = ("", ()),
-) -> None:
-    """A whole chart of one clip: frame, rule and curves. For the desk and reports.
-
-    ``group``: what windows like this one are called, and their curves, whose range lies behind.
-    """
-    label, alike = group
-    levels = max((len(noise.curve.detail) for noise in measured.values()), default=0)
-    known = [noise.curve.detail for noise in measured.values() if noise.curve.variance > 0]
-    noise_frame(axes, levels, [*known, *alike], style)
-    if alike:
-        draw_group(axes, alike, 1, shown_title(label), style, BEHIND)
-    bold = measured[noisiest_band(measured)] if measured else None
-    if bold is not None and bold.curve.variance > 0:
-        draw_rule(axes, bold.curve.detail, style)
-    draw_noise(axes, measured, style)
-
-
-def draw_group(
-    axes: Axes, curves: Sequence[Sequence[float]], group: int, label: str, style: ChartStyle = PAPER, colour: str = ""
-) -> None:
-    """The range of a group's curves as a band, with its mean line; in the group's own colour unless one is given."""
+def draw_group(axes: Axes, curves: Sequence[Sequence[float]], group: int, label: str) -> None:
+    """The range of a group's curves as a band, with its mean line, in the group's colour."""
     values = np.array(curves)
     levels = range(1, values.shape[1] + 1)
-    colour = colour or style.sources[(group - 1) % len(style.sources)]
+    colour = PAPER.sources[(group - 1) % len(PAPER.sources)]
     low, high = values.min(axis=0), values.max(axis=0)
     band = axes.fill_between(levels, low, high, facecolor=colour, alpha=0.25, linewidth=0, zorder=2)
     if group == 2:
         band.set(hatch="////", edgecolor=colour)
     axes.plot(
-        levels, values.mean(axis=0), color=colour, linewidth=2.6 * style.scale, linestyle=_LINES.get(group, "-"),
+        levels, values.mean(axis=0), color=colour, linewidth=2.6, linestyle=_LINES.get(group, "-"),
         marker="o", zorder=4, label=label,
     )
 
 
-def noise_frame(axes: Axes, levels: int, curves: Sequence[Sequence[float]], style: ChartStyle = PAPER) -> None:
+def noise_frame(axes: Axes, levels: int, curves: Sequence[Sequence[float]]) -> None:
     """Scales, ticks, grid and words of a chart of levels without background, for curves that will be drawn."""
-    draw_frame(axes, style)
+    draw_frame(axes)
     axes.set_xticks(range(1, levels + 1), [str(level) for level in range(1, levels + 1)])
     axes.set_xlim(0.6, max(levels, 1) + 0.4)
     shares = [share for curve in curves for share in curve if share > 0]
@@ -197,20 +172,20 @@ def example(results: Sequence[ClipNoise]) -> list[ClipNoise]:
     return [shown, *[result for result in same if result.part.member.group != first][:1]]
 
 
-def draw_frame(axes: Axes, style: ChartStyle) -> None:
+def draw_frame(axes: Axes) -> None:
     """Scales, ticks, grid and words of a chart of relative variances without curves: levels across, shares up."""
     axes.set_yscale("log")
     axes.yaxis.set_major_locator(_ShareLocator())
     axes.yaxis.set_minor_locator(NullLocator())
     axes.yaxis.set_major_formatter(_plain)
-    axes.set_xlabel(tr("level"), color=style.text, loc="right")  # a long word in a narrow chart is not cut off there
-    axes.set_ylabel(tr("relative variance"), color=style.text)
-    axes.tick_params(colors=style.text)
-    axes.set_facecolor(style.background)
+    axes.set_xlabel(tr("level"), color=PAPER.text, loc="right")  # a long word in a narrow chart is not cut off there
+    axes.set_ylabel(tr("relative variance"), color=PAPER.text)
+    axes.tick_params(colors=PAPER.text)
+    axes.set_facecolor(PAPER.background)
     axes.set_axisbelow(True)
-    axes.grid(True, which="major", color=style.grid, linewidth=0.8)
+    axes.grid(True, which="major", color=PAPER.grid, linewidth=0.8)
     axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["bottom", "left"]].set_color(style.text)
+    axes.spines[["bottom", "left"]].set_color(PAPER.text)
 
 
 class _ShareLocator(Locator):

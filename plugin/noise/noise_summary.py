@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -14,7 +14,7 @@ from ..imagery.limits import judged_band
 from ..imagery.records import Column
 from ..imagery.wavelets import Curve
 from ..toolkit.table_fields import column_features, column_fields, number
-from ..toolkit.translation import band_title, filled, sentence, shown_number, tr
+from ..toolkit.translation import tr
 from .measure.band_noise import SEVERITY, BandNoise, NoiseVerdict, noisiest_band
 from .measure.group_noise import ClipNoise
 from .measure.noise_amount import NoiseAmount
@@ -36,10 +36,6 @@ AMOUNT_WORDS = {
     NoiseAmount.UNCERTAIN: QT_TR_NOOP("uncertain"),
     NoiseAmount.NOT_MEASURABLE: QT_TR_NOOP("not measurable"),
 }
-
-CurveGroup = tuple[str, tuple[tuple[float, ...], ...]]
-"""What windows that belong together are called, and their curves."""
-NO_GROUP: CurveGroup = "", ()
 
 
 def verdict_counts(results: Iterable[ClipNoise]) -> Counter[NoiseVerdict]:
@@ -63,18 +59,13 @@ def judged_noise(result: ClipNoise) -> BandNoise | None:
     return result.bands[noisiest_band(result.bands)] if result.bands else None
 
 
-def band_curve(result: ClipNoise, band: str) -> tuple[float, ...] | None:
-    """The curve of one band; None where there is none."""
-    noise = result.bands.get(band)
-    return noise.curve.detail if noise is not None and noise.curve.variance > 0 else None
-
-
 def compared_curve(result: ClipNoise) -> tuple[float, ...] | None:
     """The curve by which windows are compared: of the luminance, or the first band (Pyka 2009, figure 3).
 
     The noisiest band is another one from window to window.
     """
-    return band_curve(result, judged_band(result.bands)) if result.bands else None
+    noise = result.bands[judged_band(result.bands)] if result.bands else None
+    return noise.curve.detail if noise is not None and noise.curve.variance > 0 else None
 
 
 @dataclass(frozen=True)
@@ -117,77 +108,6 @@ def noise_groups(results: Sequence[ClipNoise]) -> list[NoiseGroup]:
 def class_title(window_class: str | None) -> str:
     """A class of windows in words."""
     return tr("no value") if window_class is None else window_class
-
-
-def noise_sentence(bands: Mapping[str, BandNoise]) -> str:
-    """The judged band of a clip: how much noise, and its numbers; why not, where it can't be measured."""
-    name = noisiest_band(bands)
-    judged = bands[name]
-    note = sentence(judged.note) if judged.note else ""
-    if judged.sigma is None:
-        return note
-    words = tr("{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).")
-    if len(bands) > 1:
-        words = tr("{finding}; in {band} sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).")
-    words = filled(words,
-        finding=_curve_clause(judged), band=band_title(name), sigma=_number(judged.sigma, 2),
-        kurtosis=_number(judged.kurtosis[0], 1),
-    )
-    grain = _grain_words(judged)
-    return " ".join(part for part in (words, amount_words(judged), note, grain) if part)
-
-
-def amount_words(noise: BandNoise) -> str:
-    """How much noise there is, whatever the scene."""
-    word = tr(AMOUNT_WORDS[noise.amount])
-    if noise.signal_to_noise is None:
-        return filled(tr("Amount: {amount}."), amount=word)
-    words = tr("Amount: {amount}; {sigma} DN without texture, signal to noise {ratio}.")
-    return filled(words, amount=word, sigma=_number(noise.noise, 1), ratio=_number(noise.signal_to_noise, 0))
-
-
-def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
-    """The verdict and the numbers of every band, a line each."""
-    lines = []
-    for name, noise in bands.items():
-        line = f"{band_title(name)}: {tr(VERDICT_WORDS[noise.verdict])}"
-        if noise.sigma is not None:
-            numbers = filled(tr("sigma {sigma} DN, at most {largest} DN with grain, kurtosis by level {kurtosis}"),
-                sigma=_number(noise.sigma, 2), largest=_number(noise.largest_sigma, 1),
-                kurtosis=" / ".join(_number(value, 1) for value in noise.kurtosis),
-            )
-            line = f"{line}, {numbers}. {amount_words(noise)}"
-        lines.append(line)
-    return lines
-
-
-def _grain_words(noise: BandNoise) -> str:
-    """How strong correlated noise is, or can be, where the verdict rests on that."""
-    if noise.note is None or (noise.verdict is NoiseVerdict.MODERATE and noise.grain is None):
-        return ""
-    if noise.verdict is not NoiseVerdict.UNCERTAIN and noise.grain is not None:
-        return filled(tr("Grain: {sigma} DN, {size} px."),
-            sigma=_number(noise.grain.sigma, 1), size=_number(noise.grain.size, 1)
-        )
-    return filled(tr("At most {sigma} DN."), sigma=_number(noise.largest_sigma, 1)) if noise.largest_sigma else ""
-
-
-def _curve_clause(noise: BandNoise) -> str:
-    if noise.verdict is NoiseVerdict.LOW:
-        return tr("Low noise: the curve rises at every level")
-    if noise.verdict is NoiseVerdict.UNCERTAIN:
-        return tr("Uncertain")  # the note says why
-    if noise.verdict is NoiseVerdict.STRONG and noise.note is not None:
-        return tr("Strong noise")  # the note says why
-    if noise.verdict is NoiseVerdict.STRONG:
-        return tr("Strong noise: the curve falls from level 1 to 2 and from 2 to 3")
-    if noise.note is None:
-        return tr("Moderate noise: the curve falls from level 1 to 2, then rises")
-    return tr("Moderate noise")  # the note says why
-
-
-def _number(value: float | None, decimals: int) -> str:
-    return "-" if value is None else shown_number(value, decimals)
 
 
 class _NoiseRow(NamedTuple):

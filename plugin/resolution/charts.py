@@ -6,16 +6,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED, ChartStyle
+from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED
 from ..toolkit.charts.figure_files import new_figure, plain_figure
 from ..toolkit.translation import band_title, filled, tr
+from .band_colours import band_colour
 from .distance_words import direction_title
 from .measure.bar_groups import GroupResult
 from .measure.bars import BarReading
 from .measure.target import DIRECTIONS
 
-BAND_COLOURS = {"red": "#d55e00", "green": "#009e73", "blue": "#0072b2", "nir": "#cc79a7"}
-_OTHERS = ("#0072b2", "#e69f00", "#56b4e9", "#d55e00", "#009e73", "#cc79a7")
 VERDICT_COLOURS = {"resolved": "#009e73", "unresolved": "#d55e00", "spurious": "#cc79a7", "unmeasured": "#777777"}
 _MOST_ROWS = 10  # of panels below each other
 _ROW_WIDTH, _ROW_HEIGHT = 7.08, 1.32  # inches of a row of two panels: as wide as A4 between its margins
@@ -41,42 +40,37 @@ def verdict_word(verdict: str) -> str:
     }[verdict]
 
 
-def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: float, style: ChartStyle = PAPER) -> None:
+def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: float) -> None:
     """The profiles of one line by band, their bars and gaps, and for the weakest band the threshold of its gaps."""
     for place, (band, reading) in enumerate(readings.items()):
-        profile, colour = reading.profile, band_colour(band, place, len(readings), style)
+        profile, colour = reading.profile, band_colour(band, place, len(readings))
         title = band_title(band) if place < MOST_NAMED else UNNAMED
-        axes.plot(profile.positions, profile.values, color=colour, linewidth=1.4 * style.scale, label=title)
-        for extremes, face in ((reading.bars, colour), (reading.gaps, style.background)):
+        axes.plot(profile.positions, profile.values, color=colour, linewidth=1.4, label=title)
+        for extremes, face in ((reading.bars, colour), (reading.gaps, PAPER.background)):
             axes.plot(
                 [one.position for one in extremes], [one.value for one in extremes], "o", color=colour,
-                markerfacecolor=face, markersize=4.5 * style.scale, zorder=3,
+                markerfacecolor=face, markersize=4.5, zorder=3,
             )
     weakest = min(readings.values(), key=lambda reading: reading.share or 0.0, default=None)
     if weakest is not None:
-        axes.axvline(0, color=style.grid, linewidth=1, zorder=0)
-        axes.axvline(weakest.profile.length, color=style.grid, linewidth=1, zorder=0)
+        axes.axvline(0, color=PAPER.grid, linewidth=1, zorder=0)
+        axes.axvline(weakest.profile.length, color=PAPER.grid, linewidth=1, zorder=0)
         if len(weakest.bars) > 1:
-            _draw_threshold(axes, weakest, criterion, style)
-    axes.set_facecolor(style.background)
-    axes.tick_params(colors=style.text)
+            _draw_threshold(axes, weakest, criterion)
+    axes.set_facecolor(PAPER.background)
+    axes.tick_params(colors=PAPER.text)
     axes.spines[["top", "right"]].set_visible(False)
-    axes.spines[["bottom", "left"]].set_color(style.text)
+    axes.spines[["bottom", "left"]].set_color(PAPER.text)
     axes.margins(x=0.01, y=0.08)
 
 
-def band_colour(band: str, place: int, count: int, style: ChartStyle = PAPER) -> str:
-    """Colour of a band's profile among those of ``count`` bands."""
-    return BAND_COLOURS.get(band, style.text if count == 1 else _OTHERS[place % len(_OTHERS)])
-
-
-def _draw_threshold(axes: Axes, reading: BarReading, criterion: float, style: ChartStyle) -> None:
+def _draw_threshold(axes: Axes, reading: BarReading, criterion: float) -> None:
     """Gaps that lie on the bars' side of this line, on the whole, are too shallow."""
     down = -1 if reading.bright else 1
     bars = sum(bar.value for bar in reading.inner_bars) / len(reading.inner_bars)
     level = bars + down * criterion * reading.full_amplitude
     ends = reading.bars[0].position, reading.bars[-1].position
-    axes.plot(ends, (level, level), "--", color=style.limit, linewidth=1.2 * style.scale, zorder=2)
+    axes.plot(ends, (level, level), "--", color=PAPER.limit, linewidth=1.2, zorder=2)
 
 
 def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:

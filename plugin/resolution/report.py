@@ -8,7 +8,8 @@ from ..imagery.rasters import Raster
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.templates import HowMeasured, measured_raster, save_page, sentences_once
 from ..toolkit.translation import band_title, filled, percent, sentence, shown_number, tr
-from .charts import VERDICT_COLOURS, band_colour, lines_of, profile_rows, verdict_of, verdict_word
+from .band_colours import band_colour
+from .charts import VERDICT_COLOURS, lines_of, profile_rows, verdict_of, verdict_word
 from .distance_words import direction_title, distance_number, distance_text, target_distances
 from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import BAR, COARSEST, DIRECTIONS, Target

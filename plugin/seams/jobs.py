@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from concurrent.futures import wait
 from contextlib import closing
 from dataclasses import dataclass
@@ -16,13 +16,12 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import Message
 from ..imagery.gdal_calls import gdal_writing
 from ..imagery.lines import find_seams
-from ..imagery.open_raster import OpenRaster, describe_mosaic
+from ..imagery.open_raster import OpenRaster
 from ..imagery.raster_pool import reading_threads
-from ..imagery.rasters import Raster, RasterRef
+from ..imagery.rasters import Raster
 from ..toolkit.background_tasks import Ahead, Cancelled, Job
 from ..toolkit.translation import filled, tr
-from .clip_pictures import PictureRequest, WindowPictureSet, composite_picture, make_pictures
-from .measure.inputs.mosaic_copies import Likeness, leave_out_copies, likenesses
+from .measure.inputs.mosaic_copies import leave_out_copies
 from .measure.inspection import inspect_one, inspect_windows
 from .measure.profile.ground import grounds
 from .measure.scan.blocks.block_grid import BLOCK_PX
@@ -34,8 +33,7 @@ from .measure.scan.loss_raster import BANDS, NODATA, created_cells, loss_cells
 from .measure.scan.scan_request import ScanRequest, scan_request
 from .measure.scan.scan_settings import ScanSettings
 from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
-from .measure.source_images import Source, gather_sources
-from .measure.window.explained_window import WindowComposite, window_composite
+from .measure.source_images import Source
 from .measure.window.measured_window import MeasureWindow, measure_window
 from .measure.window.window_request import WindowRequest
 from .measure.window.window_result import WindowClips
@@ -81,36 +79,6 @@ def placing_job(lines: Iterable[bytes | None], mosaic: Raster, settings: Placing
         )
         if not cancelled():
             yield 1.0, placement
-
-    return job
-
-
-def pictures_job(request: PictureRequest) -> Job:
-    """Reads the clips of one window as pictures; yields the WindowPictureSet of them."""
-    return lambda cancelled: iter([(1.0, make_pictures(request, cancelled))])
-
-
-def copies_job(mosaic: RasterRef, candidates: Mapping[str, RasterRef]) -> Job:
-    """Looks for copies of the mosaic among rasters; yields the Likeness of each by its key."""
-
-    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        raster = describe_mosaic(mosaic)
-        sources, _ = gather_sources(candidates.values(), (), raster.wkt, raster.ref)
-        found = dict(zip([one.ref for one in sources], likenesses(raster, sources)))
-        yield 1.0, {key: found.get(ref, Likeness.OTHER) for key, ref in candidates.items()}
-
-    return job
-
-
-def composite_picture_job(request: WindowRequest, shown: WindowPictureSet) -> Job:
-    """The picture of a window's hard-cut composite, to be seen beside those that are shown of it; yields a
-    WindowPictureSet with it alone, or with nothing where there is none."""
-
-    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        mosaic = shown.pictures[0]
-        found = window_composite(request) if mosaic.is_mosaic else None
-        made = (composite_picture(found, mosaic, shown.used),) if isinstance(found, WindowComposite) else ()
-        yield 1.0, WindowPictureSet(made, shown.ranges, shown.used)
 
     return job
 

@@ -11,7 +11,7 @@ from ..toolkit.translation import filled, grouped_number, percent, shown_number,
 from .measure.causes import ALONG_THE_SEAM, Cause, causes_taken
 from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
-from .measure.window_records import SEAM
+from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
     CLAIMS,
     LOSSES,
@@ -248,11 +248,11 @@ def window_why(row: WindowRecord, result: WindowResult | None = None) -> list[st
         is_told = row.verdict == _NOT_COMPARABLE or is_lost_along_the_seam(row)
         said = [*_interval(row), *(clause * is_told), *by_mixture(found), *_mixing_alone(row, found)]
         said += _sharpness(row.sharpness, happened)
-        if row.verdict != _NOT_COMPARABLE and row.reason and row.reason not in window_sentence(row):
+        is_sentence = row.verdict == _NOT_COMPARABLE or (row.verdict not in LOSSES and _has_no_kept(row))
+        if row.reason and not is_sentence:
             said.append(row.reason)
         missing = 0.0 if row.explained is None else 1 - row.explained
-        is_told = f"{100 * missing:.0f} %" in row.reason  # VERDICT_OF_THE_REST says how many, in whatever language
-        if missing > _UNEXPLAINED and not is_told:
+        if missing > _UNEXPLAINED and row.reason_code != OF_THE_REST:
             text = tr("{percent} % of the pixels match none of the given sources and took no part.")
             said.append(filled(text, percent=percent(missing)))
         said += [happened.besides, *by_the_paper(row)]
@@ -398,7 +398,7 @@ def _done_about(row: WindowRecord, causes: list[str]) -> list[str]:
     """What to do, a few words."""
     if row.stale:
         return []  # to inspect it again
-    if _may_be_significant(row):
+    if row.reason_code == MAY_BE_SIGNIFICANT:
         return [tr("It may be more: judge by eye.")]
     if Cause.MISSING_SOURCE in _causes_of(row):
         return [to_do(Cause.MISSING_SOURCE)]
@@ -407,19 +407,16 @@ def _done_about(row: WindowRecord, causes: list[str]) -> list[str]:
     return [words for words in map(to_do, causes) if words][:1]
 
 
-def _may_be_significant(row: WindowRecord) -> bool:
-    """Whether a reduction may be significant, by what its reason tells, in whatever language."""
-    if row.verdict != "reduced" or row.kept_low is None or row.kept_high is None:
-        return False
-    return all(f"{100 * end:.0f}" in row.reason for end in (row.kept_low, row.kept_high))
+def _has_no_kept(row: WindowRecord) -> bool:
+    return row.kept_1 is None or row.kept_high is None
 
 
 def _what_is_left(row: WindowRecord, clause: str) -> str:
     """Where no loss is sure."""
-    if row.kept_1 is None or row.kept_high is None:
+    if _has_no_kept(row):
         return row.reason or tr("No change from one source to another is found in the window.")
     text = tr("Along the seam as much of the finest detail is left as around it")
-    if row.kept_1 < _ALL_KEPT:
+    if (row.kept_1 or 0.0) < _ALL_KEPT:
         text = tr("Along the seam no loss is certain")
     return f"{text}; {clause}." if clause else f"{text}."
 

@@ -263,7 +263,7 @@ CAUSES: dict[str, ShownCause] = {
         (QT_TR_NOOP("the cause is unclear"),),
     ),
 }
-"""Causes by the word that tables hold; a table of a later version may hold others."""
+"""Causes by the word that tables hold."""
 
 
 def cause_word(cause: str) -> str:

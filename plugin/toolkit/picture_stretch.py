@@ -38,8 +38,6 @@ class Stretch(str, Enum):
     """8 bit as it is, 16 bit by the range of values that is in use: the same in all windows."""
     COMMON = "common"
     """The mosaic's darkest and brightest 2 % cut off: the same in all windows."""
-    WINDOW = "window"
-    """The window's own darkest and brightest 2 % cut off: contrast differs from window to window."""
 
 
 def ranges_with(known: GreyRanges, stretch: Stretch, sources: Iterable[tuple[OpenRaster, float]]) -> GreyRanges:

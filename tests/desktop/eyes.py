@@ -46,12 +46,6 @@ def _words(dock: QWidget) -> Iterator[tuple[str, QWidget, QRect]]:
             continue
         if kind == "CurvesLegend":
             yield from _legend_words(widget)
-        elif kind == "PictureView":
-            strip, name = QRect(0, 0, widget.width(), widget.image_rect().top()), widget.accessibleName()
-            badge = strip.adjusted(strip.height() // 2, 3, 0, -3)
-            badge.setWidth(2 * strip.height())
-            yield f"title {name}", widget, strip.adjusted(strip.width() // 3, 0, 0, 0)
-            yield f"badge {name}", widget, badge
         elif (kind == "ClippedLabel" or isinstance(widget, QLabel)) and widget.text():
             yield f"label {widget.text()}", widget, widget.rect()
         elif isinstance(widget, QPushButton) and widget.isEnabled():

@@ -39,7 +39,7 @@ def test_operators_walk(
     assert len(report["table"]) == len(report["verdicts"])
     assert report["table"][0][1] == report["verdicts"][0]
     assert "visible" in report["table"][0]
-    assert report["pictures"][0] == "mosaic.tif"
+    assert report["pictures"][0] == "hard cut of the sources"
     assert len(report["pictures"]) > 1
     assert report["map_units_per_pixel"] == pytest.approx(0.05, rel=0.02)
     assert all(Path(path).exists() for path in report["screenshots"])

@@ -43,17 +43,12 @@ def test_judging_has_the_screen_and_gives_it_back(small_block: Path, tmp_path: P
     assert report["focus"]
     assert report["focus_after_tab"]
     assert report["judge_whole"]
-    assert report["profile"]
     assert "seamlines" not in report["on_map"]
     assert "Windows" not in report["on_map"]
     assert "over" not in report["on_map"]
     assert "mosaic" in report["on_map"]
-    assert report["ticks"] > 0
-    assert report["ticks_rotated"]
-    assert all({*place} & {*report["edges"]} for place in report["ticks_rotated"])  # at the edges of what is seen
     assert report["places"] > 1
     assert report["hard_cut"] == [True, False, True, False, False]
-    assert report["cut"] == []
     assert report["judged"] > 3
     assert report["left"] == 0
     assert report["summary"].startswith("All windows are judged: ")

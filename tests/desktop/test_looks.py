@@ -32,7 +32,7 @@ def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: 
     check(run)
     assert run.report["right_size"][0] <= 440
     assert run.report["inputs_cut"] == []
-    for place in ("right", "right_images", "right_noise", "below", "below_images", "below_noise"):
+    for place in ("right", "right_images", "below", "below_images"):
         for defect in ("cut", "headings_cut", "no_tooltip", "steps_up", "no_focus_mark"):
             assert run.report[f"{place}_{defect}"] == [], f"{defect}, {place}"
         assert run.report[f"{place}_table_overflow"] == 0, place
@@ -40,6 +40,6 @@ def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: 
         assert run.report[f"{place}_judge_whole"], place
         contrasts = run.report[f"{place}_contrasts"]
         what = {words.split()[0] for words in contrasts}
-        own = {"images": {"title", "badge"}, "noise": set()}.get(place.partition("_")[2], {"legend"})
+        own = {"images": set()}.get(place.partition("_")[2], {"legend"})
         assert what >= {"heading", "label", "button", *own}
         assert {words: ratio for words, ratio in contrasts.items() if ratio < READABLE} == {}, place

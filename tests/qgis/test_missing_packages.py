@@ -99,26 +99,16 @@ def test_a_missing_package_is_named_once_and_used_after_a_restart(
     assert told == []
 
 
+@pytest.mark.parametrize("action", ["seamInspectorAction", "seamInspectorBarAction"])
 @pytest.mark.parametrize(("module", "modules"), [("matplotlib", DRAWING), ("jinja2", WRITING)])
 def test_the_desk_opens_without_what_charts_in_files_and_reports_need(
-    start: Callable[[], Any], told: Told, monkeypatch: pytest.MonkeyPatch, module: str, modules: list[str]
+    start: Callable[[], Any], told: Told, monkeypatch: pytest.MonkeyPatch, module: str, modules: list[str], action: str
 ) -> None:
     take_away(monkeypatch, module, modules)
     plugin = start()
-    plugin.desk("seamInspectorAction").action.trigger()
-    assert plugin.desk("seamInspectorAction").dock is not None
+    plugin.desk(action).action.trigger()
+    assert plugin.desk(action).dock is not None
     assert told == []
-
-
-def test_the_bars_profile_needs_matplotlib(
-    start: Callable[[], Any], told: Told, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    take_away(monkeypatch, "matplotlib", [])
-    plugin = start()
-    plugin.desk("seamInspectorBarAction").action.trigger()
-    assert plugin.desk("seamInspectorBarAction").dock is None
-    ((text, _),) = told
-    assert_sentence(text, "the Python package.s. matplotlib.*then restart QGIS")
 
 
 def take_away(monkeypatch: pytest.MonkeyPatch, package: str, modules: list[str]) -> None:

@@ -35,10 +35,9 @@ def desk(scene: Scene, project: QgsProject, tmp_path: Path) -> Iterator[Desk]:
 
 @pytest.fixture
 def busy(desk: Desk) -> Desk:
-    """Its windows are being inspected, and some are done; pictures are being read too."""
+    """Its windows are being inspected, and some are done."""
     desk.session.inspect_pending()
     wait_until(lambda: desk.session.result(1) is not None)
-    desk.session.pictures(20)
     return desk
 
 

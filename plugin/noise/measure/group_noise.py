@@ -14,12 +14,11 @@ from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.clips import extent_on_image
 from ...imagery.errors import Exceeding, Message, RasterError
-from ...imagery.grids import PixelWindow
-from ...imagery.open_raster import OpenRaster, describe
+from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from . import messages
 from .band_noise import BandNoise, judged, measure_noise
-from .noise_plan import GroupedImage, NoiseRequest, Part
+from .noise_plan import NoiseRequest, Part
 
 
 def filled(bands: np.ndarray, invalid: np.ndarray) -> np.ndarray:
@@ -75,18 +74,6 @@ class ClipNoise:
     """Why nothing could be measured."""
     window_class: str | None = None
     """What the window is grouped by."""
-
-
-def measure_window(
-    ref: RasterRef, window: PixelWindow,
-    wavelet: str = imagery_limits.DEFAULT_WAVELET, levels: int = imagery_limits.DEFAULT_LEVELS,
-) -> ClipNoise:
-    """The noise of one raster in one window on its own pixel grid, both sides multiples of ``2 ** levels``.
-
-    Raises RasterError when the raster can't be opened; what can't be measured has its reason.
-    """
-    part = Part(GroupedImage(describe(ref), 1), window)
-    return measure_request(NoiseRequest(1, (part,)), wavelet, levels)[0]
 
 
 def measure_request(request: NoiseRequest, wavelet: str, levels: int) -> list[ClipNoise]:

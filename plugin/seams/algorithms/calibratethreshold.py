@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import SettingsError
-from ...imagery.statistics import UNSURE, VISIBLE
+from ...imagery.statistics import UNSURE, VISIBLE, agreement
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
@@ -118,6 +118,11 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         found = [window for window in read_windows(layers.features(windows), names) if window.observer]
         judged = [window for window in found if window.is_judged]
         run.tell(*doubts(judged))
+        both = agreement([(window.observer, window.observer_2) for window in found])
+        if (kappa := both.kappa) is not None:
+            run.tell(messages.OPERATORS_AGREE(
+                count=both.count, agreed=both.agreed, kappa=kappa.value, low=kappa.low, high=kappa.high
+            ))
         unsure = sum(window.observer == UNSURE for window in found)
         if len(judged) + unsure < len(found):
             run.tell(messages.VERDICTS_UNKNOWN(count=len(found) - len(judged) - unsure))
@@ -145,8 +150,6 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             if _CONTRAST in table.fields().names():
                 names = [*names, _CONTRAST]
                 read[_CONTRAST] = lambda window: contrast_of(pairs.get(window.window_id, ()))
-            elif _CONTRAST not in names:  # of an earlier version
-                run.tell(messages.PAIRS_WITHOUT_CONTRAST())
         found = {
             measure: [(one, read[measure](one)) for one in judged] for measure in _MEASURES if measure in names
         }

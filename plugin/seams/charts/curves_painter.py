@@ -8,10 +8,10 @@ from typing import Union
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
+from ...toolkit.charts.chart_painter import PT, ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle, source_look
 from ...toolkit.translation import formatted, tr
 from .chart_curves import Chart, ChartCurve, Point, numbered, share_range, share_ticks, significance_limit
-from .chart_painter import PT, ChartPainter
 
 PenStyle = Union[Qt.PenStyle, tuple[float, ...]]
 """Lengths of dashes and gaps in widths of the line, where Qt has no word for it."""

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
+from ...toolkit.charts.chart_painter import ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.translation import filled, percent, shown_number, tr
-from .chart_painter import ChartPainter
 
 if TYPE_CHECKING:
     from ..measure.profile.seam_profile import ProfileBin, SeamProfile
@@ -99,10 +99,10 @@ def summary_words(shown: ShownProfile) -> list[str]:
     if shown.ground_left < 1 and profile.is_of_the_ground:
         values["left"] = percent(shown.ground_left)
         words = [
-            tr("Beside the seam {kept} % kept ({low} to {high} %) of the ground around, which has {left} % of the "
-               "orthoimages' detail"),
-            tr("{kept} % kept of the ground, which has {left} %"),
-            tr("{kept} % kept, ground {left} %"),
+            tr("Beside the seam {kept} % ({low} to {high} %) of the ground's detail; the ground has {left} % of the "
+               "orthoimages'"),
+            tr("Seam: {kept} % of the ground; ground: {left} % of the orthoimages"),
+            tr("Seam {kept} %, ground {left} %"),
         ]
     elif profile.band_width_px:
         words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m"))
@@ -177,7 +177,8 @@ class ProfilePainter(ChartPainter):
                 continue
             words = shown_number(tick, len(f"{tick:.12g}".partition(".")[2]))
             x, half = self.x_of(tick), self.metrics.horizontalAdvance(words) / 2
-            if x - half >= end + 0.4 * self.line and x <= self.axes.right():
+            reach = x if self._is_roomy else x + half + 0.5 * self.line  # its unit ends the row there
+            if x - half >= end + 0.4 * self.line and reach <= self.axes.right():
                 ticks.append((x, words))
                 end = x + half
         return ticks

@@ -1,7 +1,6 @@
 """The inspection desk: a dock beside or below the map that puts the panels together."""
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -24,7 +23,6 @@ from qgis.PyQt.QtWidgets import (
 
 from ...imagery.errors import Message
 from ...toolkit.desk.message_bar import BarQuestion
-from ...toolkit.desk.tabs import DeskTab
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.layer_styles import load_style
@@ -32,20 +30,21 @@ from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from .accepting import open_form
+from .charts.profile_panel import CurvesAndProfile
 from .desk_keys import DeskKeys
 from .dock_body import DockBody
+from .images.images_panel import ImagesPanel
 from .inputs.inputs_panel import InputsPanel
 from .judging_desk import JudgingDesk
 from .judging_layout import JudgingLayout
-from .keys import JUDGING, SWIPING
+from .keys import JUDGING
+from .map.flicker import Flicker
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .map.window_view import SelectedWindows, WindowView
 from .mosaic_scans import MosaicScans, ScanMessage, show_layer, uncover
 from .report_writer import ReportWriter
 from .session import Session
-from .swipe.flicker import Flicker
-from .swipe.swipe_action import SwipeAction
 from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
 
@@ -53,7 +52,7 @@ from .windows.windows_panel import WindowsPanel
 class InspectionDock(ToolDock):
     """Owns the session, the map tool and the panels."""
 
-    def __init__(self, iface: QgisInterface, tabs: Iterable[DeskTab]) -> None:
+    def __init__(self, iface: QgisInterface) -> None:
         super().__init__(iface, tr("Seam Inspector"), "SeamInspectorDock")
         self.session = Session(self)
         self._offer_tool(
@@ -71,22 +70,20 @@ class InspectionDock(ToolDock):
         self.session.selectionChanged.connect(self._view.follow)
         self.judging = JudgingDesk(self.session, self.windows, self, self._view.is_seen)
         self.judge = self.judging.bar
-        self._tabs = tuple(tabs)
-        self.panels = {tab.name: tab.make(self.session) for tab in self._tabs}
+        self.curves = CurvesAndProfile(self.session)
+        self.images = ImagesPanel(self.session, is_blind=lambda: self.judging.model.is_blind)
         self.lost = LostDetail(iface, self.session, self)
         self._selected = SelectedWindows(self._canvas, self.session)
-        if (curves := self.panels.get("curves")) is not None:
-            self.lost.follow_chart(curves.profile)
+        self.lost.follow_chart(self.curves.profile)
         self.reports = ReportWriter(self.session, self)
         self.reports.told.connect(self._show_markup)
         self.scans = MosaicScans(self.session, self)
         self.scans.told.connect(self._show_message)
         self.scans.changed.connect(self._follow_scan)
-        self.swiping = SwipeAction(self._canvas, self.session, self)
-        self.swiping.told.connect(self._show_message)
         self.flicker = Flicker(self._canvas, self.session, self)
         self.flicker.told.connect(self._show_message)
-        self.layout_of_judging = JudgingLayout(iface, self, self.session, self._fold)
+        self.flicker.shown.connect(self.lost.overlay.give_way)
+        self.layout_of_judging = JudgingLayout(iface, self, self.session)
         self.layout_of_judging.action.toggled.connect(self._begin_judging)
         self.layout_of_judging.action.toggled.connect(self.flicker.hide)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
@@ -97,9 +94,9 @@ class InspectionDock(ToolDock):
         self._keys.set_actions(
             {**self.judging.key_actions(), "layout": _triggered(self.layout_of_judging.action),
              "lost detail": _triggered(self.lost.action), "flicker": self.flicker.press,
-             "next place": self._view.show_next_place, **self.swiping.key_actions()},
+             "next place": self._view.show_next_place},
             {"flicker": self.flicker.release},
-            {JUDGING: lambda: self.layout_of_judging.is_on, SWIPING: lambda: self.swiping.swipe.is_on},
+            {JUDGING: lambda: self.layout_of_judging.is_on},
         )
         self._make_actions()
         self._lay_out()
@@ -127,9 +124,9 @@ class InspectionDock(ToolDock):
         self._worst_inspector.stop()
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
-            self.layout_of_judging, self._keys, self.steps, self.reports, self.swiping, self.flicker, self._findings,
-            self._found, self.scans, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
-            *self.panels.values(),
+            self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker, self._findings, self._found,
+            self.scans, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
+            self.curves, self.images,
         ):  # fmt: skip
             part.close()
 
@@ -194,15 +191,21 @@ class InspectionDock(ToolDock):
     def _lay_out(self) -> None:
         steps = (self.steps.undo, self.steps.redo)
         judge = self.layout_of_judging.action
-        actions = [self.draw, self.inspect, self.scan, judge, self.place, self.swiping.action, *steps, self.report]
+        actions = [self.draw, self.inspect, self.scan, judge, self.place, *steps, self.report]
         toolbar = FittingToolBar(actions, worded=[judge, self.inspect, self.scan, self.draw, self.place])
-        for action in (self.inspect, self.scan, self.swiping.action):
+        for action in (self.inspect, self.scan):
             toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         toolbar.widgetForAction(self.inspect).addAction(self.inspect_selected)
         toolbar.widgetForAction(self.scan).addActions([self.worst, self.accept])
         self._tab_widget = tabs = CornerTabs()
-        for tab in self._tabs:
-            tabs.setTabToolTip(tabs.addTab(ScrollBody(self.panels[tab.name]), tr(tab.title)), tr(tab.tooltip))
+        for panel, title, tip in (
+            (self.curves, tr("Curves"),
+             tr("How the variance of the selected windows spreads over the levels of detail, and how much detail is "
+                "kept by the distance from the seam")),
+            (self.images, tr("Images"),
+             tr("The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye")),
+        ):  # fmt: skip
+            tabs.setTabToolTip(tabs.addTab(ScrollBody(panel), title), tip)
         tabs.setDocumentMode(True)
         corner = QWidget()  # in sight whatever tab is: lost detail is for the map and the images alike
         row = QHBoxLayout(corner)
@@ -220,13 +223,6 @@ class InspectionDock(ToolDock):
         self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
         self.setWidget(self._body)
 
-    def _fold(self, is_folded: bool) -> None:
-        """Leave what judging takes: what was found, the profile with it unless that is hidden, and the buttons."""
-        curves, is_blind = self.panels.get("curves"), self.judging.model.is_blind
-        if curves is not None:
-            curves.lend_profile(is_folded and not is_blind)
-        self._body.fold(is_folded, curves.profile if curves is not None and is_folded and not is_blind else None)
-
     def _begin_judging(self, is_on: bool) -> None:
         """With the window that is selected, or the first to judge."""
         selected = self.session.selected()
@@ -238,22 +234,18 @@ class InspectionDock(ToolDock):
     def _clear_map(self, *_: object) -> None:
         super()._clear_map()
         if self.isHidden():
-            self.swiping.swipe.stop()
             self.flicker.hide()
             self.session.loss_view.show(False)
 
     def _hide_findings(self) -> None:
-        """While the tool's verdict is hidden, so are the tabs that tell it, lost detail, QGIS's words on the selected
+        """While the tool's verdict is hidden, so are the curves that tell it, lost detail, QGIS's words on the selected
         window, and what others did before, which is not undone."""
         is_blind = self.judging.model.is_blind
-        for place, tab in enumerate(self._tabs):
-            self._tab_widget.setTabVisible(place, not (tab.tells_verdict and is_blind))
+        self._tab_widget.setTabVisible(0, not is_blind)
         allow(self.lost.action, tr("What was found is hidden while you judge blind.") if is_blind else "")
         self.steps.keep_steps(is_blind)
         if is_blind:
             self._iface.statusBarIface().clearMessage()  # of QGIS, which says what the selected window is
-        if self.layout_of_judging.is_on:
-            self._fold(True)
 
     def _progress_row(self) -> QWidget:
         """How far windows and scan are, and the button that stops them; in sight while there is something to stop."""

@@ -1,4 +1,4 @@
-"""How the desk's parts share the dock: low or high, narrow or wide, and folded while judging."""
+"""How the desk's parts share the dock: low or high, narrow or wide."""
 from __future__ import annotations
 
 from qgis.PyQt.QtCore import Qt
@@ -47,39 +47,18 @@ class DockBody(QWidget):
         self._whole.setContentsMargins(4, 2, 4, 4)
         self._whole.setSpacing(3)
         self._whole.addWidget(self.scrolled, 1)
-        self._judging = QBoxLayout(QBoxLayout.Direction.TopToBottom)
-        self._whole.addLayout(self._judging)
         self._whole.addWidget(progress)
-        self._is_wide = self._is_high = self._is_folded = False
-        self._place_judge()
+        self._place_judge(is_wide=False)
 
-    def fold(self, is_folded: bool, panel: QWidget | None) -> None:
-        """Leave judgement alone, below a panel or in a wide dock beside it; or show all of the desk."""
-        self._is_folded = is_folded
-        self.scrolled.setVisible(not is_folded)
-        self._whole.setStretchFactor(self._judging, int(is_folded))
-        if panel is not None:
-            self._judging.insertWidget(0, panel, 1)
-            panel.show()
-        at_bottom = Qt.AlignmentFlag.AlignBottom if is_folded and panel is None else Qt.AlignmentFlag(0)
-        self._judge.set_large(is_folded, self._is_high)
-        self._place_judge()
-        self._judging.setAlignment(self._judge, at_bottom)
-
-    def _place_judge(self) -> None:
-        direction = QBoxLayout.Direction
-        self._judging.setDirection(direction.LeftToRight if self._is_wide else direction.TopToBottom)
-        if self._is_wide and not self._is_folded:
-            self._side.addWidget(self._judge)
-        else:
-            self._judging.addWidget(self._judge)
+    def _place_judge(self, is_wide: bool) -> None:
+        (self._side if is_wide else self._whole).insertWidget(1, self._judge)
 
     def arrange(self, is_wide: bool) -> None:
         """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
-        self._is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
-        rows = _MORE_ROWS if self._is_high else _FEWEST_ROWS
+        is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
+        rows = _MORE_ROWS if is_high else _FEWEST_ROWS
         self._windows.table.set_fewest_rows(0 if is_wide else rows)
-        self._judge.set_high(self._is_high)
+        self._judge.set_high(is_high)
         orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
         if orientation == self._splitter.orientation():
             return
@@ -87,5 +66,4 @@ class DockBody(QWidget):
         self._splitter.setSizes(_SHARES)
         direction = QBoxLayout.Direction
         self._head.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
-        self._is_wide = is_wide
-        self._place_judge()
+        self._place_judge(is_wide)

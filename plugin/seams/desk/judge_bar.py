@@ -2,13 +2,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import partial
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QEvent, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
@@ -30,7 +29,7 @@ from ...toolkit.desk.widgets import ClippedLabel, rich_tip, single_shot
 from ...toolkit.translation import filled, tr
 from ..window_summary import window_sentence
 from .judging import Judging, JudgingProgress
-from .judging_summary import OwnLimit, counts_words, limit_words, tool_words
+from .judging_summary import counts_words, tool_words
 from .notes_row import NotesRow
 from .windows.window_columns import verdict_chip, window_tip, windows_sentence
 
@@ -42,8 +41,6 @@ if TYPE_CHECKING:
 
 class OperatorButton(QToolButton):
     """Says who judges."""
-
-    agreementAsked = pyqtSignal()
 
     def __init__(self, judging: Judging, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -70,10 +67,6 @@ class OperatorButton(QToolButton):
                "map."),
             self._set_blind,
         )  # fmt: skip
-        self.agreement = QAction(tr("Agreement of both ..."), menu)
-        self.agreement.setToolTip(tr("How often both operators agree, and how much of that is beyond chance."))
-        self.agreement.triggered.connect(self.agreementAsked)
-        menu.addAction(self.agreement)
         self.setMenu(menu)
 
     def refresh(self) -> None:
@@ -82,11 +75,9 @@ class OperatorButton(QToolButton):
         number = 2 if settings.operator == 2 else 1
         self.operators[number - 1].setChecked(True)
         self.blind.setChecked(settings.is_blind)
-        self.agreement.setEnabled(not settings.is_blind or self._judging.is_done_by_both)
         words = tr("2nd") if number == 2 else tr("1st")
         self.setText(filled(tr("{operator}, blind"), operator=words) if settings.is_blind else words)
-        tip = tr("Choose the operator, judge blind, and see how well both agree.")
-        self.setToolTip(rich_tip(tip))
+        self.setToolTip(rich_tip(tr("Choose the operator, and judge blind.")))
 
     def _choose(self, number: int, _checked: bool = True) -> None:
         self._judging.change(operator=number)
@@ -104,23 +95,18 @@ class OperatorButton(QToolButton):
         return action
 
 
-_LINES, _HIGH_LINES, _ALL_LINES = (2, 7), (3, 8), (2, 16)  # of the sentence; in a high dock; where charts give way
-_LARGE = 2.5  # times as high as a line: a button that judges, where the bar has the dock for itself
+_LINES, _HIGH_LINES = (2, 7), (3, 8)  # of the sentence; in a high dock
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 
 
 class JudgeBar(QWidget):
     """Sentence, judgement, progress."""
 
-    agreementAsked = pyqtSignal()
-    """The operator wants to know how well both operators agree."""
-
     def __init__(self, session: Session, judging: Judging, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
         self._judging = judging
         self._asked = 0
-        self._progress_now = JudgingProgress(0, 0, 0, 0)
         self._shown: tuple[object, ...] = ()  # what the words were made of
         self._shown_result: WindowResult | None = None
         self._arranger = single_shot(self, self._arrange)  # when its widgets have their new sizes
@@ -133,9 +119,6 @@ class JudgeBar(QWidget):
         self._why.setToolTip(rich_tip(tr("What the sentence rests on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
-        self._is_large = self._is_high = False
-        self._limit = OwnLimit(self)
-        self._limit.found.connect(self._tell_limit)
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
             tr("The loss of detail can be seen at 2x magnification."),
@@ -155,18 +138,16 @@ class JudgeBar(QWidget):
         self._position = QLabel(self)
         self._position.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._forth = self._arrow(Qt.ArrowType.RightArrow, partial(judging.step, 1), tr("The window after this."))
-        self._progress = QLabel(self)
-        self._progress.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._progress = ClippedLabel(1, self)
         self.operators = OperatorButton(judging, self)
-        self.operators.agreementAsked.connect(self.agreementAsked)
         self.notes = NotesRow(session, judging, self)
         self._second = QAction(tr("Second operator"), self)
         self._second.setToolTip(tr("Somebody else judges the same windows and is not told what was found or said."))
         self._second.triggered.connect(judging.begin_second)
         self._steps: list[QToolButton] = []
         self._lay_out()
-        self.set_large(False)
-        self.offer_next([self._second, self.operators.agreement])
+        self.set_high(False)
+        self.offer_next([self._second])
         session.windowsChanged.connect(self.refresh)
         session.selectionChanged.connect(self.refresh)
         session.progressChanged.connect(self._follow_progress)
@@ -188,10 +169,6 @@ class JudgeBar(QWidget):
             **{f"sure {percent}": partial(judging.say_sure, percent) for percent in range(10, 101, 10)},
         }
 
-    def stop(self) -> None:
-        """Do nothing more in the background."""
-        self._limit.close()
-
     def offer_next(self, actions: Sequence[QAction]) -> None:
         """What more can be done once the last window is judged."""
         for action in actions:
@@ -203,28 +180,9 @@ class JudgeBar(QWidget):
             button.setVisible(False)
             self._steps.append(button)
 
-    def set_large(self, is_large: bool, is_high: bool = False) -> None:
-        """Whether the dock is the bar's alone: the buttons that judge are large then, and all of a sentence is told."""
-        self._is_large = is_large
-        buttons = (self._visible, self._invisible, self._unsure, self._next)
-        for place, button in enumerate(buttons):
-            self._judging_row.removeWidget(button)
-            self._judging_row.addWidget(button, *divmod(place, 2 if is_large else len(buttons)))
-            button.setMinimumHeight(round(_LARGE * self.fontMetrics().height()) if is_large else 0)
-        for column in range(len(buttons) + 1):
-            self._judging_row.setColumnStretch(column, int(column < 2 if is_large else column == len(buttons)))
-        self.set_high(is_high)
-        self._shown = ()
-        self.refresh()
-
     def set_high(self, is_high: bool) -> None:
         """Whether there is room for most of a long sentence."""
-        self._is_high = is_high
-        self._fit_sentence()
-
-    def _fit_sentence(self, is_over: bool = False) -> None:
-        lines = _HIGH_LINES if self._is_high else _LINES
-        self._sentence.set_lines(*(_ALL_LINES if self._is_large or is_over else lines))
+        self._sentence.set_lines(*(_HIGH_LINES if is_high else _LINES))
 
     def sentence(self) -> str:
         """What is said about the selected windows."""
@@ -261,16 +219,11 @@ class JudgeBar(QWidget):
             return
         self._shown, self._shown_result = state, result
         self._say(selected, progress, is_pending, result)
-        self._progress_now = progress
-        self._progress.setToolTip(rich_tip(progress.tip()))
-        self._arrange()
+        words = progress.words()
+        if (sure := self._judging.just_sure) is not None:  # a digit that did not go to the selected window
+            words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
+        self._progress.setText(words, rich_tip(progress.tip()))
         self._arranger.start()
-
-    def _just_sure(self) -> str:
-        """Whose a digit was that did not go to the selected window."""
-        if self._judging.just_sure is None:
-            return ""
-        return _sure_words(*self._judging.just_sure)
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""
@@ -312,14 +265,10 @@ class JudgeBar(QWidget):
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
         is_over = progress.is_done and not selected
-        self._fit_sentence(is_over)
         for button in self._steps:
-            is_other = button.defaultAction() is (self.operators.agreement if self._judging.is_first else self._second)
-            button.setVisible(is_over and not is_other)
+            button.setVisible(is_over and (self._judging.is_first or button.defaultAction() is not self._second))
         for number, button in enumerate(button for button in self._steps if not button.isHidden()):
             self._next_steps.addWidget(button, *divmod(number, 2))
-        for judging_button in (self._visible, self._invisible, self._unsure, self._next):
-            judging_button.setVisible(not (is_over and self._is_large))  # they make room for what comes next
         self._chip.setVisible(shows_chip)
         self._why.setVisible(bool(tip))
         self._sentence.setText(sentence, tip)
@@ -333,17 +282,8 @@ class JudgeBar(QWidget):
     def _summary(self) -> str:
         """What all verdicts come to."""
         windows, operator = self._session.windows(), self._judging.operator
-        said = [counts_words(windows, operator)]
-        if not self._judging.is_blind:
-            self._limit.ask(windows, operator)
-            said.append(tool_words(windows, operator))
-            if self._limit.calibration is not None:
-                said.append(limit_words(self._limit.calibration, self._session.inputs.min_kept))
-        return " ".join(filter(None, said))
-
-    def _tell_limit(self) -> None:
-        self._shown = ()
-        self.refresh()
+        tool = "" if self._judging.is_blind else tool_words(windows, operator)
+        return f"{counts_words(windows, operator)} {tool}".rstrip()
 
     # Widgets
 
@@ -358,52 +298,28 @@ class JudgeBar(QWidget):
             self._arrange()
 
     def minimumSizeHint(self) -> QSize:
-        """Size as narrow as the buttons that judge; the others go below them then."""
+        """Size as narrow as the buttons that judge, whatever is judged; the others go below them then."""
         margins = self.contentsMargins()
-        moving = self._moving.minimumSize().width() - self._progress.minimumWidth() + self._least_room()
-        if self._position.isVisibleTo(self):  # it may give way
-            moving -= self._position.minimumWidth() + self._moving.spacing()
-        width = max(self._judging_row.minimumSize().width(), moving)
+        width = max(part.minimumSize().width() for part in (self._judging_row, self._moving))
         return QSize(width + margins.left() + margins.right(), super().minimumSizeHint().height())
 
     def _arrange(self) -> None:
-        """The sentence beside the buttons where there is room, else above; the arrows below where there is little.
-
-        The progress is told in all its words where there is room, if need be in the place of the position, and else in
-        few: the dock must not grow by what is judged, or the map jumps.
-        """
-        self._tell_progress(self._just_sure() or self._progress_now.words())
-        self._position.show()
-        self._moving.invalidate()  # a layout within another hears late of its widgets' new sizes
-        self._position.setVisible(self.width() >= self._moving.minimumSize().width())
-        self._moving.invalidate()
-        if self.width() < self._moving.minimumSize().width():
-            self._tell_progress(self._just_sure() or self._progress_now.brief())
-            self._moving.invalidate()
+        """The sentence beside the buttons where there is room, else above; the arrows below where there is little."""
         row = self._judging_row.sizeHint().width() + self._moving.sizeHint().width() + self._buttons.spacing()
         sentence = _SENTENCE_CHARACTERS * self.fontMetrics().averageCharWidth()
         beside, below = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
-        has_room = not self._is_large or self.width() >= 2 * row  # large buttons have the width
-        self._rows.setDirection(beside if has_room and self.width() >= row + sentence else below)
-        self._buttons.setDirection(beside if has_room and self.width() >= row else below)
-
-    def _tell_progress(self, words: str) -> None:
-        self._progress.setText(words)
-        self._progress.setMinimumWidth(self._room_for(words))
-
-    def _room_for(self, words: str) -> int:
-        return self._progress.fontMetrics().horizontalAdvance(words + "n")
-
-    def _least_room(self) -> int:
-        """Least room for the words, equal whatever is judged."""
-        return max(map(self._room_for, (_sure_words(999, 100), replace(self._progress_now, left=9999).brief())))
+        self._rows.setDirection(beside if self.width() >= row + sentence else below)
+        self._buttons.setDirection(beside if self.width() >= row else below)
 
     def _lay_out(self) -> None:
         words = QHBoxLayout()
         words.addWidget(self._chip)
         words.addWidget(self._sentence, 1)
         words.addWidget(self._why)
-        self._judging_row, self._moving, self._next_steps = QGridLayout(), QHBoxLayout(), QGridLayout()
+        self._judging_row, self._moving, self._next_steps = QHBoxLayout(), QHBoxLayout(), QGridLayout()
+        for button in (self._visible, self._invisible, self._unsure, self._next):
+            self._judging_row.addWidget(button)
+        self._judging_row.addStretch()
         self._moving.addWidget(self._progress, 1)
         for widget in (*self.notes.buttons, self.operators, self._back, self._position, self._forth):
             self._moving.addWidget(widget)
@@ -449,7 +365,3 @@ class JudgeBar(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda *_: slot())
         return button
-
-
-def _sure_words(number: int, sure: int) -> str:
-    return filled(tr("Window {number}: {percent} % sure"), number=number, percent=sure)

@@ -72,18 +72,14 @@ class JudgingProgress:
         return self.left == 0 < self.judged + self.unsure
 
     def words(self) -> str:
-        """``38 of 59 judged, 21 to go``; where nothing is judged or to judge, as before an inspection, just that."""
+        """``21 to go: 38 of 59 judged``; where nothing is judged or to judge, as before an inspection, just that."""
         if self.count and not self.judged + self.unsure + self.left:
             return tr("nothing to judge yet")
-        text = tr("{judged} of {count} judged, {left} to go")
+        text = tr("{left} to go: {judged} of {count} judged")
         if self.unsure:
-            text = tr("{judged} of {count} judged, {unsure} not sure, {left} to go")
+            text = tr("{left} to go: {judged} of {count} judged, {unsure} not sure")
         count = self.judged + self.unsure + self.left  # so that it adds up
         return filled(text, judged=self.judged, count=count, unsure=self.unsure, left=self.left) if self.count else ""
-
-    def brief(self) -> str:
-        """``21 to go``."""
-        return filled(tr("{left} to go"), left=self.left) if self.count else ""
 
     def tip(self) -> str:
         """What the other windows are."""
@@ -209,13 +205,6 @@ class Judging(QObject):
     def is_first(self) -> bool:
         """Whether it is the first of both operators."""
         return self.operator == OPERATORS[0]
-
-    @property
-    def is_done_by_both(self) -> bool:
-        """Whether neither operator has a window left."""
-        if not self.progress().is_done:
-            return False
-        return not any(_kind(row, one) == _LEFT for row in self._session.windows() for one in OPERATORS)
 
     def begin_second(self, *_: object) -> None:
         """The second operator's turn, who is told nothing, from the first window on."""

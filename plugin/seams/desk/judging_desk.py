@@ -1,7 +1,7 @@
 """Puts judging together: the model, its bar and keys, the table that follows it, and what is hidden while blind."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -19,19 +19,18 @@ from qgis.core import (
 )
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject
-from qgis.PyQt.QtWidgets import QMessageBox, QWidget
+from qgis.PyQt.QtWidgets import QWidget
 
-from ...imagery.statistics import Agreement, Operator, agreement
+from ...imagery.statistics import Operator
 from ...toolkit.desk.widgets import is_confirmed
 from ...toolkit.layer_styles import label_settings
-from ...toolkit.translation import filled, percent, shown_number, tr
+from ...toolkit.translation import tr
 from .judge_bar import JudgeBar
 from .judging import Judging
 from .mosaic_scans import worst_layer
 from .windows.windows_panel import WindowsPanel
 
 if TYPE_CHECKING:
-    from ..measure.window_records import WindowRecord
     from .session import Session
 
 _NUMBER = "window_id"  # the one column that tells nothing
@@ -46,12 +45,10 @@ class JudgingDesk(QObject):
         super().__init__(dock)
         self._session = session
         self._windows = windows
-        self._dock = dock
         self._hidden: QgsVectorLayer | None = None  # the layer whose verdicts are hidden
         self.model = Judging(session, windows.ordered_fids, partial(is_confirmed, dock), self, is_in_view)
         self.bar = JudgeBar(session, self.model)
         self.model.changed.connect(self._follow)
-        self.bar.agreementAsked.connect(self.show_agreement)
         windows.orderChanged.connect(self.bar.refresh)
         windows.orderChosen.connect(self._choose_order)
         windows.filterChosen.connect(self._keep_filter)
@@ -64,18 +61,11 @@ class JudgingDesk(QObject):
         """Leave nothing behind."""
         self._show_on_map()
         self.model.close()
-        self.bar.stop()
         self.bar.close()
 
     def key_actions(self) -> dict[str, Callable[[], bool]]:
         """What the keys that judge do, by their names."""
         return {**self.bar.key_actions(), "seamlines": partial(toggle_seamlines, self._session)}
-
-    def show_agreement(self) -> None:
-        """How well both operators agree, and where they do not when that is wanted."""
-        if ask_for_disagreements(agreement_of(self._session.windows()), self._dock):
-            self.model.change(order="operators", is_blind=False)
-            self._windows.set_filter("", "operators_differ")
 
     def _follow(self) -> None:
         """The operator, the order or what is hidden changed."""
@@ -191,58 +181,6 @@ def _labels() -> QgsVectorLayerSimpleLabeling:
         properties.setProperty(telling, QgsProperty())
     settings.setDataDefinedProperties(properties)
     return QgsVectorLayerSimpleLabeling(settings)
-
-
-_BANDS = ((0.2, "slight"), (0.4, "fair"), (0.6, "moderate"), (0.8, "substantial"))
-"""Landis and Koch 1977 (Biometrics 33, 159-174): up to each kappa."""
-
-
-def agreement_of(windows: Iterable[WindowRecord]) -> Agreement:
-    """Agreement of both operators."""
-    return agreement([(row.observer, row.observer_2) for row in windows])
-
-
-def agreement_sentences(found: Agreement) -> list[str]:
-    """How often they agreed, and how much of that is not chance."""
-    if not found.count:
-        return [tr("No window was judged by both operators yet; 'not sure' does not count.")]
-    share = percent(found.agreed / found.count)
-    said = [
-        filled(tr("Both judged {count} windows and agreed on {agreed} ({percent} %)."),
-            count=found.count, agreed=found.agreed, percent=share
-        ),
-        filled(tr("Only the first saw a loss: {first}. Only the second: {second}."),
-            first=found.first_alone, second=found.second_alone
-        ),
-    ]
-    if found.kappa is None:
-        return [*said, tr("One of them gave one verdict only, so agreement can't be distinguished from chance.")]
-    kappa = tr("Cohen's kappa: {value} (95 % interval {low} to {high}), {word}.")
-    values = (shown_number(value) for value in (found.kappa.value, found.kappa.low, found.kappa.high))
-    value, low, high = values
-    return [*said, filled(kappa, value=value, low=low, high=high, word=_strength(found.kappa.value))]
-
-
-def _strength(kappa: float) -> str:
-    words = {
-        "slight": tr("slight agreement"), "fair": tr("fair agreement"), "moderate": tr("moderate agreement"),
-        "substantial": tr("substantial agreement"),
-    }  # fmt: skip
-    if kappa <= 0:
-        return tr("no more than chance")
-    return next((words[word] for most, word in _BANDS if kappa <= most), tr("almost perfect agreement"))
-
-
-def ask_for_disagreements(found: Agreement, parent: QWidget) -> bool:
-    """Tell the agreement; whether the operator wants to see the windows where they disagree."""
-    box = QMessageBox(QMessageBox.Icon.Information, tr("Agreement of both operators"), "", parent=parent)
-    box.setText("\n\n".join(agreement_sentences(found)))
-    show = None
-    if found.count > found.agreed:
-        show = box.addButton(tr("Show where they differ"), QMessageBox.ButtonRole.ActionRole)
-    box.addButton(QMessageBox.StandardButton.Close)
-    box.exec()
-    return show is not None and box.clickedButton() is show
 
 
 def toggle_seamlines(session: Session) -> bool:

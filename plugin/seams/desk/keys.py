@@ -8,7 +8,7 @@ from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 
 _SURE = {f"sure {10 * digit or 100}": (str(digit),) for digit in range(10)}
 MAP, MAP_AND_TABLE, DESK = "map", "map, table", "map, desk"
-JUDGING, SWIPING = "while judging: map, desk", "while swiping: map, desk"
+JUDGING = "while judging: map, desk"
 """Where the focus is for keys to work, and what is on: the words of the guide, by which ``DeskKeys`` goes."""
 
 
@@ -34,16 +34,13 @@ KEYS = (
     KeyLine("S", JUDGING, "takes seamlines and a scan's layers off the map, and puts them back",
             {"seamlines": ("S",)}),
     KeyLine("L", JUDGING, "shows or hides where detail was lost", {"lost detail": ("L",)}),
-    KeyLine("J", DESK, "judging: the map and what judging takes alone; again: all of the desk",
+    KeyLine("J", DESK, "judging: QGIS's panels and what lies over the mosaic go; again: all as before",
             {"layout": ("J",)}),
     KeyLine("Space", MAP_AND_TABLE, "held: the hard cut in place of the mosaic; tapped: until the next tap",
             {"flicker": ("Space",)}),
     KeyLine("Tab", MAP, "the next of the window's places that lost most", {"next place": ("Tab",)}, True),
     KeyLine("Ctrl+Z; Ctrl+Shift+Z, Ctrl+Y", "everywhere", "undo; redo",
             {"undo": ("Ctrl+Z",), "redo": ("Ctrl+Shift+Z", "Ctrl+Y")}, True),
-    KeyLine("Space", "images, mouse over a picture", "held: the composite or the chosen source in place of the mosaic"),
-    KeyLine("+, -, arrows", "images", "zoom, move"),
-    KeyLine("X, Esc", SWIPING, "exchanges the sides; ends it", {"exchange": ("X",), "end": ("Escape",)}),
     KeyLine("Shift, Ctrl", "map, while drawing",
             "a square, or one more window selected; a new window here, whatever is there"),
     KeyLine("Esc, right click", "map, while drawing", "drops the rectangle; ends drawing"),

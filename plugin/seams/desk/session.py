@@ -28,7 +28,6 @@ from ..measure.window.window_result import WindowCurves, WindowResult
 from ..tables import window_layer
 from ..tables.window_layer import boxed_windows, style_if_plain
 from . import messages
-from .images.window_pictures import WindowPictures
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, LayerPlaces, load_inputs, save_inputs
 from .keeping import Keeping
@@ -67,7 +66,6 @@ class Session(QObject):
     curvesArrived = pyqtSignal(int)
     resultArrived = pyqtSignal(int)
     liveChanged = pyqtSignal()
-    picturesArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
     messageRaised = pyqtSignal(str, int)
     mosaicDoubted = pyqtSignal(object)
@@ -91,7 +89,6 @@ class Session(QObject):
         self._mosaics = WindowsMosaic(block, watch, self._keeping, self)
         self._results = WindowResults(block, watch, self._background, self._keeping, self, self._live.measure)
         self._new = NewWindows(project, block, watch, self._background, self)
-        self._pictures = WindowPictures(block, watch, self._background, self)
         self._places = LayerPlaces(project)
         self._layers = InputsWatch(project, self)
         self._searcher = single_shot(self, self._find_left)  # the project is still being read when it tells so
@@ -118,7 +115,6 @@ class Session(QObject):
         self.selected, self.select = self._watch.selected, self._watch.select
         self.add_window = self._new.draw
         self.source_uses = self._results.source_uses
-        self.pictures, self.composite = self._pictures.pictures, self._pictures.composite
 
     def _connect_parts(self) -> None:
         for signal, slot in (
@@ -131,7 +127,6 @@ class Session(QObject):
             (self._results.curvesArrived, self.curvesArrived),
             (self._results.arrived, self.resultArrived),
             (self._results.progressChanged, self.progressChanged),
-            (self._pictures.arrived, self.picturesArrived),
             (self._block.opened, self._follow_block),
             (self._layers.layersChanged, self._files_changed),
             (self._layers.indexEdited, self._files_changed),
@@ -434,5 +429,4 @@ class Session(QObject):
         self._new.abandon()
         self._background.abandon()
         self._watch.watch(None)
-        self._pictures.forget()
         self._results.forget()

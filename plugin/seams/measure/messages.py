@@ -141,10 +141,6 @@ PROFILES_WITHOUT_FIELD = Message(
 CURVES_WITHOUT_FIELD = Message(
     "The table of curves has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
 )
-PAIRS_WITHOUT_CONTRAST = Message(
-    "The table of pairs has no field 'contrast_1', so the absolute contrast is not judged; inspect the windows anew to "
-    "have it.", WARNING
-)
 TABLE_NOT_SAVED = Message("The table can't be saved as {path}: {error}.")
 FILTER_NOT_UNDERSTOOD = Message("The filter is not understood: {error}. Example: kept < 0.7 and cause = 'feathering'.")
 FILTER_DECIMALS = Message("Write decimals in the filter with a point: kept < 0.7.")
@@ -160,6 +156,10 @@ FIELD_NOT_HELD = Message(
 # the threshold that an observer's verdicts support
 VERDICTS_UNKNOWN = Message(
     "Left out because the observer's word is neither 'visible' nor 'invisible': {count} windows.", WARNING
+)
+OPERATORS_AGREE = Message(
+    "Both operators judged {count} windows and agreed on {agreed}. Cohen's kappa {kappa:.2f}, 95 % interval {low:.2f} "
+    "to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.", INFO
 )
 VALUES_IMPOSSIBLE = Message(
     "{field} of {count} windows is a number that no measurement gives; it is left out.", WARNING

@@ -13,6 +13,7 @@ from . import messages
 from .causes import MIN_MIXED
 from .limits import MAX_SIGNIFICANT_KEPT
 from .profile.seam_profile import SeamProfile
+from .window_records import MAY_BE_SIGNIFICANT, OF_THE_REST
 
 MIN_EXPLAINED = 0.9  # of the pixels: else a seam may lie where no given source explains the mosaic
 MAY_HIDE_SEAM = 0.98  # the same of a window whose sources meet nowhere that is explained
@@ -42,6 +43,11 @@ class Ratios:
     """Ratio of the coarse components at level R."""
 
 
+_CODES = {
+    messages.MAY_BE_SIGNIFICANT.template: MAY_BE_SIGNIFICANT, messages.VERDICT_OF_THE_REST.template: OF_THE_REST,
+}  # fmt: skip
+
+
 @dataclass(frozen=True)
 class Judgement:
     """The verdict of one window against all of its sources."""
@@ -51,7 +57,14 @@ class Judgement:
     ratios: Ratios
     """The largest over the sources, level by level, so that a flag means "against every source"."""
     reason: Message | None = None
-    """Why the window can't be compared."""
+    """Why the window can't be compared, or what its verdict lacks."""
+
+    @property
+    def reason_code(self) -> str:
+        """The reason, or the one within it, as logic reads it: one of ``_CODES``; empty for others, and for none."""
+        within = () if self.reason is None else (self.reason, *self.reason.values.values())
+        templates = (one.template for one in within if isinstance(one, Message))
+        return next((_CODES[template] for template in templates if template in _CODES), "")
 
 
 def check_max_ratio(max_ratio: float) -> None:

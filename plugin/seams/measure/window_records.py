@@ -1,7 +1,6 @@
 """Windows and what was found in them, as a window layer and the tables of an inspection hold it.
 
-Plain data to count, to draw and to report. Tables of earlier versions lack some of it; what is not there is None or
-empty.
+Plain data to count, to draw and to report. Tables of others lack some of it; what is not there is None or empty.
 """
 from __future__ import annotations
 
@@ -17,6 +16,8 @@ COMPOSITE = "composite"
 SEAM, SOURCES = "seam", "sources"
 REFERENCES = (SEAM, COMPOSITE, SOURCES)
 """What a verdict can be taken by: the seam profile, the hard-cut composite, or whole sources as in the paper."""
+MAY_BE_SIGNIFICANT, OF_THE_REST = "may be significant", "of the rest"
+"""Reasons that what is said of a window goes by, as ``reason_code`` has them."""
 _NOT_COMPARED = ("", "not_comparable")  # words of Verdict, which is not loaded when QGIS starts
 
 
@@ -57,7 +58,7 @@ class WindowRecord(NumberedWindow):
     causes: str = ""
     """Words of all that were found, what took most first, joined by ``; ``."""
     reference: str = ""
-    """What the verdict was taken by, one of ``REFERENCES``; empty in tables of earlier versions."""
+    """What the verdict was taken by, one of ``REFERENCES``."""
     paper_verdict: str = ""
     """Verdict by the paper's rule."""
     loss: float | None = None
@@ -83,6 +84,8 @@ class WindowRecord(NumberedWindow):
     """added_1: share of the mosaic's finest detail that its sources don't have."""
     explained: float | None = None
     """Share of the pixels whose fine detail the given sources explain."""
+    reason_code: str = ""
+    """The reason as logic reads it, in whatever language it is told; empty for others."""
     fid: int = 0
     """Feature id; changes when a new feature is saved."""
     stale: bool = False

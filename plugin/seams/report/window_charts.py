@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from markupsafe import Markup
 from qgis.PyQt.QtCore import QRectF
 
+from ...toolkit.charts.chart_painter import chart_svg, paper_font
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.translation import filled, tr
 from ..charts.chart_curves import Chart, ChartCurve, numbered
-from ..charts.chart_painter import chart_svg, paper_font
 from ..charts.curves_painter import CurvesPainter, curve_look
 from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour
 from ..measure.profile.cell_table import EDGES_PX

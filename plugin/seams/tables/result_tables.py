@@ -14,7 +14,6 @@ from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit.layer_styles import give_titles
 from ...toolkit.table_fields import (
     LARGEST_WHOLE,
-    column_features,
     column_fields,
     column_values,
     feature,
@@ -26,7 +25,7 @@ from ...toolkit.version_differences import field
 from ..measure.loss_forecast import Forecast, ForecastPair
 from ..measure.threshold_calibration import STANDARD_LIMITS, Step, ThresholdCalibration, step_at
 from ..measure.window.window_result import WindowResult
-from ..measure.window.window_tables import CURVE_COLUMNS, MEASURED, WINDOW_FIELDS, curves_of
+from ..measure.window.window_tables import MEASURED, WINDOW_FIELDS
 from ..measure.window_placing import PlacedWindow
 
 give_titles({one.name: one.title for one in WINDOW_FIELDS if one.title})
@@ -82,11 +81,6 @@ def window_feature(result: WindowResult, geometry: QgsGeometry | None, said: Map
     for name, value in said.items():
         row[name] = whole_number(value, LARGEST_WHOLE) if JUDGING_FIELDS[name] == "integer" else value
     return row
-
-
-def curve_features(result: WindowResult) -> Iterator[QgsFeature]:
-    """The rows of CURVES for a result."""
-    return column_features(CURVE_COLUMNS, curves_of(result))
 
 
 SUMMARY, STANDARD, STEP = "summary", "standard", "step"

@@ -1,12 +1,7 @@
 """Colours and lines of all charts, on paper and in dark themes."""
 from __future__ import annotations
 
-import importlib
-from contextlib import suppress
 from dataclasses import dataclass
-from threading import Thread
-
-from ..translation import tr
 
 BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
 """Colours of bands that are drawn together."""
@@ -55,23 +50,3 @@ def source_look(number: int, style: ChartStyle) -> tuple[str, str]:
     """Colour and line style of a source."""
     count = len(style.sources)
     return style.sources[number % count], _LINE_STYLES[number // count % len(_LINE_STYLES)]
-
-
-class ChartLoader(Thread):
-    """Loads none of our own modules: one that comes when the plugin is disabled already would stay."""
-
-    def __init__(self) -> None:
-        super().__init__(name="seam-inspector-chart-loader", daemon=True)
-
-    def run(self) -> None:
-        with suppress(ImportError):  # the panel says so when it needs it
-            for name in ("figure", "font_manager", "backends.backend_agg"):
-                importlib.import_module(f"matplotlib.{name}")
-
-
-def chart_missing() -> str:
-    """What to do where matplotlib can't be loaded."""
-    return tr(
-        "The chart needs the Python package matplotlib: install python3-matplotlib with apt on Debian and "
-        "Ubuntu, or run 'python -m pip install matplotlib' in the OSGeo4W shell on Windows."
-    )

@@ -12,6 +12,14 @@ def round_below(value: float) -> float:
     return max(digit * decade for digit in (1, 2, 5) if digit * decade <= value * (1 + _BARELY))
 
 
+def even_ticks(low: float, high: float, most: float) -> list[float]:
+    """Ticks of a linear axis: round numbers in even steps, about as many as ``most``."""
+    least = (high - low) / most
+    decade = 10.0 ** math.floor(math.log10(least))
+    step = next(digit * decade for digit in (1, 2, 5, 10) if digit * decade >= least * (1 - _BARELY))
+    return [step * number for number in range(math.ceil(low / step), math.floor(high / step) + 1)]
+
+
 def decade_ticks(low: float, high: float, most: float) -> list[float]:
     """Ticks of a logarithmic axis: 1, 2, 5, 10, or fewer, until there are no more than ``most``."""
     first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))

@@ -5,7 +5,6 @@ from qgis.PyQt.QtCore import QEvent, Qt
 from qgis.PyQt.QtGui import QPalette, QShowEvent
 from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
 
-from ..charts.chart_style import ChartLoader
 from .widgets import single_shot
 
 _RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange)
@@ -53,12 +52,3 @@ class ChartPanel(QWidget):
     def _refresh(self) -> None:
         """Show what is selected now; nothing while the panel is out of sight."""
         raise NotImplementedError
-
-
-class MatplotlibPanel(ChartPanel):
-    """Its chart is matplotlib's, which is loaded in the background."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._loader = ChartLoader()
-        self._loader.start()

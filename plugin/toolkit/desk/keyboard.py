@@ -6,7 +6,7 @@ import time
 from functools import partial
 
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QEvent, QObject, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QObject, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit, QPlainTextEdit, QTextEdit, QWidget
 
@@ -119,80 +119,3 @@ class HeldKeys(QObject):
         if state != Qt.ApplicationState.ApplicationActive:  # the keys' release goes to somebody else
             for key in list(self._pressed):
                 self._let_go(key)
-
-
-_KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
-
-
-class SpaceKey(QObject):
-    """Which view Space is held over.
-
-    Taking the focus instead would keep the arrow keys from the table of windows while the mouse rests on a view.
-    The keyboard is listened to only while the mouse is over a view, a view has the focus by Tab, or
-    Space is still held.
-    """
-
-    changed = pyqtSignal()
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._hovered: QWidget | None = None
-        self._focused: QWidget | None = None
-        self._is_held = False
-        self._is_watching = False
-        self._keyboard = FocusFilter(self)
-        self._keys = HeldKeys(self)
-        self._keys.released.connect(lambda *_: self._hold(False))
-
-    @property
-    def view(self) -> QWidget | None:
-        """The view under the mouse, else the one with the focus, while Space is held."""
-        return (self._hovered or self._focused) if self._is_held else None
-
-    def set_hovered(self, view: QWidget, is_hovered: bool) -> None:
-        """The mouse came to a view or left it; coming to the next one may be told first."""
-        if is_hovered or self._hovered is view:
-            self._hovered = view if is_hovered else None
-            self._update()
-
-    def set_focused(self, view: QWidget, is_focused: bool) -> None:
-        """The keyboard's focus came to a view or left it."""
-        if is_focused or self._focused is view:
-            self._focused = view if is_focused else None
-            self._update()
-
-    def release(self) -> None:
-        """Forget the key and the views: they go out of sight."""
-        self._hovered = self._focused = None
-        self._is_held = False
-        self._keys.close()
-        self._update()
-
-    def _update(self) -> None:
-        watching = self._is_held or self._hovered is not None or self._focused is not None
-        if watching != self._is_watching:
-            self._is_watching = watching
-            self._keyboard.listen(watching)
-        self.changed.emit()
-
-    def _hold(self, is_held: bool) -> None:
-        if is_held != self._is_held:
-            self._is_held = is_held
-            self._update()
-
-    def eventFilter(self, _receiver: QObject, event: QEvent) -> bool:
-        kind = event.type()
-        if kind not in _KEYS or event.key() != Qt.Key.Key_Space:
-            return False
-        if not self._is_held:
-            plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
-            if kind == QEvent.Type.KeyRelease or not plain or not is_keyboard_free():
-                return False
-        if kind == QEvent.Type.ShortcutOverride:
-            event.accept()  # so that it comes as a key press and not as somebody's shortcut
-        elif kind == QEvent.Type.KeyPress:
-            self._keys.press(event)
-            self._hold(True)
-        else:
-            self._keys.release(event)
-        return True

@@ -88,9 +88,10 @@ def show_images(desk: Desk, path: Path) -> None:
     desk.show_tab(1)
     desk.dock.zoom_to(fid)
     desk.rest_mouse()
-    desk.wait(lambda: desk.session.pictures(fid) is not None, 30, "pictures")
+    panel = desk.dock.images
+    desk.wait(lambda: panel.compared.layer is not None, 30, "hard cut")
     desk.wait_for_map()
-    desk.report["pictures"] = [picture.raster for picture in desk.session.pictures(fid)]
+    desk.report["pictures"] = [panel.choice.itemText(place) for place in range(panel.choice.count())]
     desk.report["map_units_per_pixel"] = desk.canvas.mapUnitsPerPixel()
     desk.screenshot(path)
 

@@ -36,16 +36,16 @@ def play(desk: Desk) -> None:
     hold_space(desk, "map")
     desk.report["judged_by_v"] = judge_by_a_held_key(desk)
     xdotool("key", "space")
-    desk.wait(lambda: dock.flicker.swipe.is_shown and not dock.flicker.swipe.is_drawing, 30, "hard cut drawn")
+    desk.wait(lambda: dock.flicker.is_shown and dock.flicker.hard_cut.layer, 30, "hard cut drawn")
     desk.screenshot(shots / "held_keys_hard_cut.png")
     xdotool("key", "j")
     desk.wait(lambda: not dock.layout_of_judging.is_on, 5, "all of the desk again")
-    desk.report["after_judging"] = dock.flicker.swipe.is_shown
+    desk.report["after_judging"] = dock.flicker.is_shown
     take_focus(desk, desk.canvas)
     xdotool("key", "space")
-    desk.wait(lambda: dock.flicker.swipe.is_shown, 5, "hard cut shown")
+    desk.wait(lambda: dock.flicker.is_shown, 5, "hard cut shown")
     desk.new_project()
-    desk.report["in_new_project"] = dock.flicker.swipe.is_on
+    desk.report["in_new_project"] = dock.flicker.is_shown
     desk.screenshot(shots / "held_keys_new.png")
 
 
@@ -69,24 +69,18 @@ def type_elsewhere(desk: Desk) -> None:
 
 def hold_space(desk: Desk, where: str) -> None:
     """How often it was shown and hidden in each hold."""
-    swipe, show = desk.dock.flicker.swipe, desk.dock.flicker.swipe.show
-    seen: list[bool] = []
-
-    def spy(is_shown: bool) -> None:
-        seen.append(is_shown)
-        show(is_shown)
-
-    swipe.show = spy
+    flicker, seen = desk.dock.flicker, []
+    flicker.shown.connect(seen.append)
     holds = []
     for _ in range(desk.parameters["holds"]):
         xdotool("keydown", "space")
         desk.pause(HELD_S)
-        held = [*seen, swipe.is_shown]
+        held = [*seen, flicker.is_shown]
         xdotool("keyup", "space")
-        desk.wait(lambda: not swipe.is_shown, 10, "mosaic again")
+        desk.wait(lambda: not flicker.is_shown, 10, "mosaic again")
         holds.append([*held, *seen[len(held) - 1:]])
         seen.clear()
-    del swipe.show
+    flicker.shown.disconnect(seen.append)
     desk.report[f"holds_{where}"] = holds
 
 

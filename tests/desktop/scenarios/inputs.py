@@ -37,7 +37,7 @@ def sources_of(desk: Desk) -> list[str]:
 
 
 def unsuitable(desk: Desk, brighton: Path, relatives: Path, shots: Path) -> None:
-    """Copies and overviews do not become sources, and say why; other mosaics and maps have a remark."""
+    """Copies, overviews, other mosaics and maps do not become sources, and say why."""
     desk.load_rasters([*sorted(brighton.glob("*.tif")), *sorted(relatives.iterdir())])
     roads = QgsVectorLayer("LineString?crs=EPSG:32615&field=kind:string", "roads", "memory")
     desk.project.addMapLayers([roads])
@@ -51,30 +51,16 @@ def unsuitable(desk: Desk, brighton: Path, relatives: Path, shots: Path) -> None
     desk.screenshot(shots / "inputs_unset.png")
     (mosaic,) = desk.project.mapLayersByName(MOSAIC)
     inputs.mosaic.setLayer(mosaic)
-    start = time.perf_counter()
-    with Gaps() as gaps:
-        inputs.mosaic.activated.emit(inputs.mosaic.currentIndex())
-        desk.report["by_header"] = sources_of(desk)
-        desk.wait(lambda: not inputs.suggesting.sources.is_looking, 120, "rasters looked at")
-        desk.pause(0.5)
-    desk.report["look_s"], desk.report["look_gap_ms"] = time.perf_counter() - start, 1000 * gaps.longest_s
+    inputs.mosaic.activated.emit(inputs.mosaic.currentIndex())
+    desk.pause(0.5)
     desk.report["sources"] = sources_of(desk)
     inputs.box.setCollapsed(False)
     desk.show_all(mosaic.extent())
     shown = inputs.sources.list
     shown.scrollToBottom()
     items = [shown.item(row) for row in range(shown.count())]
-    desk.report["questioned"] = remarks(desk)
     desk.report["reasons"] = [item.text() for item in items if item.checkState() == Qt.CheckState.Unchecked]
     desk.screenshot(shots / "inputs_reasons.png")
-
-
-def remarks(desk: Desk) -> dict[str, str]:
-    """What is said of rasters that are sources all the same, by their names."""
-    shown = desk.dock.inputs.sources.list
-    items = [shown.item(row) for row in range(shown.count())]
-    texts = [item.text() for item in items if item.checkState() == Qt.CheckState.Checked]
-    return {name: remark for name, mark, remark in (text.partition(" \u2013 ") for text in texts) if mark}
 
 
 def suitable(desk: Desk, brighton: Path, shots: Path) -> None:
@@ -87,8 +73,6 @@ def suitable(desk: Desk, brighton: Path, shots: Path) -> None:
         desk.project.mapLayer(session.inputs.mosaic).name(), len(sources_of(desk)),
         desk.project.mapLayer(session.inputs.seamlines).name(), session.inputs.side_m,
     ]
-    desk.wait(lambda: not desk.dock.inputs.suggesting.sources.is_looking, 120, "rasters looked at")
-    desk.report["suggested_after_look"] = len(sources_of(desk))
     desk.dock.inputs.box.setCollapsed(False)
     desk.dock.inputs.side.setValue(7.6)
     desk.show_all(layers[-1].extent())
@@ -133,7 +117,6 @@ def questioned(desk: Desk, brighton: Path, stranger: Path, shots: Path) -> None:
     desk.load_seamlines(brighton / "seamlines.gpkg")
     desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic suggested and opened")
     inputs = desk.dock.inputs
-    desk.wait(lambda: not inputs.suggesting.sources.is_looking, 120, "rasters looked at")
     desk.report["with_stranger"] = sources_of(desk)
     inputs.side.setValue(7.6)
     inputs.more.boxes["spacing_m"].setValue(6)

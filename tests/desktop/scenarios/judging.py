@@ -144,16 +144,12 @@ def judge_blind(desk: Desk, shots: Path) -> None:
 
 
 def compare(desk: Desk, shots: Path) -> None:
-    """How well both agree, and where they do not."""
+    """Where both differ."""
     session = desk.session
     for row in session.windows():  # the first one judges the same, but for a few
         if row.observer_2:
             other = "invisible" if row.window_id % 6 == 0 else row.observer_2
             session.judge([row.fid], other)
-    desk.pause(0.3)
-    from seam_inspector.plugin.seams.desk.judging_desk import agreement_of, agreement_sentences
-
-    desk.report["agreement"] = agreement_sentences(agreement_of(session.windows()))
     desk.dock.windows.set_filter("", "operators_differ")
     desk.pause(0.7)
     desk.report["disagreements"] = len(desk.dock.windows.ordered_fids())

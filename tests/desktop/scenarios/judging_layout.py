@@ -1,4 +1,4 @@
-"""A new operator judges all windows of a block by keys, with nothing on the screen but what judging takes.
+"""A new operator judges all windows of a block by keys, the map with the room of QGIS's panels.
 
 Parameters: ``block``, ``screenshots`` (folders), ``side_m``, ``name`` (of the pictures).
 """
@@ -57,19 +57,8 @@ def begin(desk: Desk) -> None:
     desk.report["share"] = canvas.width() * canvas.height() / (window.width() * window.height())
     desk.report["focus"] = QApplication.focusWidget() is canvas
     desk.report["on_map"] = looks(desk)["shown"]
-    ticks = desk.dock.layout_of_judging.ticks
-    desk.report["ticks"] = len(ticks.ticks())
-    canvas.setRotation(40)
-    to_screen = canvas.getCoordinateTransform()
-    desk.report["ticks_rotated"] = [
-        [round(place.x()), round(place.y())] for place in (to_screen.transform(point) for point, _ in ticks.ticks())
-    ]
-    desk.report["edges"] = [0, canvas.width(), canvas.height()]
-    canvas.setRotation(0)
-    desk.wait_for_map()
     judge = desk.dock.judge
     desk.report["judge_whole"] = judge.visibleRegion().boundingRect() == judge.rect()
-    desk.report["profile"] = desk.dock.panels["curves"].profile.isVisible()
     desk.screenshot(picture(desk, "judging"))
 
 
@@ -85,43 +74,39 @@ def places(desk: Desk) -> None:
 
 def flicker(desk: Desk) -> None:
     """Space, held and tapped; the next window begins with the mosaic."""
-    swipe = desk.dock.flicker.swipe
+    shower = desk.dock.flicker
     QTest.keyPress(QApplication.focusWidget(), Qt.Key.Key_Space)
-    desk.wait(lambda: swipe.is_on and not swipe.is_drawing, 30, "hard cut drawn")
+    desk.wait(lambda: shower.is_shown and shower.hard_cut.layer, 30, "hard cut drawn")
     desk.pause(0.4)
     desk.screenshot(picture(desk, "hard_cut"))
-    shown = [swipe.is_shown]
+    shown = [shower.is_shown]
     QTest.keyRelease(QApplication.focusWidget(), Qt.Key.Key_Space)
     desk.pause(0.1)
-    shown.append(swipe.is_shown)
+    shown.append(shower.is_shown)
     for _ in range(2):
         key(desk, Qt.Key.Key_Space)
-        shown.append(swipe.is_shown)
+        shown.append(shower.is_shown)
     key(desk, Qt.Key.Key_Space)
     key(desk, Qt.Key.Key_N)
-    shown.append(swipe.is_shown)
+    shown.append(shower.is_shown)
     key(desk, Qt.Key.Key_P)
     desk.report["hard_cut"] = shown
 
 
 def judge(desk: Desk) -> None:
     """All windows, by one key each; what it takes is measured."""
-    session, working, cut = desk.session, [], []
-    label = desk.dock.judge._sentence
+    session, working = desk.session, []
     for number in range(1000):
         if not session.selected():
             break
         window = session.row(session.selected()[0]).window_id
-        if label._fitting(label.fontMetrics()) != label.text():
-            cut.append((window, label.text()))
         start = time.thread_time()
         key(desk, KEYS[number % len(KEYS)])
         working.append(time.thread_time() - start)
         assert session.numbered(window).observer, window
-    desk.report["cut"], desk.report["judged"] = cut, len(working)
+    desk.report["judged"] = len(working)
     desk.report["left"] = sum(row.is_compared and not row.observer for row in session.windows())
     desk.report["key_work_ms"] = sorted(round(1000 * one) for one in working)
-    desk.wait(lambda: desk.dock.judge._limit.calibration is not None, 60, "limit found")
     desk.pause(0.3)
     desk.report["summary"] = desk.dock.judge.sentence()
     desk.report["steps"] = [button.text() for button in desk.dock.judge._steps if button.isVisible()]

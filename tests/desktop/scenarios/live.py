@@ -276,7 +276,7 @@ _drawn: dict[Any, list[object]] = {}
 
 def charts_drawn(desk: Desk) -> int:
     """How many pictures of curves were drawn since it was asked first; nobody points at a new one."""
-    chart = desk.dock.panels["curves"].curves._chart
+    chart = desk.dock.curves.curves._chart
     if chart not in _drawn:
         _drawn[chart] = []
         chart.pointed.connect(_drawn[chart].append)

@@ -45,16 +45,10 @@ def play(desk: Desk) -> None:
         look(desk, side)
         desk.screenshot(folder / f"{name}_{side}.png")
         desk.show_tab(1)
-        fid = desk.session.selected()[0]
-        desk.wait(lambda number=fid: desk.session.pictures(number) is not None, 30, "pictures")
+        desk.wait(lambda: desk.dock.images.compared.layer is not None, 30, "hard cut")
         desk.wait_for_map()
         desk.screenshot(folder / f"{name}_{side}_images.png")
         look(desk, f"{side}_images")
-        desk.show_tab(2)
-        desk.wait(lambda: desk.noise_of(desk.session.selected()[0]), 30, "noise")
-        desk.wait_for_map()
-        desk.screenshot(folder / f"{name}_{side}_noise.png")
-        look(desk, f"{side}_noise")
     desk.show_tab(0)
 
 
@@ -62,7 +56,7 @@ def look(desk: Desk, side: str) -> None:
     """What is wrong, and how well words can be read, goes into the report."""
     wait_for_chart(desk)
     dock = desk.dock
-    chart, judge = dock.panels["curves"].curves._chart, dock.judge
+    chart, judge = dock.curves.curves._chart, dock.judge
     desk.report[f"{side}_chart"] = chart.height()
     desk.report[f"{side}_judge_whole"] = judge.visibleRegion().boundingRect() == judge.rect()
     desk.report[f"{side}_cut"] = cut_off(dock)

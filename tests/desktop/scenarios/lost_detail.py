@@ -44,7 +44,7 @@ def play(desk: Desk) -> None:
         desk.wait_for_map()
         desk.screenshot(shots / f"lost_detail_{mosaic}_{name.replace(' ', '_')}.png")
         desk.report[name] = coloured(desk, *along)
-    tab = dock.panels["curves"]
+    tab = dock.curves
     curve, profile = tab.curves._chart, tab.profile.chart
     desk.report["curve_px"], desk.report["profile_px"] = (
         [one.width(), one.height()] for one in (curve, profile)

@@ -39,7 +39,6 @@ def play(desk: Desk) -> None:
     inspect_all(desk)
     curves(desk, shots)
     images(desk, shots)
-    swipe(desk, shots)
     judge(desk, shots)
     dense(desk, shots)
     scan(desk, shots)
@@ -58,7 +57,6 @@ def inputs(desk: Desk, shots: Path) -> None:
     panel = desk.dock.inputs
     panel.mosaic.setLayer(top)
     panel.mosaic.activated.emit(panel.mosaic.currentIndex())
-    desk.wait(lambda: not panel.suggesting.sources.is_looking, 60, "rasters looked at")
     panel.side.setValue(float(desk.parameters["side_m"]))
     desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic open")
     panel.box.setCollapsed(False)
@@ -120,7 +118,7 @@ def curves(desk: Desk, shots: Path) -> None:
     desk.session.loss_view.show(False)
     seamlines = desk.project.layerTreeRoot().findLayer(desk.session.inputs.seamlines)
     seamlines.setItemVisibilityChecked(False)  # of nearly the colour that marks the distance
-    chart = desk.dock.panels["curves"].profile.chart
+    chart = desk.dock.curves.profile.chart
     QTest.mouseMove(chart, QPoint(int(POINTED * chart.width()), chart.height() // 2))
     desk.wait(lambda: chart.pointed_bin is not None, 5, "distance pointed at")
     desk.wait_for_map()
@@ -130,14 +128,13 @@ def curves(desk: Desk, shots: Path) -> None:
 
 
 def images(desk: Desk, shots: Path) -> None:
-    """The clips of the worst window as they were delivered, and where detail was lost in them."""
+    """The worst window beside its hard cut, and where detail was lost in it."""
     fid = worst(desk)
     desk.session.select([fid])
     desk.show_tab(1)
-    panel = desk.dock.panels["images"]
-    desk.wait(lambda: desk.session.pictures(fid), 30, "pictures")
-    panel.strip.buttons[0].click()
-    desk.wait(lambda: panel.large.hint, 30, "composite")  # in whatever language
+    panel = desk.dock.images
+    desk.wait(lambda: panel.compared.layer is not None, 30, "hard cut")
+    desk.wait_for_map()
     desk.rest_mouse()
     desk.screenshot(shots / "desk_images.png")
     desk.session.loss_view.show(True)
@@ -145,22 +142,6 @@ def images(desk: Desk, shots: Path) -> None:
     desk.screenshot(shots / "desk_loss.png")
     desk.session.loss_view.show(False)
     desk.show_tab(0)
-
-
-def swipe(desk: Desk, shots: Path) -> None:
-    """The mosaic against its hard-cut composite, at 2x."""
-    fid = worst(desk)
-    desk.session.select([fid])
-    desk.dock.zoom_to(fid)
-    desk.wait_for_map()
-    swiping = desk.dock.swiping
-    swiping.start(swiping.choices()[-1])
-    desk.canvas.refresh()
-    desk.pause(1)
-    desk.wait(lambda: not swiping.swipe.is_drawing and not desk.canvas.isDrawing(), 60, "swipe drawn")
-    desk.rest_mouse()
-    desk.screenshot(shots / "desk_swipe.png")
-    swiping.swipe.stop()
 
 
 def judge(desk: Desk, shots: Path) -> None:

@@ -134,24 +134,19 @@ def judge_by_keys(desk: Desk, count: int, told: dict[str, Any]) -> None:
 
 
 def look_around(desk: Desk, told: dict[str, Any]) -> None:
-    """Tabs, lost detail, swipe: what an operator opens and closes."""
+    """Tabs, lost detail: what an operator opens and closes."""
     session, dock = desk.session, desk.dock
     fids = [row.fid for row in session.windows() if row.verdict][-TABBED:]
     with timed(told, "look"):
         for fid in fids:
             session.select([fid])
             dock.zoom_to(fid)
-            for tab in (1, 2, 0):
+            for tab in (1, 0):
                 desk.show_tab(tab)
             desk.wait(lambda fid=fid: desk.curves_of(fid), 30, "curves")
         for _ in range(2):
             dock.lost.action.trigger()
             desk.pause(0.05)
-        dock.swiping.action.trigger()
-        settle(desk)
-        press(desk, Qt.Key.Key_X)
-        press(desk, Qt.Key.Key_Escape)
-    assert not dock.swiping.swipe.is_on
     session.select([])
     desk.show_all(session.mosaic_layer().extent())
 
@@ -208,10 +203,9 @@ def press(desk: Desk, key: Qt.Key) -> None:
 
 
 def settle(desk: Desk) -> None:
-    """Until the map and what is swiped are drawn."""
+    """Until the map is drawn."""
     desk.pause(0.5)
-    swiped = desk.dock.swiping.swipe
-    desk.wait(lambda: not swiped.is_drawing and not desk.canvas.isDrawing(), 60, "the map drawn")
+    desk.wait(lambda: not desk.canvas.isDrawing(), 60, "the map drawn")
 
 
 def counts(desk: Desk) -> dict[str, Any]:

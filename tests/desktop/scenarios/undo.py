@@ -87,7 +87,7 @@ def everywhere(desk: Desk) -> dict[str, QWidget]:
     """Widgets that may have the focus."""
     return {
         "table": desk.dock.windows.table,
-        "chart": desk.dock.panels["curves"].focusWidget() or desk.dock.panels["curves"],
+        "chart": desk.dock.curves.focusWidget() or desk.dock.curves,
         "judge bar": desk.dock.judge._visible,
         "map": desk.canvas,
         "layers": iface.layerTreeView(),

@@ -149,7 +149,7 @@ OPENED_BY = {
     "keeping.py": {"sqlite3.connect"}, "outputs.py": {"sqlite3.connect", "mapLayerFromString"},
     "fit_files.py": {"json.loads"}, "open_raster.py": {"gdal.BuildVRT"}, "delivered_files.py": {"gdal.BuildVRT"},
     "layers.py": {"mapLayerFromString"}, "delivery_layers.py": {"mapLayerFromString", "QgsVectorLayer"},
-    "mark_tables.py": {"QgsVectorLayer"}, "line_layers.py": {"QgsVectorLayer"}, "swiped_layer.py": {"QgsRasterLayer"},
+    "mark_tables.py": {"QgsVectorLayer"}, "line_layers.py": {"QgsVectorLayer"}, "compared_layer.py": {"QgsRasterLayer"},
     "mosaic_scans.py": {"QgsVectorLayer", "QgsRasterLayer"},
     "sensor_parameters.py": {"QgsVectorLayer"}, "parameters.py": {"QgsRasterLayer"},  # empty ones in memory
 }  # fmt: skip

@@ -18,10 +18,13 @@ from seam_inspector.plugin.seams.measure.verdicts import (
     MAX_KEPT_LOW,
     MAY_HIDE_SEAM,
     MIN_EXPLAINED,
+    Judgement,
+    Ratios,
     Verdict,
     check_min_kept,
 )
 from seam_inspector.plugin.seams.measure.window.explained_window import judge_by_seam
+from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST
 
 LITTLE = 1e-9
 BLURRED = math.sqrt(limits.MAX_SIGNIFICANT_SHARPNESS_SQUARED)
@@ -251,3 +254,14 @@ def test_a_seam_under_ground_that_nothing_explains_is_no_verdict() -> None:
     ):
         verdict, why = judged(None, explained=explained)
         assert (verdict, why and why.template) == (Verdict.NOT_COMPARABLE, reason.template)
+
+
+def test_logic_reads_a_code_and_no_sentence() -> None:
+    def code(reason: Message | None) -> str:
+        return Judgement(Verdict.REDUCED, Ratios((None,), None), reason).reason_code
+
+    assert code(None) == code(seams_messages.NO_SEAM()) == ""
+    doubtful = seams_messages.MAY_BE_SIGNIFICANT(low=35.0, high=94.0)
+    assert code(doubtful) == MAY_BE_SIGNIFICANT
+    assert code(seams_messages.OTHER_PIXEL_SIZE(name="a", pixel=1, own=2, more=doubtful)) == MAY_BE_SIGNIFICANT
+    assert code(seams_messages.VERDICT_OF_THE_REST(share=9.9)) == OF_THE_REST

@@ -3,57 +3,51 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.noise.charts import MAX_LEGEND, draw_noise_clip, noise_figure
-from seam_inspector.plugin.noise.measure.band_noise import measure_noise, noisiest_band
-from seam_inspector.plugin.noise.measure.group_noise import measure_window
+from seam_inspector.plugin.noise.charts import MAX_LEGEND, draw_noise, draw_rule, noise_figure
+from seam_inspector.plugin.noise.measure.band_noise import noisiest_band
+from seam_inspector.plugin.noise.measure.group_noise import ClipNoise, measure_request
+from seam_inspector.plugin.noise.measure.noise_plan import GroupedImage, NoiseRequest, Part
 from seam_inspector.plugin.radiometry.report import balance_figure, histogram_figure
-from seam_inspector.plugin.toolkit.charts.chart_style import DARK
 from seam_inspector.plugin.toolkit.charts.figure_files import new_figure, save_figure
 
 from tests.numbers.radiometry.judging import checked
-from tests.numbers.synthetic import decompose, orthoimage, read_pixels
+from tests.numbers.synthetic import decompose, read_pixels
 from tests.qgis.scenes import Scene
 
 pytestmark = pytest.mark.usefixtures("qgis_app")
 
 
+def noise_of(path: Path, window: PixelWindow) -> ClipNoise:
+    """What is measured in one window of an image."""
+    part = Part(GroupedImage(describe(RasterRef(str(path))), 1), window)
+    return measure_request(NoiseRequest(1, (part,)), "coif3", 3)[0]
+
+
 def test_one_window_of_one_raster_is_measured_and_drawn(scene: Scene, qgis_app: QgsApplication) -> None:
-    result = measure_window(RasterRef(str(scene.west)), PixelWindow(64, 0, 128, 128))
+    result = noise_of(scene.west, PixelWindow(64, 0, 128, 128))
     pixels = read_pixels(str(scene.west), 64, 0, 128, 128)
     assert result.bands["blue"].curve.detail == pytest.approx(decompose(pixels[2]).shares[:3], abs=1e-6)
     axes = new_figure(4, 3).subplots()
-    draw_noise_clip(axes, result.bands, DARK)
+    draw_noise(axes, result.bands)
     lines = {line.get_label(): line for line in axes.get_lines()}
     for name, noise in result.bands.items():
         assert tuple(lines[name].get_ydata()) == noise.curve.detail
         assert list(lines[name].get_xdata()) == [1, 2, 3]
     widths = {name: line.get_linewidth() for name, line in lines.items() if name in result.bands}
     assert max(widths, key=lambda name: widths[name]) == noisiest_band(result.bands)
-    low, high = axes.get_ylim()
-    assert all(low < share < high for noise in result.bands.values() for share in noise.curve.detail)
 
 
 def test_the_rule_is_drawn_at_the_level_before() -> None:
-    measured = measure_noise(orthoimage((128, 128), bands=1), ("band_1",))
+    detail = (0.5, 0.3, 0.1)
     axes = new_figure(4, 3).subplots()
-    draw_noise_clip(axes, measured)
-    levels = [line.get_ydata()[0] for line in axes.get_lines() if line.get_label() != "band 1"]
-    assert levels == pytest.approx(measured["band_1"].curve.detail[:-1])
-
-
-def test_nothing_to_draw_is_drawn_as_an_empty_chart(tmp_path: Path) -> None:
-    flat = measure_noise(np.zeros((1, 64, 64), np.uint8), ("band_1",))
-    for measured in ({}, flat):
-        figure = new_figure(3, 2)
-        draw_noise_clip(figure.subplots(), measured)
-        save_figure(figure, tmp_path / "empty.png")
-        assert (tmp_path / "empty.png").stat().st_size > 0
+    draw_rule(axes, detail)
+    assert [line.get_ydata()[0] for line in axes.get_lines()] == pytest.approx(detail[:-1])
 
 
 def test_histograms_hold_every_pixel(scene: Scene) -> None:
@@ -71,7 +65,7 @@ def test_histograms_hold_every_pixel(scene: Scene) -> None:
 def test_very_many_bands_leave_the_chart_its_room(scene: Scene, tmp_path: Path) -> None:
     path = tmp_path / "bands.tif"
     gdal.Translate(str(path), str(scene.west), bandList=[1] * 90, srcWin=[0, 0, 256, 256])
-    figure = noise_figure([measure_window(RasterRef(str(path)), PixelWindow(64, 0, 128, 128))])
+    figure = noise_figure([noise_of(path, PixelWindow(64, 0, 128, 128))])
     assert figure is not None
     save_figure(figure, tmp_path / "chart.png")
     assert len(figure.axes[-1].get_legend().get_texts()) == MAX_LEGEND

@@ -248,13 +248,11 @@ def test_what_can_not_be_measured_says_why(operator: Operator) -> None:
     assert operator.dock.profile.bands_shown == 0
 
 
-def test_the_profile_is_drawn_in_a_thread_and_goes_with_its_line(operator: Operator) -> None:
+def test_the_profile_is_painted_and_goes_with_its_line(operator: Operator) -> None:
     profile = operator.dock.profile
     profile.resize(400, 300)
 
     def colours() -> set[str]:
-        profile.grab()  # asks for what is to be seen now
-        wait_until(lambda: profile.is_drawn, "for the chart")
         image = profile.grab().toImage()
         return {QColor(image.pixel(x, y)).name() for x in range(image.width()) for y in range(image.height())}
 
@@ -265,7 +263,6 @@ def test_the_profile_is_drawn_in_a_thread_and_goes_with_its_line(operator: Opera
     wait_until(lambda: operator.dock.results, "for the profile")
     drawn, limit = colours(), QColor(chart_style(profile).limit)
     assert "#0072b2" in drawn
-    # a dashed line of a pixel or so, which each matplotlib smooths in its own way
     assert any(abs(one.hue() - limit.hue()) < 10 and one.saturation() > 128 for one in map(QColor, drawn))
     operator.release(end, RIGHT)
     assert len(colours()) == 1

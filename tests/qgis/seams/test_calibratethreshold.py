@@ -238,6 +238,13 @@ def test_who_is_not_sure_did_not_judge() -> None:
     assert not any("neither" in warning for warning in found.log.warnings)
 
 
+def test_how_well_two_operators_agree_is_told() -> None:
+    second = ["visible"] * 5 + ["invisible"] * 9 + ["unsure"]
+    told = run("calibratethreshold", WINDOWS=judged(observer_2=("string", second))).log.infos
+    assert any(one.startswith("Both operators judged 14 windows and agreed on 13. Cohen's kappa 0.85") for one in told)
+    assert not any("operators" in one for one in run("calibratethreshold", WINDOWS=judged()).log.infos)
+
+
 def test_a_csv_file_will_do(tmp_path: Path) -> None:
     path = str(tmp_path / "windows.csv")
     options = QgsVectorFileWriter.SaveVectorOptions()
@@ -247,14 +254,6 @@ def test_a_csv_file_will_do(tmp_path: Path) -> None:
     outcome = run("calibratethreshold", WINDOWS=path)
     assert outcome.results["AUC"] == run("calibratethreshold", WINDOWS=judged()).results["AUC"]
     assert any("without an outline: 15" in warning for warning in outcome.log.warnings)
-
-
-def test_pairs_of_an_earlier_version_do_no_harm() -> None:
-    old = layer("None", [None], window_id=("integer", [1]), source=("string", ["a"]), band=("string", ["luminance"]))
-    outcome = run("calibratethreshold", WINDOWS=judged(), PAIRS=old)
-    assert outcome.complaint is None
-    assert {row["measure"] for row in outcome.rows()} == {"ratio_1"}
-    assert any("'contrast_1'" in warning for warning in outcome.log.warnings)
 
 
 @pytest.mark.parametrize("ending", sorted(SIGNATURES))

@@ -106,6 +106,7 @@ def test_fields(scene: Scene, levels: int) -> None:
         ("added_1", REAL),
         ("explained", REAL),
         ("loss", REAL),
+        ("reason_code", TEXT),
     ]
     assert layout(outcome, "CURVES") == [
         ("window_id", INTEGER),

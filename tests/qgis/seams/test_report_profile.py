@@ -14,7 +14,6 @@ from scipy.ndimage import gaussian_filter
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.charts.chart_painter import paper_font
 from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, ShownProfile
 from seam_inspector.plugin.seams.measure.inspection import Block, Source
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
@@ -29,6 +28,7 @@ from seam_inspector.plugin.seams.report.window_charts import (
     profile_picture,
     shown_profile,
 )
+from seam_inspector.plugin.toolkit.charts.chart_painter import paper_font
 from seam_inspector.plugin.toolkit.charts.chart_style import PAPER
 
 from tests.numbers.synthetic import texture, write_raster

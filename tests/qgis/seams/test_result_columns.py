@@ -141,7 +141,8 @@ def test_a_constant_clip_has_no_relative_variance(project: object) -> None:
     clips = (ClipResult("m.tif", "mosaic", {"red": Curve((0.0,), 0.0, 0.0), "blue": Curve((0.25,), 0.75, 8.0)}),)
     unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,), None))
     found = WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE, clips)
-    rows = [row.attributes()[3:] for row in result_tables.curve_features(found)]
+    made = column_features(window_tables.CURVE_COLUMNS, window_tables.curves_of(found))
+    rows = [row.attributes()[3:] for row in made]
     assert [[None if value == NULL else value for value in row] for row in rows] == [
         ["red", "detail", 1, None, 0.0], ["red", "background", 1, None, 0.0],
         ["blue", "detail", 1, 0.25, 2.0], ["blue", "background", 1, 0.75, 6.0],

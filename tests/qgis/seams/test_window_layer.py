@@ -42,7 +42,7 @@ FIELDS = [
     "feather_width",
     "visibility",
     "misfit",
-    *("contrast_1", "sharpness_1", "added_1", "explained", "loss"),
+    *("contrast_1", "sharpness_1", "added_1", "explained", "loss", "reason_code"),
 ]
 RATIOS = (0.123456789012, 0.9, None)
 

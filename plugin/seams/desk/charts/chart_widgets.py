@@ -9,10 +9,10 @@ from qgis.PyQt.QtCore import QEvent, QPointF, QRectF, QSize, pyqtSignal
 from qgis.PyQt.QtGui import QMouseEvent, QPaintEvent
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
+from ....toolkit.charts.chart_painter import ChartPainter
 from ....toolkit.desk.theme import chart_style
 from ....toolkit.painting import painting
 from ...charts.chart_curves import Chart, Key, Point
-from ...charts.chart_painter import ChartPainter
 from ...charts.curves_painter import CurvesPainter
 from ...charts.profile_painter import ProfilePainter, ShownProfile
 

@@ -21,7 +21,7 @@ from ...charts.chart_curves import (
     significance_limit,
     window_curves,
 )
-from .chart_export import CurvesExport
+from .chart_pictures import PictureButton, curves_picture
 from .chart_widgets import CurvesChart
 from .curves_legend import CurvesLegend
 
@@ -77,8 +77,8 @@ class CurvesPanel(ChartPanel):
         self._logarithmic.setChecked(True)
         self._logarithmic.setAutoRaise(True)
         self._logarithmic.toggled.connect(self._refresh_now)
-        self._export = CurvesExport()
-        self._export.told.connect(self._session.messageRaised)
+        self._save = PictureButton()
+        self._save.told.connect(self._session.messageRaised)
         self._splitter = QSplitter(Qt.Orientation.Horizontal)
         self._splitter.setChildrenCollapsible(False)
         self._splitter.splitterMoved.connect(self._on_border_moved)
@@ -99,9 +99,9 @@ class CurvesPanel(ChartPanel):
         tools.addWidget(self._bands)
         tools.addWidget(self._logarithmic)
         tools.addStretch()
-        tools.addWidget(self._export)
+        tools.addWidget(self._save)
         self._lay_out(tools, self._status)
-        self.setTabOrder(self._export, self._legend)
+        self.setTabOrder(self._save, self._legend)
 
     # when to draw
 
@@ -152,7 +152,7 @@ class CurvesPanel(ChartPanel):
     def _wait_for_curves(self, words: str) -> None:
         """The chart before stays meanwhile, faint when it takes long."""
         self._idle_text, self.shown = words, ()
-        self._export.offer([], None, "", "")
+        self._save.offer(None)
         if not self._dimmer.isActive():
             self._dimmer.start()
         self._show_point()
@@ -176,7 +176,6 @@ class CurvesPanel(ChartPanel):
         return tuple(window_curves(results[0], band, self._colours, self._session.inputs.reference))
 
     def _draw(self, results: list[WindowCurves], curves: tuple[ChartCurve, ...]) -> None:
-        from ...measure.window.window_result import WindowResult
         hidden = frozenset(self._hidden & {curve.key for curve in curves})
         chart = Chart(curves, self._session.inputs.max_ratio, self._logarithmic.isChecked(), hidden)
         style = chart_style(self._legend)  # one sheet with it
@@ -188,8 +187,10 @@ class CurvesPanel(ChartPanel):
         self._chart.setEnabled(True)
         self._chart.show_chart(chart)
         self.shown = results
-        complete = [result for result in results if isinstance(result, WindowResult)]
-        self._export.offer(complete, chart, self._idle_text, self._bands.currentData())
+        band = self._bands.currentData()
+        which = f"window_{results[0].window_id}" if len(results) == 1 else f"{len(results)}_windows"
+        title = f"{self._idle_text} ({band_title(band)})"
+        self._save.offer(curves_picture(f"{which}_{band}", chart, title) if self._session.live is None else None)
         self._show_point()
 
     def _show_text(self, text: str) -> None:
@@ -197,7 +198,7 @@ class CurvesPanel(ChartPanel):
         self._pages.setCurrentWidget(self._text)
         self.shown = []
         self._idle_text = ""
-        self._export.offer([], None, "", "")
+        self._save.offer(None)
         self._show_point()
 
     def _fit_legend(self) -> None:

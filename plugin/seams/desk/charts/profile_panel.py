@@ -10,9 +10,9 @@ from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QSplitter, QTo
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.theme import chart_style
 from ....toolkit.desk.widgets import ClippedLabel, single_shot
-from ....toolkit.translation import filled, sentence, tr
+from ....toolkit.translation import filled, tr
 from ...charts.profile_painter import bin_words, level_colour, summary_words
-from .chart_export import ProfileExport
+from .chart_pictures import PictureButton, profile_picture
 from .chart_widgets import ProfileChart
 from .curves_panel import CurvesPanel
 
@@ -110,12 +110,12 @@ class ProfilePanel(ChartPanel):
         title.setToolTip(
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
         )
-        self._export = ProfileExport()
-        self._export.told.connect(self._session.messageRaised)
+        self._save = PictureButton()
+        self._save.told.connect(self._session.messageRaised)
         self._tools = QHBoxLayout()
         self._tools.addWidget(title)
         self._tools.addStretch()
-        self._tools.addWidget(self._export)
+        self._tools.addWidget(self._save)
         self._lay_out(self._tools, self._status)
         self._fill_levels(3)
 
@@ -136,7 +136,7 @@ class ProfilePanel(ChartPanel):
             button.toggled.connect(self._choose_levels)
             self._levels.append(button)
             self._tools.insertWidget(level, button)  # after the title
-        for before, after in zip(self._levels, [*self._levels[1:], self._export]):
+        for before, after in zip(self._levels, [*self._levels[1:], self._save]):
             QWidget.setTabOrder(before, after)
         self._colour_levels()
 
@@ -159,29 +159,24 @@ class ProfilePanel(ChartPanel):
             self.refresh()
 
     def _why_nothing(self, selected: list[int]) -> str:
-        if not selected:
-            return tr("Select a window in the table or on the map, or draw one.")
+        """Words that stand neither in the place of the curves nor in the window's sentence."""
         if len(selected) > 1:
             return tr("Select one window to see its seam profile.")
-        result, row = self._session.result(selected[0]), self._session.row(selected[0])
-        if result is None or (result.explanation is None and result.judgement.reason is None):
-            if self._session.is_pending(selected[0]):
-                return tr("Measuring ...")
-            if row is not None and row.verdict:
-                return tr("The profile is not at hand. Inspect again to see it.")
-            return tr("Not inspected yet")
-        if result.judgement.reason is not None:
-            return sentence(result.judgement.reason)
-        if result.explanation is not None and not result.explanation.has_seam:
+        result = self._session.result(selected[0]) if selected else None
+        if result is None or result.explanation is None or result.judgement.reason is not None:
+            return ""
+        if not result.explanation.has_seam:
             return tr("There is no seam in the window.")
         return tr("There is too little ground around the seam to compare with. Take a larger window.")
 
     def _follow(self, result: WindowResult | None) -> None:
-        """What can be exported and pointed at on the map from now on."""
+        """What can be saved and pointed at on the map from now on."""
         if result is not self._result:
             self._result = result
             self.followed.emit(result)
-        self._export.offer(result, self.chart.shown if result is not None else None)
+        shown = self.chart.shown if result is not None else None
+        self._save.offer(None if shown is None or result is None else profile_picture(
+            f"window_{result.window_id}_profile", shown))
 
     def _on_pointed(self, one: ProfileBin | None) -> None:
         self._say()
@@ -209,7 +204,6 @@ class CurvesAndProfile(QWidget):
         self.curves = CurvesPanel(session)
         self.profile = ProfilePanel(session)
         self._scroll: QScrollArea | None = None
-        self._sizes: list[int] = []  # of both, while one is lent
         self._arranger = single_shot(self, self._arrange)  # when all around it have their new sizes
         self._splitter = QSplitter(Qt.Orientation.Vertical)
         self._splitter.setChildrenCollapsible(False)
@@ -219,16 +213,6 @@ class CurvesAndProfile(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._splitter)
-
-    def lend_profile(self, is_lent: bool) -> None:
-        """Let it stand elsewhere, or take it back to where it was."""
-        if is_lent:
-            self._sizes = self._sizes or self._splitter.sizes()
-        elif self._sizes:
-            self._splitter.addWidget(self.profile)
-            self._splitter.setStretchFactor(1, 1)
-            self._splitter.setSizes(self._sizes)
-            self._sizes = []
 
     @property
     def is_side_by_side(self) -> bool:

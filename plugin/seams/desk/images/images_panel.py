@@ -1,429 +1,261 @@
-"""The clips of the selected window, to be judged by eye: one large that flips, or all side by side, and a bar above."""
+"""The selected window at 2x, to be judged by eye: the mosaic beside its hard cut or a source, on two maps that move as
+one."""
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
-from typing import Callable
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
 
-from qgis.core import QgsApplication, QgsSettings
-from qgis.PyQt.QtCore import QEvent, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QHideEvent, QIcon, QResizeEvent, QShowEvent
+from qgis.core import QgsCoordinateReferenceSystem, QgsMapLayer, QgsPointXY, QgsRectangle
+from qgis.gui import QgsMapCanvas, QgsMapToolPan, QgsVertexMarker
+from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import (
     QBoxLayout,
     QComboBox,
+    QFrame,
     QHBoxLayout,
     QLabel,
-    QScrollArea,
     QStackedWidget,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from ....toolkit.desk.keyboard import SpaceKey
-from ....toolkit.desk.widgets import ClippedLabel
-from ....toolkit.picture_stretch import Stretch
-from ....toolkit.resources import icon_path
-from ....toolkit.translation import filled, formatted, tr
-from ...clip_pictures import ClipPicture
-from ...measure.window_records import COMPOSITE
-from ..session import Session
-from .picture_strip import PictureStrip
-from .picture_view import LossImage, PictureView
-from .viewport import BEST_ZOOM, Viewport
+from ....toolkit.desk.widgets import ClippedLabel, single_shot
+from ....toolkit.translation import filled, sentence, tr
+from ...measure.inputs.mosaic_copies import covered_share
+from ...words import LOSS_OPACITY, loss_rgba
+from ..map.compared_layer import Compared, ComparedLayer, looks_alike
+from ..map.lost_detail import placed_picture
+from ..map.picture_overlay import PictureOverlay, rgba_image
+from ..map.window_outline import WindowOutline
+from ..map.window_view import WindowView
 
-GAP = 4
-"""Between views, px."""
-_SIDE_BY_SIDE = "SeamInspector/images_side_by_side"
+if TYPE_CHECKING:
+    from ...measure.window.window_request import WindowRequest
+    from ..session import Session
 
-
-class PictureFlow(QWidget):
-    """Views of one size in as many columns as make them largest; scrolled when they would become too small."""
-
-    def __init__(self, scrolled: QScrollArea) -> None:
-        super().__init__()
-        self._scrolled = scrolled
-        self._views: list[PictureView] = []
-
-    def set_views(self, views: list[PictureView]) -> None:
-        self._views = views
-        self.arrange()
-
-    def arrange(self) -> None:
-        """Arrange by the room without a scroll bar, or it would come and go; only then within the width it leaves."""
-        if not self._views:
-            return
-        least, area = self._views[0].minimumSizeHint(), self._scrolled.maximumViewportSize()
-        columns = max(range(1, len(self._views) + 1), key=lambda columns: self._worth(columns, area, least))
-        rows, _, height = self._shares(columns, area)
-        fits = height >= least.height()
-        height = max(height, least.height())
-        self.setMinimumHeight(0 if fits else rows * (height + GAP) - GAP)
-        width = (min(area.width(), self.width()) - (columns - 1) * GAP) // columns
-        for i, view in enumerate(self._views):
-            row, column = divmod(i, columns)
-            view.setGeometry(column * (width + GAP), row * (height + GAP), width, height)
-
-    def _shares(self, columns: int, area: QSize) -> tuple[int, int, int]:
-        """Rows, and the width and height that each view gets."""
-        rows = -(-len(self._views) // columns)
-        return rows, (area.width() - (columns - 1) * GAP) // columns, (area.height() - (rows - 1) * GAP) // rows
-
-    def _worth(self, columns: int, area: QSize, least: QSize) -> tuple[bool, int, int]:
-        """The shorter side of a view's picture counts, where columns are not too narrow; then little scrolling."""
-        _, width, height = self._shares(columns, area)
-        side = min(width, max(height, least.height()) - self._views[0].image_rect().top())
-        return columns == 1 or width >= least.width(), side, columns
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.arrange()
+_GAP = 4  # px
 
 
-class ImagesBar(QWidget):
-    """The stretch is the project's, side by side or not is the operator's own habit."""
+class WindowMap(QgsMapCanvas):
+    """A map of one raster around a window, with the window's outline, its lost detail, and where the mouse is on the
+    map beside it."""
 
-    arrangementChanged = pyqtSignal()
-
-    def __init__(self, session: Session, viewport: Viewport, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._session = session
-        self._viewport = viewport
-        self.status = ClippedLabel(1)
-        self.stretch = self._stretch_box()
-        self.side_by_side = self._button(
-            QIcon(icon_path("side_by_side")), tr("All pictures side by side, or one large one"), self._arrange
-        )
-        self.side_by_side.setCheckable(True)
-        self.side_by_side.setChecked(QgsSettings().value(_SIDE_BY_SIDE, False, bool))
-        self._zoom = QLabel()
-        self._zoom.setToolTip(tr("Screen pixels per image pixel"))
-        self._zoom.setMinimumWidth(self.fontMetrics().horizontalAdvance("0.00x"))
-        self._zoom.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        zoom_out = self._button(
-            _theme_icon("ZoomOut"), tr("Zoom all pictures out (wheel, -)"), lambda: viewport.zoom_by(-1)
-        )
-        zoom_in = self._button(
-            _theme_icon("ZoomIn"), tr("Zoom all pictures in (wheel, +)"), lambda: viewport.zoom_by(1)
-        )
-        self._zoom_to_all = self._button(
-            _theme_icon("ZoomFullExtent"), tr("Show the whole picture"), lambda: viewport.set_zoom(None)
-        )
-        self.zoom_to_best = self._button(
-            QIcon(), tr("Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen"),
-            lambda: viewport.set_zoom(BEST_ZOOM),
-        )
-        self.zoom_to_best.setText("2x")
-        for button in (self._zoom_to_all, self.zoom_to_best):
-            button.setCheckable(True)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(GAP)
-        row.addWidget(self.status, 1)
-        parts = (self.stretch, self.side_by_side, zoom_out, self._zoom, zoom_in, self._zoom_to_all, self.zoom_to_best)
-        for widget in parts:
-            row.addWidget(widget)
-        session.inputsChanged.connect(self._show_stretch)
-        self._show_stretch()
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # keys judge
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.enableAntiAliasing(True)
+        self.setMapTool(QgsMapToolPan(self))
+        self.outline = WindowOutline(self)
+        self.loss = PictureOverlay(self, opacity=LOSS_OPACITY)
+        self.cursor = QgsVertexMarker(self)
+        self.cursor.setIconType(QgsVertexMarker.IconType.ICON_CROSS)
+        self.cursor.hide()
 
-    def show_zoom(self, is_showing: bool = True) -> None:
-        """Unchecking by a click is no choice, so the buttons are set anew each time."""
-        self._zoom.setText(formatted(self._viewport.scale, ".2g") + "\u00d7" if is_showing else "")
-        self._zoom_to_all.setChecked(self._viewport.zoom is None)
-        self.zoom_to_best.setChecked(self._viewport.zoom == BEST_ZOOM)
+    def minimumSizeHint(self) -> QSize:
+        side = 7 * self.fontMetrics().height()
+        return QSize(side, side)
 
-    def _stretch_box(self) -> QComboBox:
-        box = QComboBox()
-        for stretch, words, tip in (
-            (Stretch.DELIVERED, tr("As delivered"),
-             tr("8 bit as it is, 16 bit by its range of values: the same in all windows")),
-            (Stretch.COMMON, tr("One stretch"),
-             tr("More contrast: the mosaic's darkest and brightest 2 % cut off, the same in all windows")),
-            (Stretch.WINDOW, tr("Each window"),
-             tr("Most contrast: each window's darkest and brightest 2 % are cut off. Windows can't be compared, "
-                "and grey may look coloured.")),
-        ):  # fmt: skip
-            box.addItem(words, stretch.value)
-            box.setItemData(box.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
-        box.setToolTip(tr("How grey values are shown; never band by band, so that colours stay as they are"))
-        box.activated.connect(self._choose_stretch)
-        return box
+    def show_layers(self, layers: list[QgsMapLayer], crs: QgsCoordinateReferenceSystem) -> None:
+        """These and no others, the topmost first, in this reference system."""
+        if self.mapSettings().destinationCrs() != crs:
+            self.setDestinationCrs(crs)
+        if self.layers() != layers:
+            self.setLayers(layers)
 
-    def _choose_stretch(self, place: int) -> None:
-        self._session.set_inputs(replace(self._session.inputs, stretch=self.stretch.itemData(place)))
+    def look_at(self, centre: QgsPointXY, units_per_pixel: float) -> None:
+        """Show what lies around a point, as large as that."""
+        size = self.width() * units_per_pixel, self.height() * units_per_pixel
+        self.setExtent(QgsRectangle.fromCenterAndSize(centre, *size))
+        self.refresh()
 
-    def _show_stretch(self) -> None:
-        self.stretch.setCurrentIndex(self.stretch.findData(self._session.inputs.stretch))
+    def mark(self, point: QgsPointXY) -> None:
+        """The mouse is there, on the map beside this one."""
+        self.cursor.setCenter(point)
+        self.cursor.show()
 
-    def _arrange(self, is_side_by_side: bool) -> None:
-        QgsSettings().setValue(_SIDE_BY_SIDE, is_side_by_side)
-        self.arrangementChanged.emit()
-
-    def _button(self, icon: QIcon, tip: str, slot: Callable[..., None]) -> QToolButton:
-        button = QToolButton()
-        button.setAutoRaise(True)
-        button.setToolTip(tip)
-        button.setAccessibleName(tip)
-        button.setIcon(icon)
-        button.clicked.connect(slot)
-        return button
-
-
-def _theme_icon(name: str) -> QIcon:
-    return QgsApplication.getThemeIcon(f"/mAction{name}.svg")
+    def close_map(self) -> None:
+        """Nothing is drawn any more."""
+        self.stopRendering()
+        self.setLayers([])
+        self.outline.close()
+        self.loss.close()
 
 
 class ImagesPanel(QWidget):
-    """Pictures of the first selected window: the mosaic's and each source's."""
+    """Follows the selected window while it is in sight."""
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, session: Session, parent: QWidget | None = None, is_blind: Callable[[], bool] = lambda: False
+    ) -> None:
+        """``is_blind``: whether it is hidden where detail was lost."""
         super().__init__(parent)
         self._session = session
-        self._fid: int | None = None
-        self._pictures: Sequence[ClipPicture] | None = None
-        self._chosen = ""  # name of the picture that the large one flips to, as it was clicked
-        self._why_not = ""  # there is no composite
-        self._loss: LossImage | None = None
-        self.viewport = Viewport(self)
-        self.views: list[PictureView] = []
-        """Those side by side, the mosaic's first."""
-        self._space = SpaceKey(self)
-        self._space.changed.connect(self._flip)
+        self._shown: tuple[int, object] | None = None  # feature id and outline of the window that is looked at
+        self._is_moving = False
+        self.mosaic, self.other = WindowMap(self), WindowMap(self)
+        self._view = WindowView(self.mosaic, session, is_blind)
+        self.compared = ComparedLayer(self)
+        """What stands beside the mosaic."""
+        self.compared.changed.connect(self._show_compared)
+        self.compared.failed.connect(self._show_compared)
+        self._is_alike = True  # what is compared has the mosaic's look
+        self._looker = single_shot(self, self._look)  # when the maps have their sizes
         self._build()
-        self.viewport.changed.connect(self._show_zoom)
-        session.selectionChanged.connect(self._refresh)
-        session.windowsChanged.connect(self._refresh)
-        session.inputsChanged.connect(self._refresh)
-        session.picturesArrived.connect(self._arrived)
-        session.resultArrived.connect(self._arrived)
+        for one, beside in ((self.mosaic, self.other), (self.other, self.mosaic)):
+            one.extentsChanged.connect(partial(self._link, one, beside))
+            one.xyCoordinates.connect(beside.mark)
+        for signal in (session.selectionChanged, session.windowsChanged, session.inputsChanged):
+            signal.connect(self._refresh)
+        session.resultArrived.connect(self._show_loss)
         session.loss_view.changed.connect(self._show_loss)
-        self._refresh()
 
-    # Parts
+    def close(self) -> bool:
+        """Leave nothing open."""
+        self.compared.close()
+        for one in (self.mosaic, self.other):
+            one.close_map()
+        return bool(super().close())
 
     def _build(self) -> None:
-        self.bar = ImagesBar(self._session, self.viewport)
-        self.bar.arrangementChanged.connect(self._rearrange)
+        self.status = ClippedLabel(1)
+        self.choice = QComboBox()
+        self.choice.setToolTip(tr("What the mosaic is compared with"))
+        self.choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.choice.setMinimumContentsLength(14)
+        self.choice.activated.connect(self._refresh)
+        self.zoom_to_best = QToolButton()
+        self.zoom_to_best.setText("2x")
+        self.zoom_to_best.setToolTip(
+            tr("Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen")
+        )
+        self.zoom_to_best.setAutoRaise(True)
+        self.zoom_to_best.clicked.connect(self._look)
+        row = QHBoxLayout()
+        row.addWidget(self.status, 1)
+        row.addWidget(self.choice)
+        row.addWidget(self.zoom_to_best)
         self._hint = QLabel()
-        self._hint.setTextFormat(Qt.TextFormat.PlainText)
         self._hint.setWordWrap(True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._hint.setMargin(12)
-        self._scroll = QScrollArea()
-        self._flow = PictureFlow(self._scroll)
-        self._scroll.setFrameShape(QScrollArea.Shape.NoFrame)
-        self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._scroll.setWidgetResizable(True)
-        self._scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._scroll.setWidget(self._flow)
-        self._one = QWidget()
-        self.large = self._new_view(self._one)
-        self.strip = PictureStrip()
-        self.strip.chosen.connect(self._choose)
-        self._one_box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self._one)
-        self._one_box.setContentsMargins(0, 0, 0, 0)
-        self._one_box.setSpacing(GAP)
-        self._one_box.addWidget(self.large, 1)
-        self._one_box.addWidget(self.strip)
+        maps = QWidget()
+        self._maps = QBoxLayout(QBoxLayout.Direction.LeftToRight, maps)
+        self._maps.setContentsMargins(0, 0, 0, 0)
+        self._maps.setSpacing(_GAP)
+        for one in (self.mosaic, self.other):
+            self._maps.addWidget(one, 1)
         self._pages = QStackedWidget()
-        for page in (self._hint, self._scroll, self._one):
-            self._pages.addWidget(page)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(GAP)
-        box.addWidget(self.bar)
-        box.addWidget(self._pages, 1)
-        self._show_zoom()
-
-    def _new_view(self, parent: QWidget) -> PictureView:
-        view = PictureView(self.viewport, parent)
-        view.hovered.connect(self._space.set_hovered)
-        view.focused.connect(self._space.set_focused)
-        return view
-
-    def minimumSizeHint(self) -> QSize:
-        side = 10 * self.fontMetrics().height()
-        return QSize(side, side)
-
-    # What is shown
-
-    def _refresh(self, *_: object) -> None:
-        """Ask for what is selected; out of sight nothing is read."""
-        if not self.isVisible():
-            return
-        selected = self._session.selected()
-        self._fid = selected[0] if selected else None
-        if self._fid is None:
-            self.bar.status.setText("")
-            self._say(tr("Select a window, in the table or on the map, to see its pictures."))
-            return
-        pictures = self._session.pictures(self._fid)
-        if pictures is None and self._session.mosaic_layer() is None:
-            self._say(tr("Choose the mosaic under Inputs to see the pictures of this window."))
-        elif pictures is None:
-            self._say_reading()
-        elif not pictures:
-            self._say(tr("No picture: neither the mosaic nor a source can be read in this window."))
-        elif pictures is not self._pictures or not self._is_showing():
-            self._show(pictures)
-        self._show_status(pictures)
-
-    def _arrived(self, fid: int) -> None:
-        """Its pictures, its composite, or its result."""
-        if fid != self._fid:
-            return
-        self._refresh()
-        if self._pictures and self.large.isVisible():
-            self._compare(self._pictures)
-        self._show_loss()
-
-    def _is_showing(self) -> bool:
-        return self._pages.currentWidget() is not self._hint
-
-    def _shown_views(self) -> list[PictureView]:
-        return self.views if self.bar.side_by_side.isChecked() else [self.large]
-
-    def _say(self, hint: str) -> None:
-        self._pictures = None
-        self._space.release()
-        self._hint.setText(hint)
-        self._pages.setCurrentWidget(self._hint)
-
-    def _say_reading(self) -> None:
-        """The pictures of the window before stay in place, dimmed, so that nothing flickers."""
-        self._pictures = None
-        if self._is_showing():
-            for view in self._shown_views():
-                view.set_reading()
-        else:
-            self._say(tr("Reading the pictures ..."))
-
-    def _show(self, pictures: Sequence[ClipPicture]) -> None:
-        shown = len(self._pictures or ())
-        self._pictures = pictures
-        size = (pictures[0].pixels.shape[1], pictures[0].pixels.shape[0])
-        if size != self.viewport.window or len(pictures) != shown:
-            self.viewport.set_cursor(None)  # the mouse is somewhere else now
-        self.viewport.window = size
-        if self.bar.side_by_side.isChecked():
-            self._show_all(pictures)
-        else:
-            self._show_one(pictures)
-        self._show_loss()
-        self._show_zoom()
-
-    def _show_all(self, pictures: Sequence[ClipPicture]) -> None:
-        while len(self.views) < len(pictures):
-            view = self._new_view(self._flow)
-            view.show()
-            self.setTabOrder(self.views[-1] if self.views else self.bar.zoom_to_best, view)
-            self.views.append(view)
-        while len(self.views) > len(pictures):
-            self._drop_view()
-        mosaic = next((picture for picture in pictures if picture.is_mosaic), None)
-        for view, picture in zip(self.views, pictures):
-            view.set_pictures(picture, mosaic)
-        self._flow.set_views(self.views)
-        self._pages.setCurrentWidget(self._scroll)
-
-    def _show_one(self, pictures: Sequence[ClipPicture]) -> None:
-        """The mosaic large, the others small; the one chosen before stays chosen where it is."""
-        self.strip.show_pictures(sorted(pictures[1:], key=lambda one: -one.covered))
-        for before, after in zip((self.large, *self.strip.buttons), self.strip.buttons):
-            self.setTabOrder(before, after)
-        self.strip.setVisible(len(pictures) > 1)
-        self._compare(pictures)
-        self._pages.setCurrentWidget(self._one)
-
-    def _compare(self, pictures: Sequence[ClipPicture]) -> None:
-        """The mosaic with what is chosen, by default the source that covers most."""
-        other = next((one for one in pictures[1:] if one.raster == self._chosen), None)
-        self._why_not = ""
-        if other is None and self._chosen == COMPOSITE and len(pictures) > 1 and self._fid is not None:
-            made = self._session.composite(self._fid)
-            other = made[0] if made else None
-            if not made:
-                self._why_not = tr("composite: reading ...") if made is None else tr("no source explains it")
-            self.strip.mark(COMPOSITE)
-        else:
-            other = other or max(pictures[1:], key=lambda one: one.covered, default=None)
-            self.strip.mark(other.raster if other is not None else "")
-        self.large.set_pictures(pictures[0], other)
-        self._show_status(pictures)
-
-    def _choose(self, name: str) -> None:
-        self._chosen = name
-        if self._pictures:
-            self._compare(self._pictures)
-
-    def _show_loss(self, *_: object) -> None:
-        """Over all pictures, where it was measured and is asked for."""
-        result = self._session.result(self._fid) if self._fid is not None else None
-        loss = result.loss if result is not None and self._session.loss_view.is_shown else None
-        if loss is None:
-            self._loss = None
-        elif self._loss is None or self._loss.loss is not loss:
-            self._loss = LossImage(loss)
-        for view in (*self.views, self.large):
-            view.set_loss(self._loss)
-
-    def _rearrange(self) -> None:
-        self._space.release()
-        if self._pictures and self._is_showing():
-            self._show(self._pictures)
-        self._refresh()
-
-    def _drop_view(self) -> None:
-        view = self.views.pop()
-        self._space.set_hovered(view, False)
-        self._space.set_focused(view, False)
-        view.hide()
-        view.deleteLater()
-
-    def _show_status(self, pictures: Sequence[ClipPicture] | None) -> None:
-        row = self._session.row(self._fid) if self._fid is not None else None
-        if row is None or pictures == () or (pictures is None and self._session.mosaic_layer() is None):
-            self.bar.status.setText("")
-            return
-        if pictures is None:
-            text = tr("{window}: reading ...")
-        elif len(pictures) == 1 and pictures[0].is_mosaic:
-            text = tr("{window}: no source covers it")
-        elif self._why_not and not self.bar.side_by_side.isChecked():
-            text = "{window} · " + self._why_not
-        else:
-            text = "{window}"
-        self.bar.status.setText(filled(text, window=filled(tr("Window {number}"), number=row.window_id)))
-
-    def _show_zoom(self) -> None:
-        self.bar.show_zoom(self._is_showing())
-
-    # Flipping
-
-    def _flip(self) -> None:
-        flipped = self._space.view
-        for view in (*self.views, self.large):
-            view.set_flipped(view is flipped)
-
-    # Coming and going
+        self._pages.addWidget(self._hint)
+        self._pages.addWidget(maps)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(_GAP)
+        layout.addLayout(row)
+        layout.addWidget(self._pages, 1)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._refresh()
 
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._space.release()
-
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The strip lies along the longer side."""
+        """Side by side, or one above the other where there is more room for it."""
         super().resizeEvent(event)
-        is_upright = self._pages.width() > 1.2 * self._pages.height()
         ways = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
-        self._one_box.setDirection(ways[0] if is_upright else ways[1])
-        self.strip.stand(is_upright)
+        self._maps.setDirection(ways[0] if self._pages.width() > self._pages.height() else ways[1])
+        self._looker.start()
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._flow.arrange()
+    def _refresh(self, *_: object) -> None:
+        if not self.isVisible():
+            return
+        selected, mosaic = self._session.selected(), self._session.mosaic_layer()
+        row = self._session.row(selected[0]) if selected else None
+        request = self._session.request(row.fid) if row is not None else None
+        self.status.setText("" if row is None else filled(tr("Window {number}"), number=row.window_id))
+        if row is None or mosaic is None or request is None or request.window is None:
+            why_not = self._session.problem() if request is None else request.reason
+            self._say(sentence(why_not) if row is not None and why_not is not None else tr(
+                "Select a window, in the table or on the map, to see its pictures."))
+            return
+        self._pages.setCurrentIndex(1)
+        self._offer(request)
+        self.mosaic.show_layers([mosaic], mosaic.crs())
+        source = next((one.ref for one in request.sources if one.ref.name == self.choice.currentData()), None)
+        self.compared.ask(Compared(request, source) if request.sources else None)
+        self._show_compared()
+        self._show_loss()
+        if (row.fid, row.extent) != self._shown:
+            self._shown = row.fid, row.extent
+            self._looker.start()
+
+    def _say(self, hint: str) -> None:
+        self._shown = None
+        self.compared.ask(None)
+        self.choice.setEnabled(False)
+        self._hint.setText(hint)
+        self._pages.setCurrentIndex(0)
+
+    def _offer(self, request: WindowRequest) -> None:
+        """The hard cut and the sources, those that cover most first; what was chosen stays chosen where it is there."""
+        assert request.window is not None
+        place = request.mosaic.grid.window_extent(request.window)
+        sources = sorted(request.sources, key=lambda source: -covered_share(place, source.extent))
+        chosen, names = self.choice.currentData(), [source.ref.name for source in sources]
+        self.choice.setEnabled(bool(names))
+        if names != [self.choice.itemData(place) for place in range(1, self.choice.count())]:
+            self.choice.clear()
+            self.choice.addItem(tr("hard cut of the sources"), "")
+            for name in names:
+                self.choice.addItem(name, name)
+            self.choice.setCurrentIndex(max(self.choice.findData(chosen), 0))
+
+    def _show_compared(self, *_: object) -> None:
+        """What stands beside the mosaic, once it is there; and the window's outline on both."""
+        mosaic, layer = self._session.mosaic_layer(), self.compared.layer
+        if mosaic is None or self._pages.currentIndex() == 0:
+            return
+        title = self.choice.currentText()
+        if layer is not None and layer not in self.other.layers():
+            self._is_alike = looks_alike(layer, mosaic)
+        if self.compared.why_not is not None:
+            title = sentence(self.compared.why_not)
+        elif layer is None:
+            title = filled(tr("{name}: reading ..."), name=title) if self.choice.isEnabled() else tr("no source here")
+        elif not self._is_alike:
+            title = filled(tr("{name} (its own stretch)"), name=title)
+        is_cut = not self.choice.currentData()  # which is of the window alone
+        self.other.show_layers([] if layer is None else [layer, mosaic] if is_cut else [layer], mosaic.crs())
+        self._outline(title)
+
+    def _outline(self, title: str) -> None:
+        """What is seen, and where the window is in it."""
+        selected, layer = self._session.selected(), self._session.window_layer()
+        row = self._session.row(selected[0]) if selected else None
+        if row is not None and row.extent is not None and layer is not None:
+            for one, words in ((self.mosaic, tr("mosaic")), (self.other, title)):
+                one.outline.show(QgsRectangle(*row.extent), words, layer.crs())
+
+    def _show_loss(self, *_: object) -> None:
+        """Over both maps, where it was measured and is asked for."""
+        selected, mosaic, grid = self._session.selected(), self._session.mosaic_layer(), self._session.mosaic_grid()
+        result = self._session.result(selected[0]) if selected and self._session.loss_view.is_shown else None
+        placed = []
+        if result is not None and result.loss is not None and mosaic is not None and grid is not None:
+            placed = [placed_picture(result, rgba_image(loss_rgba(result.loss.kept)), grid, result.loss.cell_px)]
+        for one in (self.mosaic, self.other):
+            one.loss.show(placed, QgsCoordinateReferenceSystem() if mosaic is None else mosaic.crs())
+
+    def _look(self, *_: object) -> None:
+        """At the window at 2x, where it lost most if it is larger than the map."""
+        views = self._view.views(self._shown[0]) if self._shown is not None and self.isVisible() else []
+        if views:
+            self.mosaic.look_at(views[0].center(), views[0].width() / max(self.mosaic.width(), 1))
+
+    def _link(self, moved: WindowMap, beside: WindowMap) -> None:
+        """Where one is moved to, the other is as well."""
+        if not self._is_moving:
+            self._is_moving = True
+            beside.look_at(moved.center(), moved.mapUnitsPerPixel())
+            self._is_moving = False

@@ -45,7 +45,6 @@ class InputsPanel(QWidget):
         self._fitted: tuple[float, float] | None = None  # a side that did not fit, and the one that does
         self._doubted: tuple[str, ...] = ()  # sources that the doubts are about
         self.suggesting = Suggesting(session, self)
-        self.suggesting.sources.changed.connect(self.refresh)
         self._suggester = single_shot(self, self._suggest_layers, _TOGETHER_MS)
         self._is_wide: bool | None = None
         self._table_fields()
@@ -65,7 +64,6 @@ class InputsPanel(QWidget):
         """Stop following session, project and focus."""
         self._connections.close()
         self._suggester.stop()
-        self.suggesting.sources.close()
         return bool(super().close())
 
     def refresh(self) -> None:
@@ -76,7 +74,7 @@ class InputsPanel(QWidget):
         try:
             self.index.leave_out(vectors_without(LOCATION_FIELD))
             self.mosaic.show_layer(inputs.mosaic)
-            self.sources.show_sources(inputs.mosaic, inputs.sources, self.suggesting.sources.standing)
+            self.sources.show_sources(inputs.mosaic, inputs.sources, self.suggesting.standing)
             self.index.show_layer(inputs.source_index)
             self.seamlines.show_layer(inputs.seamlines)
             self.windows.show_layer(inputs.windows)
@@ -157,7 +155,7 @@ class InputsPanel(QWidget):
         if not inputs.mosaic:
             return tr("choose the mosaic")
         if not any(project.mapLayer(name) is not None for name in (*inputs.sources, inputs.source_index)):
-            return tr("looking for sources ...") if self.suggesting.sources.is_looking else tr("check the sources")
+            return tr("check the sources")
         return ""
 
     def _folded_by_hand(self) -> None:

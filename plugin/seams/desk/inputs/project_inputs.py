@@ -12,7 +12,6 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery import limits as imagery_limits
 from ....toolkit.desk.widgets import single_shot
-from ....toolkit.picture_stretch import Stretch
 from ....toolkit.project_settings import load_settings, save_settings, unmodified
 from ...measure import limits
 from ...measure.limits import DENSITIES
@@ -20,7 +19,7 @@ from ...measure.window_placing import PlacingSettings
 from ...measure.window_records import REFERENCES
 
 _KEY = "inputs"
-_WORDS = {"reference": REFERENCES, "density": DENSITIES, "stretch": tuple(stretch.value for stretch in Stretch)}
+_WORDS = {"reference": REFERENCES, "density": DENSITIES}
 
 
 @dataclass(frozen=True)
@@ -55,8 +54,6 @@ class Inputs:
     """Metres of seam that a scan judges as one."""
     corridor_m: float = 0.0
     """Metres that a scan reads on either side of the seamlines; 0: the whole mosaic."""
-    stretch: str = Stretch.DELIVERED.value
-    """How pictures of windows are shown, the value of a ``Stretch``; no result depends on it."""
 
     @property
     def placing(self) -> PlacingSettings:

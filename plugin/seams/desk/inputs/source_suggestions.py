@@ -5,32 +5,23 @@ import re
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
-from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtCore import QObject
 
 from ....imagery.errors import SeamInspectorError
 from ....imagery.grids import Extent, extents_meet
-from ....imagery.rasters import RasterRef
-from ....toolkit import layers
-from ....toolkit.background_tasks import BackgroundTasks
-from ....toolkit.desk.widgets import single_shot
 from ....toolkit.layers import box_extent, transformed_extent
 from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, tr
 from ....toolkit.version_differences import ALPHA, PALETTE, band_roles
-from ... import jobs
-from ...measure.inputs.mosaic_copies import Likeness
 from ...measure.inputs.raster_facts import (
     COLOURS,
     RasterFacts,
-    Standing,
     Suitability,
     likely_mosaic,
     suitable_by_header,
-    suitable_by_pixels,
 )
 from ...measure.scan.lines.seam_fields import seam_fields
 from ...tables.input_layers import LOCATION_FIELD
@@ -40,90 +31,17 @@ from .project_inputs import Inputs, load_inputs
 if TYPE_CHECKING:
     from ..session import Session
 
-_TOGETHER_MS = 300  # layers that are added within this time are one change
-
 Sources = tuple[str, ...]
 
 
-class SourceSuggestions(QObject):
-    """Suggests by rasters' headers at once; copies of the mosaic are looked for in the background."""
-
-    changed = pyqtSignal()
-    """What was open is known."""
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._background = BackgroundTasks(self)
-        self._looker = single_shot(self, self._look, _TOGETHER_MS)
-        self._key: object = None
-        self._turn = 0
-        self._by_header: dict[str, Suitability] = {}
-        self._likeness: dict[str, Likeness] = {}  # of those that were compared
-        self._standings: dict[str, Suitability] = {}
-
-    @property
-    def is_looking(self) -> bool:
-        """Whether more may be found."""
-        return self._looker.isActive() or self._background.is_under_way(self._turn)
-
-    def follow(self, mosaic_id: str) -> None:
-        """The mosaic is this one, and the project's rasters are what they are now."""
-        mosaic = QgsProject.instance().mapLayer(mosaic_id)
-        rasters = file_rasters() if isinstance(mosaic, QgsRasterLayer) else []
-        key = mosaic_id, [(layer.id(), layer.source(), layer.crs().authid()) for layer in rasters]
-        if key == self._key:
-            return
-        is_same = isinstance(self._key, tuple) and self._key[0] == mosaic_id
-        self._key = key
-        self._turn += 1
-        self._background.cancel_others({self._turn})
-        if not is_same:
-            self._likeness = {}
-        self._by_header = {}
-        if mosaic_id in {layer.id() for layer in rasters}:
-            facts = {one.key: one for one in facts_of(rasters, mosaic)}
-            seen_from = facts.pop(mosaic_id)
-            self._by_header = suitable_by_header(seen_from, list(facts.values()))
-            self._looker.start()
-        self._standings = suitable_by_pixels(self._by_header, self._likeness)
-
-    def standing(self, layer_id: str) -> Suitability | None:
-        """Standing of one raster; None where nothing is known of it."""
-        return self._standings.get(layer_id)
-
-    def suggested(self) -> Sources:
-        """Layer ids of the suggested sources, by their names."""
-        return tuple(name for name, standing in self._standings.items() if standing.is_suggested)
-
-    def close(self) -> None:
-        """Look no more."""
-        self._looker.stop()
-        self._background.close()
-
-    def _look(self) -> None:
-        project, mosaic_id = QgsProject.instance(), self._key[0] if isinstance(self._key, tuple) else ""
-        mosaic = _ref(project.mapLayer(mosaic_id))
-        wanted = [name for name, one in self._by_header.items() if one.standing is not Standing.LEFT_OUT]
-        found = {name: ref for name in wanted if (ref := _ref(project.mapLayer(name))) is not None}
-        if mosaic is not None and found:
-            job = jobs.copies_job(mosaic, found)
-            self._background.start(tr("Look at the sources"), job, partial(self._take, self._turn), self._turn)
-
-    def _take(self, turn: int, found: Any) -> None:
-        if turn == self._turn and found != self._likeness:
-            self._likeness = found
-            self._standings = suitable_by_pixels(self._by_header, found)
-            self.changed.emit()
-
-
-def _ref(layer: object) -> RasterRef | None:
-    """The file of a raster layer; None where it has none."""
-    if not isinstance(layer, QgsRasterLayer):
-        return None
-    try:
-        return layers.layer_ref(layer)
-    except SeamInspectorError:
-        return None
+def suitabilities(mosaic_id: str, rasters: Sequence[QgsRasterLayer]) -> dict[str, Suitability]:
+    """What some rasters are to a mosaic among them, by layer id, by their headers and where they lie."""
+    mosaic = QgsProject.instance().mapLayer(mosaic_id)
+    if not isinstance(mosaic, QgsRasterLayer):
+        return {}
+    facts = {one.key: one for one in facts_of(rasters, mosaic)}
+    seen_from = facts.pop(mosaic_id, None)
+    return {} if seen_from is None else suitable_by_header(seen_from, list(facts.values()))
 
 
 class Suggesting(QObject):
@@ -132,20 +50,23 @@ class Suggesting(QObject):
     def __init__(self, session: Session, parent: QObject) -> None:
         super().__init__(parent)
         self._session = session
-        self.sources = SourceSuggestions(self)
-        """Which rasters are suggested, and why the others are not."""
-        self.sources.changed.connect(self.follow)
+        self._key: object = None  # of the rasters that were looked at
+        self._found: dict[str, Suitability] = {}
         self._suggested: Sources = ()  # when it was looked last
         self._mosaic = ""  # for which
         self._set: Sources | None = None  # the very tuple that was set here: what others set is theirs, and stays
         self.forget_choices()
+
+    def standing(self, layer_id: str) -> Suitability | None:
+        """Whether a raster is suggested, and why not; None where nothing is known of it."""
+        return self._found.get(layer_id)
 
     def forget_choices(self) -> None:
         """Another project, in which the operator has chosen nothing."""
         self._is_mosaic_chosen = self._are_seamlines_chosen = False
 
     def follow(self) -> None:
-        """Inputs, layers or suggestions may be others: sources that were set here become what is suggested now."""
+        """Inputs or layers may be others: sources that were set here become what is suggested now."""
         inputs, project = self._session.inputs, QgsProject.instance()
         is_same = inputs.mosaic == self._mosaic
         self._note(inputs.mosaic)
@@ -208,8 +129,12 @@ class Suggesting(QObject):
         self._session.set_inputs(inputs)
 
     def _note(self, mosaic_id: str) -> None:
-        self.sources.follow(mosaic_id)
-        self._suggested, self._mosaic = self.sources.suggested(), mosaic_id
+        rasters = file_rasters()
+        key = mosaic_id, [(layer.id(), layer.source(), layer.crs().authid()) for layer in rasters]
+        if key == self._key:
+            return
+        self._key, self._mosaic, self._found = key, mosaic_id, suitabilities(mosaic_id, rasters)
+        self._suggested = tuple(name for name, one in self._found.items() if one.is_suggested)
 
 
 _SEAM_NAMES = re.compile(r"seam|cut_?line|mosai[ck]|nahtlinie|szwy|mozaik|graphe", re.IGNORECASE)

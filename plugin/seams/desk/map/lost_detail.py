@@ -83,6 +83,7 @@ class LossOverlay(QObject):
         super().__init__(parent)
         self._session = session
         self._overlay = PictureOverlay(canvas, opacity=LOSS_OPACITY)
+        self._gives_way = False
         self._legend = LossLegend(canvas)
         self._pictures: dict[int, _Picture] = {}  # by window number
         self._timer = single_shot(self, self._refresh, _TOGETHER_MS)
@@ -105,6 +106,11 @@ class LossOverlay(QObject):
         self._next_slice.stop()
         self._overlay.close()
         self._legend.close_legend()
+
+    def give_way(self, to_another_picture: bool) -> None:
+        """What the mosaic lost is not to be seen over another picture than the mosaic."""
+        self._gives_way = to_another_picture
+        self._overlay.set_visible(not to_another_picture)
 
     def _refresh_soon(self, *_: object) -> None:
         if self._session.loss_view.is_shown and not self._timer.isActive():
@@ -145,6 +151,7 @@ class LossOverlay(QObject):
             if one.image is not None and one.window is not None
         ]
         self._overlay.show(placed, QgsCoordinateReferenceSystem(layer.crs()))
+        self._overlay.set_visible(not self._gives_way)
         self._legend.show_legend(any(one.cell_px for one in found.values()))
 
 

@@ -67,6 +67,11 @@ class PictureOverlay:
         if self._item is not None:
             self._item.put((), QgsCoordinateReferenceSystem())
 
+    def set_visible(self, is_visible: bool) -> None:
+        """Let what is shown be seen, or not for now."""
+        if self._item is not None:
+            self._item.setVisible(is_visible)
+
     def close(self) -> None:
         """Take it off the canvas; a later ``show`` makes it anew."""
         item, self._item = self._item, None

@@ -33,7 +33,7 @@ class WindowView:
         """Select a window and show it so that one image pixel covers 2 x 2 screen pixels: all of it where there is
         room, else one of the places that lost most, the worst first.
         """
-        views = self._views(fid)
+        views = self.views(fid)
         if views:
             self._looked = fid, place % len(views)
             crs = self._canvas.mapSettings().destinationCrs()
@@ -51,7 +51,7 @@ class WindowView:
             self.show(fids[0], place + 1 if fids[0] == fid and self.is_seen(fid) else 0)
         return len(fids) == 1
 
-    def _views(self, fid: int) -> list[QgsRectangle]:
+    def views(self, fid: int) -> list[QgsRectangle]:
         """What can be shown of a window, in the mosaic's reference system; no two are the same."""
         grid, whole = self._session.mosaic_grid(), self._place(fid)
         if grid is None or whole is None:

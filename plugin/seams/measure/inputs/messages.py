@@ -11,17 +11,7 @@ LARGER_PIXELS = Message("Pixels {factor:.1f} times as large as the mosaic's: an 
 SMALLER_PIXELS = Message("Pixels {factor:.1f} times smaller than the mosaic's: another flight.", INFO)
 OTHER_SYSTEM = Message("In another reference system than the mosaic and others here: a reprojected copy.", INFO)
 OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a converted copy.", INFO)
-# by its pixels
-BEING_LOOKED_AT = Message("Covers the whole mosaic: being compared with it ...", INFO)
-MOSAIC_AGAIN = Message("A copy of the mosaic: it goes with it across its seams. It would hide every loss.", INFO)
-MOSAIC_OR_SOURCE = Message(
-    "The mosaic itself wherever they were compared: one of its orthoimages, or a copy of it or of a part of it; "
-    "untick it in that case.", INFO
-)
-COVERS_MOSAIC = Message(
-    "Covers the whole mosaic, as few of the others do: untick it if it is another mosaic, a map or of another flight.",
-    INFO
-)
+COVERS_MOSAIC = Message("Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.", INFO)
 # after windows were inspected
 SOURCE_NOT_FOLLOWED = Message(
     "The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?",

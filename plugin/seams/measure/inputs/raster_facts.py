@@ -1,14 +1,13 @@
 """Which rasters of a project may be sources, by their headers."""
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import Enum
 
 from ....imagery.errors import Message
 from ....imagery.grids import Extent, extents_meet
 from . import messages
-from .mosaic_copies import Likeness, covered_share
+from .mosaic_copies import covered_share
 
 MOST_LARGER = 1.25  # pixel size over the mosaic's: nobody makes detail that the source does not have
 MOST_SMALLER = 4.0  # the mosaic's pixel size over a source's
@@ -40,42 +39,25 @@ class RasterFacts:
     """Whether it is the mosaic's file."""
 
 
-class Standing(Enum):
-    """Whether a raster is taken for a source."""
-
-    SUGGESTED = "suggested"
-    OPEN = "open"
-    """Its pixels have to be looked at."""
-    LEFT_OUT = "left_out"
-
-
 @dataclass(frozen=True)
 class Suitability:
-    """Whether, and why not."""
+    """Whether a raster is taken for a source as long as the operator does not say otherwise."""
 
-    standing: Standing
     reason: Message | None = None
-    """Why it is none, or may be none."""
+    """Why it is left out; None where it is suggested."""
 
     @property
     def is_suggested(self) -> bool:
-        """Whether the raster is a source as long as the operator does not say otherwise."""
-        return self.standing is Standing.SUGGESTED
-
-
-SUGGESTED = Suitability(Standing.SUGGESTED)
-
-
-def left_out(reason: Message) -> Suitability:
-    """Not a source, for a reason."""
-    return Suitability(Standing.LEFT_OUT, reason)
+        """Whether it is."""
+        return self.reason is None
 
 
 def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> dict[str, Suitability]:
     """The standing of each raster by its key.
 
     Other systems and other types of pixels are left out only where there are as many rasters or more that share the
-    mosaic's, since all of the sources of a mosaic may have been converted. One that covers the mosaic stays open.
+    mosaic's, since all of the sources of a mosaic may have been converted; one that covers the mosaic where fewer than
+    half of the others do, for it is rather a copy of it, another mosaic or a map.
     """
     found = {one.key: reason for one in rasters if (reason := _unfit(mosaic, one)) is not None}
     fit = [one for one in rasters if one.key not in found]
@@ -87,39 +69,16 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
     ):
         if 2 * sum(group) >= len(group):
             found |= {one.key: reasons[one.key] for one, shares in zip(fit, group) if not shares}
-    is_open = Suitability(Standing.OPEN, messages.BEING_LOOKED_AT())
-    return {
-        one.key: left_out(found[one.key]) if one.key in found else is_open if covers(mosaic, one) else SUGGESTED
-        for one in rasters
-    }
+    left = [one for one in rasters if one.key not in found]
+    covering = [one.key for one in left if covers(mosaic, one)]
+    if 2 * len(covering) < len(left):
+        found |= dict.fromkeys(covering, messages.COVERS_MOSAIC())
+    return {one.key: Suitability(found.get(one.key)) for one in rasters}
 
 
 def covers(mosaic: RasterFacts, raster: RasterFacts) -> bool:
     """Whether a raster covers the mosaic, or nearly."""
     return bool(mosaic.extent and raster.extent and covered_share(mosaic.extent, raster.extent) >= SAME_PLACE)
-
-
-def suitable_by_pixels(
-    by_header: Mapping[str, Suitability], likeness: Mapping[str, Likeness]
-) -> dict[str, Suitability]:
-    """The standing of each raster by its key, from that by its header and from what it is to the mosaic, if known.
-
-    One that covers the mosaic gets a remark where fewer than half of the others do.
-    """
-    standings = [one.standing for one in by_header.values() if one.standing is not Standing.LEFT_OUT]
-    few_cover = 2 * standings.count(Standing.OPEN) < len(standings)
-    found = dict(by_header)
-    for key, one in by_header.items():
-        if one.standing is Standing.LEFT_OUT or key not in likeness:
-            continue
-        if likeness[key] is Likeness.COPY:
-            found[key] = left_out(messages.MOSAIC_AGAIN())
-        elif likeness[key] is Likeness.EQUAL:
-            found[key] = Suitability(Standing.SUGGESTED, messages.MOSAIC_OR_SOURCE())
-        else:
-            is_told = few_cover and one.standing is Standing.OPEN
-            found[key] = Suitability(Standing.SUGGESTED, messages.COVERS_MOSAIC()) if is_told else SUGGESTED
-    return found
 
 
 def likely_mosaic(rasters: Sequence[RasterFacts]) -> str | None:
@@ -140,7 +99,8 @@ def _has_sources(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> bool:
     sources = [
         one for one in rasters
         if one.key in standings and standings[one.key].is_suggested and one.extent and mosaic.extent
-        and covered_share(one.extent, mosaic.extent) > 0.5 and one.pixel_size * MOST_LARGER >= mosaic.pixel_size
+        and not covers(mosaic, one) and covered_share(one.extent, mosaic.extent) > 0.5
+        and one.pixel_size * MOST_LARGER >= mosaic.pixel_size
     ]
     return len(sources) >= 2 and _area(mosaic) > max(map(_area, sources))
 

@@ -239,6 +239,10 @@ MEASURED = (
             "window hold; 0 where no loss is sure."
         ),
     ),
+    WindowField(
+        "reason_code", "text", lambda result: result.judgement.reason_code or None,
+        title=QT_TR_NOOP("code of the reason"),
+    ),
 )  # fmt: skip
 """OUTPUT of ``inspectwindows``: one polygon per window, as measured; ``observer`` is the operator's word, not ours."""
 

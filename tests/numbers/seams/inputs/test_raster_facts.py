@@ -4,15 +4,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from seam_inspector.plugin.seams.measure.inputs import messages
-from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import Likeness
-from seam_inspector.plugin.seams.measure.inputs.raster_facts import (
-    SUGGESTED,
-    RasterFacts,
-    Standing,
-    likely_mosaic,
-    suitable_by_header,
-    suitable_by_pixels,
-)
+from seam_inspector.plugin.seams.measure.inputs.raster_facts import RasterFacts, likely_mosaic, suitable_by_header
 
 MOSAIC = RasterFacts("mosaic", "mosaic", (0, 0, 100, 100), 0.1, 3, "8 bit", True)
 SOURCE = replace(MOSAIC, key="a", extent=(-5, 0, 60, 70))
@@ -34,7 +26,6 @@ def test_headers_tell_what_can_not_be_a_source() -> None:
     rasters = [SOURCE, replace(SOURCE, key="b"), replace(SOURCE, key="finer", pixel_size=0.05)]
     found = suitable_by_header(MOSAIC, [*rasters, *(replace(one, key=key) for key, one in others.items())])
     assert [key for key, one in found.items() if one.is_suggested] == ["a", "b", "finer"]
-    assert [key for key, one in found.items() if one.standing is Standing.OPEN] == ["whole", "edition"]
     told = {key: one.reason.template for key, one in found.items() if one.reason is not None}
     assert told == {
         "apart": messages.APART_FROM_MOSAIC.template,
@@ -44,8 +35,8 @@ def test_headers_tell_what_can_not_be_a_source() -> None:
         "fine": messages.SMALLER_PIXELS.template,
         "converted": messages.OTHER_TYPE.template,
         "moved": messages.OTHER_SYSTEM.template,
-        "whole": messages.BEING_LOOKED_AT.template,
-        "edition": messages.BEING_LOOKED_AT.template,
+        "whole": messages.COVERS_MOSAIC.template,
+        "edition": messages.COVERS_MOSAIC.template,
         "itself": messages.IS_THE_MOSAIC.template,
     }
 
@@ -55,23 +46,13 @@ def test_sources_that_were_all_converted_stay() -> None:
     assert all(one.is_suggested for one in suitable_by_header(MOSAIC, moved).values())
 
 
-def test_orthoimages_on_the_mosaic_s_canvas_stay_wherever_others_lie() -> None:
-    canvas = replace(SOURCE, key="canvas", extent=MOSAIC.extent)
-    found = suitable_by_header(MOSAIC, [canvas, *(replace(SOURCE, key=key) for key in "abc")])
-    assert found["canvas"].standing is Standing.OPEN
-
-
-def test_what_covers_the_mosaic_is_questioned_unless_most_others_do() -> None:
-    rasters = [replace(SOURCE, key=key) for key in "abc"] + [replace(MOSAIC, key=key) for key in ("copy", "edition")]
-    likeness = {**{one.key: Likeness.OTHER for one in rasters}, "a": Likeness.EQUAL, "copy": Likeness.COPY}
-    found = suitable_by_pixels(suitable_by_header(MOSAIC, rasters), likeness)
-    assert {key: one.reason.template for key, one in found.items() if one.reason is not None} == {
-        "a": messages.MOSAIC_OR_SOURCE.template, "copy": messages.MOSAIC_AGAIN.template,
-        "edition": messages.COVERS_MOSAIC.template,
-    }
-    assert [key for key, one in found.items() if not one.is_suggested] == ["copy"]
-    canvases = suitable_by_header(MOSAIC, rasters[2:])
-    assert suitable_by_pixels(canvases, likeness)["edition"] == SUGGESTED
+def test_what_covers_the_mosaic_is_left_out_unless_most_others_do() -> None:
+    covering = [replace(MOSAIC, key=key) for key in ("copy", "edition")]
+    rasters = [replace(SOURCE, key=key) for key in "abc"]
+    found = suitable_by_header(MOSAIC, [*rasters, *covering])
+    assert [key for key, one in found.items() if not one.is_suggested] == ["copy", "edition"]
+    assert {one.reason for one in found.values() if one.reason is not None} == {messages.COVERS_MOSAIC()}
+    assert all(one.is_suggested for one in suitable_by_header(MOSAIC, [*rasters[:2], *covering]).values())
 
 
 def test_one_mosaic_with_sources_is_likely_and_two_are_not() -> None:

@@ -1,7 +1,6 @@
-"""The curves panel shows the selected windows, draws no more than it must, and exports what was measured."""
+"""The curves panel shows the selected windows, draws no more than it must, and saves what it shows."""
 from __future__ import annotations
 
-import csv
 import os
 import subprocess
 import sys
@@ -225,12 +224,12 @@ def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: Curve
     session.add(1, not_comparable(12))
     settle()
     assert text_of(panel) == str(seams_messages.NO_SOURCES())
-    assert not panel._export.isEnabled()
+    assert not panel._save.isEnabled()
 
     session.add(1, make_result())
     settle()
     assert text_of(panel) == ""
-    assert panel._export.isEnabled()
+    assert panel._save.isEnabled()
 
 
 def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: FakeSession, panel: CurvesPanel) -> None:
@@ -521,85 +520,48 @@ def test_the_legend_is_below_the_chart_where_it_is_narrow(
     assert panel._legend.verticalScrollBar().maximum() == 0
 
 
-# export
+# save
 
 
-def save(panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, path: Path, ending: str) -> None:
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", staticmethod(lambda *_: (str(path), "")))
-    getattr(panel._export, f"save_{ending}")()
-
-
-def test_csv_holds_all_bands_and_rasters(
-    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def save(panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, path: Path) -> list[str]:
+    """What is said."""
     said: list[str] = []
-    session.messageRaised.connect(lambda text, _level: said.append(text))
-    select_one(session)
-    panel._legend.itemClicked.emit(panel._legend.item(1))
-    save(panel, monkeypatch, tmp_path / "curves", "csv")
-    with (tmp_path / "curves.csv").open(newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    assert list(rows[0]) == ["window_id", "raster", "role", "band", "component", "level", "relative_variance"]
-    assert len(rows) == 3 * 4 * 4
-    assert rows[0] == {
-        "window_id": "12",
-        "raster": "mosaic.tif",
-        "role": "mosaic",
-        "band": "luminance",
-        "component": "detail",
-        "level": "1",
-        "relative_variance": "0.016",
-    }
-    assert said == [f"The curves were saved to {tmp_path / 'curves.csv'}."]
+    panel._save.told.connect(lambda text, _level: said.append(text))
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", staticmethod(lambda *_: (str(path), "")))
+    panel._save.click()
+    return said
 
 
-@pytest.mark.parametrize("ending", ["csv", "png", "svg"])
+@pytest.mark.parametrize("ending", ["png", "svg"])
 def test_no_layer_of_the_project_is_written_over(
     session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, project: QgsProject,
     ending: str,
 ) -> None:
-    said: list[str] = []
-    session.messageRaised.connect(lambda text, _level: said.append(text))
     select_one(session)
     path = tmp_path / f"points.{ending}"
     path.write_text("x\n1\n")
     project.addMapLayer(QgsVectorLayer(f"file://{path}?type=csv", "points", "delimitedtext"))
-    save(panel, monkeypatch, path, ending)
-    assert "which belongs to an input; choose another file" in said[0]
+    assert "which belongs to an input; choose another file" in save(panel, monkeypatch, path)[0]
     assert path.read_text() == "x\n1\n"
 
 
-@pytest.mark.parametrize(("ending", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml")])
+@pytest.mark.parametrize(("name", "start"), [("a.png", b"\x89PNG"), ("a.svg", b"<?xml"), ("a", b"\x89PNG")])
 def test_pictures(
-    session: FakeSession,
-    panel: CurvesPanel,
-    monkeypatch: pytest.MonkeyPatch,
-    tmp_path: Path,
-    ending: str,
-    start: bytes,
+    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, start: bytes
 ) -> None:
     select_one(session)
-    save(panel, monkeypatch, tmp_path / f"curves.{ending}", ending)
-    assert (tmp_path / f"curves.{ending}").read_bytes().startswith(start)
+    said = save(panel, monkeypatch, tmp_path / name)
+    path = tmp_path / (name if "." in name else f"{name}.png")
+    assert path.read_bytes().startswith(start)
+    assert said == [f"The picture was saved to {path}."]
 
 
 def test_a_folder_that_is_not_there_is_said(
     session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    said: list[str] = []
-    session.messageRaised.connect(lambda text, _level: said.append(text))
     select_one(session)
-    save(panel, monkeypatch, tmp_path / "gone" / "curves.png", "png")
-    assert len(said) == 1
-    assert "not saved" in said[0]
-
-
-def test_the_clipboard_gets_picture_and_values(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    panel._export.copy_values()
-    assert QApplication.clipboard().text().splitlines()[1] == "12\tmosaic.tif\tmosaic\tluminance\tdetail\t1\t0.016"
-    panel._export.copy_picture()
-    assert QApplication.clipboard().image().width() > 1000
+    (said,) = save(panel, monkeypatch, tmp_path / "gone" / "curves.png")
+    assert "not saved" in said
 
 
 # words and numbers

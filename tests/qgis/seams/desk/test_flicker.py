@@ -9,11 +9,11 @@ import pytest
 from qgis.core import QgsProject
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtWidgets import QWidget
-from seam_inspector.plugin.seams.desk.swipe.flicker import Flicker
+from seam_inspector.plugin.seams.desk.map.flicker import Flicker
 
 from tests.qgis.plugin_lives import action_of
 from tests.qgis.scenes import Scene
-from tests.qgis.seams.desk.session_desk import Desk, wait_until
+from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, wait_until
 
 
 class _Map:
@@ -24,12 +24,15 @@ class _Map:
         self.canvas, self.owner = QgsMapCanvas(), QWidget()
         self.canvas.setLayers([desk.mosaic])
         self.canvas.setExtent(desk.mosaic.extent())
-        self.before = len(self.canvas.scene().items())
         self.flicker = Flicker(self.canvas, desk.session, self.owner)
 
-    def on_map(self) -> int:
-        """Canvas items in sight that were not there."""
-        return sum(item.isVisible() for item in self.canvas.scene().items()) - self.before
+    def names(self) -> list[str]:
+        """Layers on the map, the topmost first, the hard cut as such."""
+        cut = self.flicker.hard_cut.layer
+        return ["hard cut" if layer is cut else layer.name() for layer in self.canvas.layers()]
+
+    def wait_for_cut(self) -> None:
+        wait_until(lambda: self.flicker.hard_cut.layer is not None, "for the hard cut")
 
     def tap(self) -> None:
         assert self.flicker.press()
@@ -44,35 +47,60 @@ def map_(desk: Desk) -> Iterator[_Map]:
 
 
 def test_held_it_is_shown_until_the_key_is_up_and_tapped_until_the_next_tap(map_: _Map) -> None:
+    mosaic = map_.desk.mosaic.name()
     assert map_.flicker.press()
-    assert map_.on_map() == 1
+    assert map_.names() == [mosaic]
+    map_.wait_for_cut()
+    assert map_.names() == ["hard cut", mosaic]
     map_.flicker.release(0.5)
-    assert map_.on_map() == 0
+    assert map_.names() == [mosaic]
     map_.tap()
-    assert map_.on_map() == 1
+    assert map_.names() == ["hard cut", mosaic]
     map_.tap()
-    assert map_.on_map() == 0
+    assert map_.names() == [mosaic]
+
+
+def test_it_lies_above_rasters_and_below_lines_in_the_mosaic_s_look(map_: _Map) -> None:
+    """Also when QGIS sets the map's layers anew."""
+    seamlines, mosaic, source = map_.desk.session.window_layer(), map_.desk.mosaic, map_.desk.sources[0]
+    mosaic.renderer().setOpacity(0.5)
+    map_.tap()
+    map_.wait_for_cut()
+    map_.canvas.setLayers([seamlines, source, mosaic])
+    assert map_.names() == [seamlines.name(), "hard cut", source.name(), mosaic.name()]
+    assert map_.flicker.hard_cut.layer.renderer().opacity() == 0.5
+    assert map_.flicker.hard_cut.layer.id() not in QgsProject.instance().mapLayers()
+
+
+def test_the_next_window_begins_with_the_mosaic_and_its_hard_cut_lies_ready(map_: _Map) -> None:
+    map_.tap()
+    map_.wait_for_cut()
+    first = map_.flicker.hard_cut.layer
+    map_.desk.session.select([map_.desk.add(SHARP_WINDOW)])
+    assert map_.names() == [map_.desk.mosaic.name()]
+    wait_until(lambda: map_.flicker.hard_cut.layer not in (None, first), "for the next hard cut")
+    assert not map_.flicker.is_shown
 
 
 def test_nothing_of_it_is_left_in_a_new_project(map_: _Map) -> None:
     map_.tap()
-    wait_until(lambda: not map_.flicker.swipe.is_drawing, "for the hard cut")
+    map_.wait_for_cut()
     QgsProject.instance().clear()
-    assert map_.on_map() == 0
-    wait_until(lambda: not map_.flicker.swipe.is_on, "for its end")
-    assert len(map_.canvas.scene().items()) == map_.before
+    assert not map_.flicker.is_shown
+    assert map_.flicker.hard_cut.layer is None
+    assert "hard cut" not in map_.names()
 
 
 def test_it_goes_with_the_mosaic(map_: _Map) -> None:
     map_.tap()
     QgsProject.instance().removeMapLayer(map_.desk.mosaic.id())
-    assert map_.on_map() == 0
+    assert not map_.flicker.is_shown
 
 
 def test_another_layer_is_no_reason_to_hide_it(map_: _Map) -> None:
     map_.tap()
     map_.desk.raster(Path(map_.desk.sources[0].source()))
-    assert map_.on_map() == 1
+    assert map_.flicker.is_shown
 
 
 @pytest.mark.slow
@@ -86,20 +114,18 @@ def test_what_lies_on_the_map_goes_with_judging_and_with_the_desk(plugin: Any, s
     desk.session = dock.session
     desk.set(desk.inputs())
     dock.session.select([desk.add()])
-    layout, swipe = dock.layout_of_judging.action, dock.flicker.swipe
+    layout, flicker = dock.layout_of_judging.action, dock.flicker
     layout.trigger()
     assert dock.flicker.press()
     dock.flicker.release(0.1)
-    assert swipe.is_shown
+    assert flicker.is_shown
     layout.trigger()
-    assert not swipe.is_shown
-    dock.swiping.action.trigger()
+    assert not flicker.is_shown
     dock.session.loss_view.show(True)
     dock.draw.trigger()
     assert dock.draw.isChecked()
     assert dock.flicker.press()
     dock.hide()
-    assert not swipe.is_shown
-    assert not dock.swiping.swipe.is_on
+    assert not flicker.is_shown
     assert not dock.session.loss_view.is_shown
     assert not dock.draw.isChecked()

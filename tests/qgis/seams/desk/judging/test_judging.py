@@ -8,7 +8,6 @@ from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging, JudgingSettings, load_judging, save_judging
-from seam_inspector.plugin.seams.desk.judging_desk import agreement_of, agreement_sentences
 from seam_inspector.plugin.seams.desk.windows.filter_boxes import ORDERS, order_named
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
@@ -302,18 +301,6 @@ def test_the_second_operators_verdicts_stand_beside_the_first_s(judging: Judging
     row = session.row(10)
     assert row is not None
     assert (row.confidence, row.confidence_2, row.remark_2) == (None, 30, "haze")
-
-
-def test_how_well_both_agree_is_told() -> None:
-    rows = [window(fid, "reduced", observer="visible" if fid % 2 else "invisible") for fid in range(1, 21)]
-    rows = [replace(row, observer_2=row.observer if row.window_id > 4 else "visible") for row in rows]
-    said = agreement_sentences(agreement_of(rows))
-    assert said[0] == "Both judged 20 windows and agreed on 18 (90 %)."
-    assert said[1] == "Only the first saw a loss: 0. Only the second: 2."
-    assert said[2].startswith("Cohen's kappa: 0.80 (95 % interval 0.54 to 1.00), substantial agreement.")
-    assert agreement_sentences(agreement_of([window(1)])) == [
-        "No window was judged by both operators yet; 'not sure' does not count."
-    ]
 
 
 # Blind

@@ -4,14 +4,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QAction
 from seam_inspector.plugin.imagery.statistics import FIRST, SECOND
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
-from seam_inspector.plugin.seams.desk.judging_summary import counts_words, limit_words, tool_words
+from seam_inspector.plugin.seams.desk.judging_summary import counts_words, tool_words
 from seam_inspector.plugin.seams.desk.windows.filter_boxes import least_sure_first
-from seam_inspector.plugin.seams.measure.threshold_calibration import calibrate, verdicts_of
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.seams.desk.windows_session import WindowsSession, window
@@ -39,26 +37,6 @@ def test_own_words_are_counted_and_held_against_the_tool_s() -> None:
     assert tool_words(rows, SECOND) == ""
 
 
-def test_the_limit_is_the_one_that_the_algorithm_finds() -> None:
-    values = [(row.extent, row.observer == "visible", row.kept_1 or 0.0) for row in judged()]
-    found = calibrate(verdicts_of("kept_1", values), 1.0)
-    assert found.best is not None
-    assert found.best_range is not None
-    said = limit_words(found, 0.7)
-    low, high = (f"{100 * end:.0f}" for end in found.best_range)
-    assert found.wanted is not None
-    lacking = sum(max(wanted - 6, 0) for wanted in found.wanted)
-    assert lacking > 0
-    assert said == (
-        f"Your verdicts support a limit of {100 * found.best.threshold:.0f} % kept along the seam ({low} to {high} %); "
-        f"70 % is set. These are 12 verdicts; judge some {lacking} more before you rely on it."
-    )
-    assert limit_words(replace(found, wanted=(6, 5)), 0.7).endswith("70 % is set.")
-    assert 0.62 <= found.best.threshold <= 0.75
-    few = calibrate(verdicts_of("kept_1", values[:3]), 1.0)
-    assert "(3 visible, 0 invisible" in limit_words(few, 0.7)
-
-
 def test_after_the_last_window_the_bar_sums_up_and_offers_what_comes_next(
     bar: JudgeBar, session: WindowsSession, judging: Judging
 ) -> None:
@@ -68,21 +46,15 @@ def test_after_the_last_window_the_bar_sums_up_and_offers_what_comes_next(
     session.select([7])
     assert not any(button.isVisible() for button in bar._steps)
     session.select([])
-    for _ in range(400):
-        if bar._limit.calibration is None:
-            QTest.qWait(50)
     assert bar.sentence().startswith("All windows are judged: 6 visible, 6 invisible, 0 not sure. The tool agrees on")
-    assert "Your verdicts support a limit of" in bar.sentence()
     assert [button.text() for button in bar._steps if button.isVisible()] == ["Second operator", "Report"]
     next(button for button in bar._steps if button.text() == "Second operator").click()
     assert (judging.operator, judging.is_blind) == (SECOND, True)
     assert session.selected() == [1]  # the first of his
-    assert not bar.operators.agreement.isEnabled()
     session.put([replace(row, observer_2="visible") for row in judged()])
     session.select([])
-    assert bar.operators.agreement.isEnabled()  # nothing is left to be swayed
     assert "tool" not in bar.sentence()
-    assert [button.text() for button in bar._steps if button.isVisible()] == ["Agreement of both", "Report"]
+    assert [button.text() for button in bar._steps if button.isVisible()] == ["Report"]
 
 
 @pytest.mark.parametrize(("rows", "order"), [

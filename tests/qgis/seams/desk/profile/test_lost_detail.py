@@ -13,7 +13,6 @@ from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.seams.desk.map import lost_detail as loss_overlay
 from seam_inspector.plugin.seams.desk.map.lost_detail import LossLegend, LossOverlay, ProfileOnMap
 from seam_inspector.plugin.seams.desk.map.picture_overlay import PictureOverlay, PlacedPicture, rgba_image
-from seam_inspector.plugin.seams.desk.swipe.swipe_item import Divider, MapPicture, SwipeItem
 
 from tests.qgis.scenes import PIXEL
 from tests.qgis.seams.desk.profile.profile_desk import (
@@ -188,19 +187,13 @@ def test_the_ground_of_a_bin_is_marked_on_the_map(canvas: QgsMapCanvas) -> None:
     assert len(canvas.scene().items()) == before
 
 
-@pytest.mark.parametrize("has_handle", [True, False])
-def test_the_hard_cut_in_place_of_the_mosaic_has_none_of_its_lost_detail(
-    qgis_app: QApplication, has_handle: bool
-) -> None:
-    """Between two sides of a handle it is told of both."""
+def test_the_hard_cut_in_place_of_the_mosaic_has_none_of_its_lost_detail(qgis_app: QApplication) -> None:
     canvas = QgsMapCanvas()
-    overlay, empty = PictureOverlay(canvas), MapPicture(canvas)
-    picture = rgba_image(np.full((2, 2, 4), 255, np.uint8))
-    overlay.show([PlacedPicture(picture, (0, 0, 1, 1), (0, 0, 1, 1))], UTM33)
-    item = SwipeItem(canvas, Divider(), empty, empty, hides_loss=not has_handle)
+    overlay = PictureOverlay(canvas)
+    overlay.show([PlacedPicture(rgba_image(np.full((2, 2, 4), 255, np.uint8)), (0, 0, 1, 1), (0, 0, 1, 1))], UTM33)
     assert overlay._item is not None
-    assert (item.zValue() > overlay._item.zValue()) != has_handle
-    canvas.scene().removeItem(item)
+    overlay.set_visible(False)
+    assert not overlay._item.isVisible()
     overlay.close()
     canvas.close()
     canvas.deleteLater()

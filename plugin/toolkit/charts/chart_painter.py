@@ -9,8 +9,8 @@ from qgis.PyQt.QtCore import QBuffer, QByteArray, QLineF, QPointF, QRectF, QSize
 from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
 from qgis.PyQt.QtSvg import QSvgGenerator
 
-from ...toolkit.charts.chart_style import ChartStyle
-from ...toolkit.painting import painting
+from ..painting import painting
+from .chart_style import ChartStyle
 
 PT = 100 / 72
 """Widths of lines and sizes of points are given in points, of which a screen of 100 dpi shows so many pixels."""

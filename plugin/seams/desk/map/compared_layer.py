@@ -1,11 +1,13 @@
-"""A raster to be swiped as a layer of our own: never in the project, and looking as the mosaic does."""
+"""What the mosaic is compared with as a layer: a source, or the hard cut of all in a window. Never in the project, and
+in the mosaic's look: with two stretches the eye would compare these, and not the detail."""
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from uuid import uuid4
 
-from qgis.core import QgsMapLayer, QgsProject, QgsRasterLayer, QgsRasterMinMaxOrigin
-from qgis.PyQt.QtCore import QCoreApplication
+from qgis.core import QgsRasterLayer, QgsRasterMinMaxOrigin
+from qgis.PyQt.QtCore import QCoreApplication, QObject, pyqtSignal
 from qgis.PyQt.QtXml import QDomDocument
 
 from ....imagery import messages as imagery_messages
@@ -14,28 +16,78 @@ from ....imagery.gdal_calls import drop_from_memory, gdal_call
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import WrittenBands, raster_writer
 from ....imagery.rasters import RasterRef
-from ....toolkit.background_tasks import Cancelled, Job
-from ....toolkit.layers import layer_ref
-from ....toolkit.reference_systems import reference_system
+from ....toolkit.background_tasks import BackgroundTasks, Cancelled, Job
+from ....toolkit.reference_systems import keep_system, reference_system
+from ....toolkit.translation import tr
 from ...measure.window.explained_window import WindowComposite, window_composite
 from ...measure.window.window_request import WindowRequest
 
 
 @dataclass(frozen=True)
-class SwipeChoice:
-    """What the mosaic can be compared with."""
+class Compared:
+    """What the mosaic is compared with in a window."""
 
-    title: str
-    """What it is called on the map."""
-    ref: RasterRef | None = None
-    """A source; None: the hard-cut composite."""
-    request: WindowRequest | None = None
-    """The window that the composite is of."""
+    request: WindowRequest
+    source: RasterRef | None = None
+    """None: the hard cut of the window's sources."""
+
+
+class ComparedLayer(QObject):
+    """One at a time, opened in the background, since that may take long."""
+
+    changed = pyqtSignal()
+    """``layer`` is another one."""
+    failed = pyqtSignal(object)
+    """The Message why there is none."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._background = BackgroundTasks(self)
+        self._background.failed.connect(self.failed)
+        self._compared: Compared | None = None
+        self._file = ""  # of the hard cut, in memory
+        self.layer: QgsRasterLayer | None = None
+        """None until it is there."""
+        self.why_not: Message | None = None
+        """Why it can't be had."""
+
+    def ask(self, compared: Compared | None) -> None:
+        """This one from now on; None: nothing."""
+        if compared == self._compared:
+            return
+        self.close()
+        self._compared = compared
+        if compared is None:
+            return
+        if compared.source is not None:
+            job, title = opening_job(compared.source), tr("Open a source")
+        else:
+            self._file = f"/vsimem/seam_inspector_composite_{uuid4().hex}.tif"
+            job, title = composite_job(compared.request, self._file), tr("Cut the composite")
+        self._background.start(title, job, self._take)
+
+    def close(self) -> None:
+        """No layer, and none to come. What is still being drawn keeps its file open."""
+        self._background.abandon()
+        self._compared, had_layer, self.layer, self.why_not = None, self.layer is not None, None, None
+        file, self._file = self._file, ""
+        if file:
+            drop_from_memory(file)
+        if had_layer:
+            self.changed.emit()
+
+    def _take(self, layer: object) -> None:
+        if isinstance(layer, QgsRasterLayer):
+            keep_system(layer)
+            self.layer = layer
+            self.changed.emit()
+        elif isinstance(layer, Message):
+            self.why_not = layer
+            self.failed.emit(layer)
 
 
 def opening_job(ref: RasterRef) -> Job:
-    """Opens a raster in the task's thread, since that may take long; yields its QgsRasterLayer, or the Message why
-    it can't be."""
+    """Opens a raster; yields its QgsRasterLayer, or the Message why it can't be."""
 
     def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         layer = private_layer(ref)
@@ -56,71 +108,32 @@ def private_layer(ref: RasterRef) -> QgsRasterLayer:
 
 
 def looks_alike(layer: QgsRasterLayer, mosaic: QgsRasterLayer) -> bool:
-    """Give a layer the mosaic's style, stretch and all, where it has the same kind of bands; else leave its own.
-
-    With two stretches the eye would compare these, and not the detail.
-    """
-    own, other = layer.dataProvider(), mosaic.dataProvider()
-    if mosaic.renderer() is None or own is None or other is None:
+    """Give a layer the mosaic's style, stretch and all, where it has the same kind of bands; else leave its own."""
+    bands, other = layer.dataProvider(), mosaic.dataProvider()
+    if mosaic.renderer() is None or bands is None or other is None:
         return False
     for band in mosaic.renderer().usesBands():
-        if band > own.bandCount() or own.dataType(band) != other.dataType(band):
+        if band > bands.bandCount() or bands.dataType(band) != other.dataType(band):
             return False
     style = QDomDocument()
     mosaic.exportNamedStyle(style)
     layer.importNamedStyle(style)
     renderer = layer.renderer()
     renderer.setMinMaxOrigin(QgsRasterMinMaxOrigin())  # no stretch of its own when the map is moved
-    if renderer.alphaBand() > own.bandCount():
+    if renderer.alphaBand() > bands.bandCount():
         renderer.setAlphaBand(-1)
     return True
-
-
-def exchanged(
-    shown: list[QgsMapLayer], mosaic: QgsRasterLayer, hidden: set[str], instead: list[QgsMapLayer]
-) -> list[QgsMapLayer]:
-    """The map's layers with others in the mosaic's place; layers with ``hidden`` ids, its sources, are left out."""
-    place = next((i for i, layer in enumerate(shown) if layer is mosaic), None)
-    if place is None:  # not on the map: above the first raster
-        place = next((i for i, layer in enumerate(shown) if isinstance(layer, QgsRasterLayer)), len(shown))
-    above, below = ([one for one in part if one.id() not in hidden and one is not mosaic]
-                    for part in (shown[:place], shown[place:]))
-    return [*above, *instead, *below]
-
-
-def is_on_top(shown: list[QgsMapLayer], mosaic: QgsRasterLayer, hidden: set[str]) -> bool:
-    """Whether the map shows the mosaic, and not a source above it."""
-    above = shown[: shown.index(mosaic)] if mosaic in shown else None
-    return above is not None and not any(layer.id() in hidden for layer in above)
-
-
-def source_layers(project: QgsProject, refs: set[str]) -> set[str]:
-    """Ids of the project's layers of these files."""
-    return {
-        layer.id() for layer in project.mapLayers().values()
-        if isinstance(layer, QgsRasterLayer) and layer.source().split("|")[0] in refs
-    }  # fmt: skip
-
-
-def mended_mosaics(project: QgsProject, mosaic: QgsRasterLayer, refs: set[str]) -> list[SwipeChoice]:
-    """The project's virtual rasters on just the mosaic's pixels, as a mended one is. ``refs``: files of the sources."""
-    others = {mosaic.id(), *source_layers(project, refs)}
-    return [
-        SwipeChoice(layer.name(), layer_ref(layer)) for layer in project.mapLayers().values()
-        if isinstance(layer, QgsRasterLayer) and layer.id() not in others and layer.source().lower().endswith(".vrt")
-        and layer.extent() == mosaic.extent() and layer.width() == mosaic.width() and layer.height() == mosaic.height()
-    ]  # fmt: skip
 
 
 def composite_job(request: WindowRequest, path: str) -> Job:
     """Cuts the composite and writes it to ``path``; yields its QgsRasterLayer, or the Message why there is none."""
 
     def made() -> object:
-        found = window_composite(request)
-        if isinstance(found, Message):
-            return found
+        composite = window_composite(request)
+        if isinstance(composite, Message):
+            return composite
         try:
-            write_composite(found, request, path)
+            write_composite(composite, request, path)
         except RasterError as error:
             return error.message
         return private_layer(RasterRef(path, request.mosaic.wkt))

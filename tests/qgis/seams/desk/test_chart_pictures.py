@@ -3,8 +3,8 @@ from __future__ import annotations
 
 import pytest
 from seam_inspector.plugin.seams.charts.chart_curves import Chart, ChartCurve
-from seam_inspector.plugin.seams.charts.chart_painter import chart_svg
-from seam_inspector.plugin.seams.desk.charts.chart_export import CurvesPicture
+from seam_inspector.plugin.seams.desk.charts.chart_pictures import CurvesPicture
+from seam_inspector.plugin.toolkit.charts.chart_painter import chart_svg
 
 NAMES = ("_mosaic.tif", "__a$b$.tif", "<b>c</b>.tif", "\u202egnp.tif", "_.tif")
 
