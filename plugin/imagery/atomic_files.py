@@ -116,16 +116,17 @@ class UnfinishedFile:
         then as it was."""
         with suppress(OSError):
             shutil.copymode(self._path, self.written)
-        beside = [Path(f"{self._path}{ending}") for ending in companions]
-        aside = {one: Path(tempfile.mkdtemp(dir=self._folder)) / one.name for one in beside if one.exists()}
+        aside: dict[Path, Path] = {}
         try:
-            for one, place in aside.items():
-                os.replace(one, place)
+            for older in (Path(f"{self._path}{ending}") for ending in companions):
+                if older.exists():
+                    aside[older] = Path(tempfile.mkdtemp(dir=self._folder)) / older.name
+                    os.replace(older, aside[older])
             self._move(self._path)
         except OSError:
-            for one, place in aside.items():
+            for older, place in aside.items():
                 with suppress(OSError):
-                    os.replace(place, one)
+                    os.replace(place, older)
             raise
         self.drop()
 

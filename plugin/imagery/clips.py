@@ -113,9 +113,14 @@ def read_clip(
     Raises NotCoveredError when more than 0.1 % of the pixels are invalid, or with ``partly`` when all but 0.5 % are;
     RasterError when the raster can't be read.
     """
-    raster = placed(source.raster)
-    if raster.is_north_up and _on_mosaic_system(raster.wkt, mosaic) and _same_pixel_size(raster.grid, mosaic.grid):
-        return _clip_as_it_is(source, mosaic.grid.window_extent(window), window, partly, holes)
+    raster, grid = placed(source.raster), mosaic.grid
+    if (
+        raster.is_north_up
+        and same_coordinates(raster.wkt, mosaic.wkt, mosaic.extent, MAX_SYSTEM_SHIFT_PX * grid.pixel_width)
+        and abs(raster.grid.pixel_width / grid.pixel_width - 1) <= limits.MAX_PIXEL_SIZE_DIFFERENCE
+        and abs(raster.grid.pixel_height / grid.pixel_height - 1) <= limits.MAX_PIXEL_SIZE_DIFFERENCE
+    ):
+        return _clip_as_it_is(source, grid.window_extent(window), window, partly, holes)
     return _clip_warped(source, mosaic, window, partly, holes)
 
 
@@ -150,34 +155,35 @@ def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow, part
     grid, (xmin, ymin, xmax, ymax) = source.raster.grid, extent
     column = grid.column_at((xmin + xmax) / 2) - window.width / 2
     row = grid.row_at((ymin + ymax) / 2) - window.height / 2
-    own = replace(window, column=round(column), row=round(row))
-    bands, invalid_share, valid = _read_valid(source, own, partly, holes)
+    under = replace(window, column=round(column), row=round(row))
+    bands, invalid_share, valid = _read_valid(source, under, partly, holes)
     # Six decimals: below that it is rounding of coordinates of millions of metres.
-    offsets = round(column - own.column, 6), round(row - own.row, 6)
+    offsets = round(column - under.column, 6), round(row - under.row, 6)
     return Clip(source.raster, bands, invalid_share, *offsets, valid=valid)
 
 
 def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool, holes: bool) -> Clip:
-    raster, dataset, failure = source.raster, source.dataset, messages.NOT_READABLE(name=source.ref.name)
+    raster, failure = source.raster, messages.NOT_READABLE(name=source.ref.name)
     extent = mosaic.grid.window_extent(window)
     extent_on(extent, mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
     finest = (1 - limits.MAX_PIXEL_SIZE_DIFFERENCE) * mosaic.ground_sample_distance
     times = mosaic.ground_sample_distance / raster.ground_sample_distance if raster.ground_sample_distance else math.inf
     if window.width * window.height * times**2 > limits.MAX_AVERAGED_PIXELS:
         raise RasterError(messages.MUCH_FINER(name=source.ref.name, times=times))
-    if source.roles.palette is not None:
-        dataset = gdal_call(lambda: _palette_expanded(source.dataset), failure)
-    warped = source.fetched(lambda: gdal_pixels(
+    expanded = None if source.roles.palette is None else gdal_call(lambda: _palette_expanded(source.dataset), failure)
+    warped = source.fetched(lambda dataset: gdal_pixels(
         lambda: gdal.Warp(
-            "", dataset, format="MEM", srcSRS=raster.wkt, dstSRS=mosaic.wkt, outputBounds=extent,
-            width=window.width, height=window.height, dstAlpha=True, warpOptions=["UNIFIED_SRC_NODATA=YES"],
+            "", dataset if expanded is None else expanded, format="MEM", srcSRS=raster.wkt, dstSRS=mosaic.wkt,
+            outputBounds=extent, width=window.width, height=window.height, dstAlpha=True,
+            warpOptions=["UNIFIED_SRC_NODATA=YES"],
             resampleAlg="average" if raster.ground_sample_distance < finest else "cubic",
         ),
         failure,
         partial(damaged, source.ref.name, PixelWindow(0, 0, source.columns, source.rows)),
     ))
-    for i in range(dataset.RasterCount):  # GDAL keeps no roles when it adds alpha
-        warped.GetRasterBand(i + 1).SetColorInterpretation(dataset.GetRasterBand(i + 1).GetColorInterpretation())
+    used = source.dataset if expanded is None else expanded
+    for i in range(used.RasterCount):  # GDAL keeps no roles when it adds alpha
+        warped.GetRasterBand(i + 1).SetColorInterpretation(used.GetRasterBand(i + 1).GetColorInterpretation())
     made = OpenRaster(source.ref, warped)
     whole = PixelWindow(0, 0, window.width, window.height)
     bands, invalid_share, valid = _read_valid(made, whole, partly, holes, source)
@@ -279,13 +285,3 @@ def _has_hole(invalid: np.ndarray) -> bool:
     rows, columns = (length // HOLE_PX * HOLE_PX for length in invalid.shape)
     across = np.logical_and.reduceat(invalid[:rows, :columns], np.arange(0, columns, HOLE_PX), axis=1)
     return bool(across.reshape(rows // HOLE_PX, HOLE_PX, columns // HOLE_PX).all(axis=1).any())
-
-
-def _on_mosaic_system(wkt: str, mosaic: Raster) -> bool:
-    tolerance = MAX_SYSTEM_SHIFT_PX * mosaic.grid.pixel_width
-    return same_coordinates(wkt, mosaic.wkt, mosaic.extent, tolerance)
-
-
-def _same_pixel_size(a: Grid, b: Grid) -> bool:
-    scales = a.pixel_width / b.pixel_width, a.pixel_height / b.pixel_height
-    return max(abs(scale - 1) for scale in scales) <= limits.MAX_PIXEL_SIZE_DIFFERENCE

@@ -99,8 +99,15 @@ class Message:
         return fill(template, **values)
 
 
-class Exceeding(float):
-    """A value over its limit, for a message: with as many more decimals as it takes to see that."""
+class Stated(float):
+    """A limit, for a message: written as it was stated, 2%, not 2.00%."""
+
+    def __format__(self, spec: str) -> str:
+        return f"{100 * self:.6g}%" if spec.endswith("%") else f"{float(self):.6g}"
+
+
+class Exceeding(Stated):
+    """A value over its limit, for a message: with all its digits where fewer don't show that."""
 
     def __new__(cls, value: float, limit: float) -> Exceeding:
         made = super().__new__(cls, value)
@@ -110,24 +117,9 @@ class Exceeding(float):
     _limit: float
 
     def __format__(self, spec: str) -> str:
-        head, point, kind = spec.rpartition(".")
-        if not point or not kind[:-1].isdigit() or kind[-1] not in "f%":
-            return format(float(self), spec)
-        for decimals in range(int(kind[:-1]), int(kind[:-1]) + _MORE_DECIMALS):
-            text = format(float(self), f"{head}.{decimals}{kind[-1]}")
-            if float(text.rstrip("%")) > self._limit * (100 if kind[-1] == "%" else 1):
-                break
-        return text
-
-
-_MORE_DECIMALS = 5
-
-
-class Stated(float):
-    """A limit, for a message: written as it was stated, 2%, not 2.00%."""
-
-    def __format__(self, spec: str) -> str:
-        return f"{100 * self:.6g}%" if spec.endswith("%") else f"{float(self):.6g}"
+        text = format(float(self), spec)
+        is_shown = float(text.rstrip("%")) > self._limit * (100 if spec.endswith("%") else 1)
+        return text if is_shown else super().__format__(spec)
 
 
 @cache

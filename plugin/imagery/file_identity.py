@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import stat
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
@@ -17,13 +18,12 @@ from hashlib import blake2b
 from itertools import chain
 from pathlib import Path
 from typing import NamedTuple, Union
-from xml.etree.ElementTree import Element, ParseError, tostring
 
 from osgeo import gdal
 
 from . import messages
 from .atomic_files import leading_to
-from .documents import json_document, xml_root
+from .documents import json_document
 from .errors import RasterError, SettingsError
 from .gdal_calls import gdal_settings, gdal_silenced
 from .gdal_paths import (
@@ -138,7 +138,7 @@ def files_beside(path: str) -> set[str]:
         dataset = opened_checked(path, gdal.OF_RASTER) if os.path.isfile(path) and not is_database(path) else None
         if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
             names = {os.path.basename(file) for file in dataset.GetFileList() or ()} - {name}
-            called |= {one for one in names if one.startswith(os.path.splitext(name)[0])}
+            called |= {other for other in names if other.startswith(os.path.splitext(name)[0])}
     return called
 
 
@@ -167,7 +167,7 @@ def _read_with(given: DataPlace) -> Iterator[DataPlace]:
     file = local_file(given.path)
     if os.path.isdir(file):  # of which every file is read
         with os.scandir(file) as entries:
-            yield from [DataPlace(one.path) for one in entries if one.is_file()]
+            yield from [DataPlace(entry.path) for entry in entries if entry.is_file()]
         return
     is_table = file != given.path and is_database(file)
     yield DataPlace(file, given.path.rpartition(":")[2] if is_table else given.table)
@@ -219,10 +219,10 @@ def _name(path: str) -> tuple[str, str]:
 def _identity(path: str) -> _Identity:
     """One key for all names of a file: relative, through links, in other letters where the system takes them so."""
     try:
-        found = os.stat(path)
+        status = os.stat(path)
     except (OSError, ValueError):
         return path if path.startswith("/vsi") else os.path.normcase(os.path.realpath(path))
-    return found.st_dev, found.st_ino
+    return status.st_dev, status.st_ino
 
 
 _MASK = ".msk"
@@ -235,7 +235,8 @@ _LOOK_STEP = 78_479  # from a look's place in its stretch to the next's: no rows
 OF_NO_CONSEQUENCE = "Metadata", "Histograms", "Description", "CategoryNames", "SourceProperties"
 """What QGIS writes, or leaves out, when it first shows a raster, such as statistics, changes no pixel."""
 _MOST_PARSED = 20_000_000  # bytes of a VRT
-_NAMED_FILE = "SourceFilename", "SourceDataset"
+_NO_CONSEQUENCE = re.compile(rb"<(%s)\b(?:[^>]*/>|.*?</\1>)" % "|".join(OF_NO_CONSEQUENCE).encode(), re.S)
+_FOLDERS = re.compile(rb"<(SourceFilename|SourceDataset)\b[^>]*>(?:[^<]*[\\/])?")
 
 
 class FileState(NamedTuple):
@@ -277,20 +278,20 @@ def _read_from(path: str) -> dict[str, None]:
         with gdal_settings(GDAL_DISABLE_READDIR_ON_OPEN="TRUE"):  # a folder of thousands is not listed for each of them
             dataset = opened_checked(path, gdal.OF_RASTER)
             files = [*map(local_file, dataset.GetFileList() or ())] if dataset is not None else []
-    beside = (one for one in (path + _MASK, *files) if not one.lower().endswith(_NOT_PIXELS))
+    beside = (name for name in (path + _MASK, *files) if not name.lower().endswith(_NOT_PIXELS))
     return dict.fromkeys(map(os.path.abspath, (file, *beside)))
 
 
 def known_states(paths: Iterable[str], ask: bool = True) -> dict[str, FileState]:
     """``local_states``, and of remote rasters what their server says of them where it is to be asked. What nothing is
     known of has an empty digest."""
-    found: dict[str, FileState] = {}
+    states: dict[str, FileState] = {}
     for path in paths:
         if is_remote(path):
-            found[path] = FileState(0, 0, remote_state(path) if ask else "")
+            states[path] = FileState(0, 0, remote_state(path) if ask else "")
         else:
-            found.update(local_states([path]) or {path: FileState(0, 0, "")})
-    return found
+            states.update(local_states([path]) or {path: FileState(0, 0, "")})
+    return states
 
 
 def content_of(path: str) -> str:
@@ -321,20 +322,20 @@ def states_in(text: str) -> list[PlacedState]:
 def local_state(path: str) -> FileState | None:
     """None where there is no such file."""
     try:
-        found = os.stat(path)
-        if not stat.S_ISREG(found.st_mode):
-            return FileState(found.st_size, found.st_mtime_ns, "")
+        status = os.stat(path)
+        if not stat.S_ISREG(status.st_mode):
+            return FileState(status.st_size, status.st_mtime_ns, "")
         with open(path, "rb", buffering=0) as file:
-            if found.st_size <= _MOST_PARSED and begins_vrt(file.read(_LOOK_BYTES)):
+            if status.st_size <= _MOST_PARSED and begins_vrt(file.read(_LOOK_BYTES)):
                 said = _said(Path(path).read_bytes())
                 return FileState(len(said), 0, blake2b(said, digest_size=12).hexdigest())
             digest = blake2b(digest_size=12)
-            for place, count in _looks(found.st_size):
+            for place, count in _looks(status.st_size):
                 file.seek(place)
                 digest.update(file.read(count))
     except (OSError, ValueError):
         return None
-    return FileState(found.st_size, found.st_mtime_ns or 1, digest.hexdigest())
+    return FileState(status.st_size, status.st_mtime_ns or 1, digest.hexdigest())
 
 
 def _looks(size: int) -> Iterator[tuple[int, int]]:
@@ -349,33 +350,16 @@ def _looks(size: int) -> Iterator[tuple[int, int]]:
 
 def _said(vrt: bytes) -> bytes:
     """What a VRT says of its pixels, wherever its files lie."""
-    try:
-        root = xml_root(vrt)
-    except ParseError:
-        return vrt
-    for element in list(root.iter()):
-        _say_shortly(element)
-    return tostring(root)
-
-
-def _say_shortly(element: Element) -> None:
-    if element.tag in _NAMED_FILE:
-        element.text = (element.text or "").replace("\\", "/").rpartition("/")[2]
-        element.attrib.pop("relativeToVRT", None)
-    for child in [one for one in element if one.tag in OF_NO_CONSEQUENCE]:
-        element.remove(child)
-    element.text, element.tail = (element.text or "").strip(), ""
+    named = _FOLDERS.sub(rb"<\1>", _NO_CONSEQUENCE.sub(b"", vrt))
+    return b"".join(named.split())
 
 
 def remote_state(path: str) -> str:
     """Size, time of change and entity tag of what a server has, as far as it tells them now."""
     path = readable_path(path)
     forget_fetched(path)
-    with gdal_silenced():
-        try:
-            found = gdal.VSIStatL(path)
-            headers = gdal.GetFileMetadata(path, "HEADERS") or {}
-        except RuntimeError:
-            return ""
-    told = {name.lower(): value for name, value in headers.items()}
-    return f"{found and found.size} {found and found.mtime} {told.get('etag', '')}"
+    with gdal_silenced(), suppress(RuntimeError):
+        status, headers = gdal.VSIStatL(path), gdal.GetFileMetadata(path, "HEADERS") or {}
+        tags = [value for name, value in headers.items() if name.lower() == "etag"]
+        return f"{status and status.size} {status and status.mtime} {''.join(tags)}"
+    return ""

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import ctypes
 import math
+import os
 import threading
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -18,8 +19,6 @@ from functools import cache, lru_cache
 
 import numpy as np
 import pywt
-
-MAX_FILTER_ERROR = 1e-9  # orthonormality of PyWavelets' coefficients: 1e-11 at worst (sym20), dmey 2e-3
 
 BLOCK = 8
 """Outputs of each filter per matrix product."""
@@ -44,14 +43,6 @@ class FilterPair:
         before = low * (2 ** (level - 1) - 1)
         return before + 2 ** (level - 1) * low, before + 2 ** (level - 1) * high
 
-    @property
-    def orthonormal(self) -> bool:
-        """Whether the low-pass is orthonormal to its even shifts as closely as the energy chain needs."""
-        even_shifts = np.correlate(self.low, self.low, "full")[len(self.low) - 1 :: 2]
-        even_shifts[0] -= 1
-        return bool(np.abs(even_shifts).max() < MAX_FILTER_ERROR)
-
-
 @cache
 def filter_pair(wavelet: str) -> FilterPair:
     """Those of a wavelet of PyWavelets."""
@@ -62,31 +53,16 @@ def filter_pair(wavelet: str) -> FilterPair:
 @lru_cache(maxsize=1024)
 def _both_matrix(filters: FilterPair, dtype: type) -> np.ndarray:
     """(2 BLOCK, 2 BLOCK + L - 2): the low-pass as it is, below it the high-pass."""
-    return np.concatenate([_band_matrix(taps, 1.0, dtype) for taps in (filters.low, filters.high)])
+    return np.concatenate([_band_matrix(taps, dtype) for taps in (filters.low, filters.high)])
 
 
 @lru_cache(maxsize=1024)
-def _band_matrix(taps: tuple[float, ...], factor: float, dtype: type) -> np.ndarray:
-    """(BLOCK, 2 BLOCK + L - 2): row i holds the taps from sample 2 i on, times a factor."""
+def _band_matrix(taps: tuple[float, ...], dtype: type) -> np.ndarray:
+    """(BLOCK, 2 BLOCK + L - 2): row i holds the taps from sample 2 i on."""
     matrix = np.zeros((BLOCK, 2 * BLOCK + len(taps) - 2), dtype=dtype)
     for i in range(BLOCK):
-        matrix[i, 2 * i : 2 * i + len(taps)] = np.array(taps) * factor
+        matrix[i, 2 * i : 2 * i + len(taps)] = taps
     return matrix
-
-
-@cache
-def scale(taps: tuple[float, ...], dtype: type) -> float:
-    """The factor, 1 to 2, with which the taps lose least when they are rounded to ``dtype``.
-
-    Rounded as they are, they would change the gain, and with it the background of every float32 curve, by up
-    to 5e-8 a level and axis; multiplied by this factor first, by less than 5e-9 at any frequency.
-    """
-    if dtype is np.float64:
-        return 1.0
-    factors = 2 ** np.linspace(0, 1, 512, endpoint=False)[:, np.newaxis]
-    rounded = (factors * taps).astype(dtype) / factors
-    gains, exact_gains = (np.abs(np.fft.rfft(x, 256)) ** 2 for x in (rounded, np.array(taps)))
-    return float(factors[np.abs(gains - exact_gains).max(axis=1).argmin(), 0])
 
 
 def _middle(taps: Sequence[float]) -> float:
@@ -107,12 +83,12 @@ _memory = threading.local()
 def halved(
     bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, dtype: type, pairs: Sequence[Pair]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The coarse components of bands (bands, rows, columns) less their offsets, times twice the low-pass's scale.
+    """The coarse components of bands (bands, rows, columns) less their offsets.
 
     Returns them, (bands, rows / 2, columns / 2), and the pairs' inner products of the input less its offsets.
     """
     count, rows, columns = bands.shape
-    matrix, margin = _band_matrix(filters.low, scale(filters.low, dtype), dtype), filters.margin
+    matrix, margin = _band_matrix(filters.low, dtype), filters.margin
     coarse = np.empty((count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
     products = np.zeros(len(pairs))
     for start, samples in _strips(bands, offsets, margin, dtype):
@@ -208,12 +184,13 @@ def _continued(beyond: np.ndarray, length: int, mirrored: bool) -> np.ndarray:
     return np.minimum(beyond, 2 * length - 1 - beyond)
 
 
-def _banded(x: np.ndarray, matrix: np.ndarray, out: np.ndarray) -> None:
-    """Filtering along axis 1: (n, 2 BLOCK blocks + L - 2, m) -> ``out`` (n, blocks, outputs of a block, m).
+def _banded(x: np.ndarray, matrix: np.ndarray, out: np.ndarray, step: int = 2 * BLOCK) -> None:
+    """Filtering along axis 1: (n, samples, m) -> ``out`` (n, blocks, outputs of a block, m); from one block to the next
+    it is ``step`` samples.
 
     The samples of neighbouring blocks overlap, so they are views into x and nothing is copied.
     """
-    strides = (x.strides[0], 2 * BLOCK * x.strides[1], *x.strides[1:])
+    strides = (x.strides[0], step * x.strides[1], *x.strides[1:])
     shape = (x.shape[0], out.shape[1], matrix.shape[1], x.shape[2])
     samples = np.lib.stride_tricks.as_strided(x, shape, strides, writeable=False)
     width = max(1, MAX_MULTIPLICATIONS // matrix.size)
@@ -243,24 +220,16 @@ def multiply(first: np.ndarray, second: np.ndarray, out: np.ndarray) -> None:
         out[...] = gemm(1.0, second.T, first.T).T
 
 
-class _Library(ctypes.Structure):
-    """``Dl_info`` of dladdr(3)."""
-
-    _fields_ = (
-        ("path", ctypes.c_char_p), ("base", ctypes.c_void_p), ("name", ctypes.c_char_p), ("address", ctypes.c_void_p),
-    )  # fmt: skip
-
-
 @cache
 def numpy_has_plain_products() -> bool:
     """Whether this process was started with GSL's CBLAS, whose names go before those of the library that numpy asks
     for."""
     try:
-        process, found = ctypes.CDLL(None), _Library()
-        is_known = process.dladdr(process.cblas_sgemm, ctypes.byref(found))
+        libraries = ctypes.CDLL(None), ctypes.CDLL("libgslcblas.so.0", os.RTLD_NOLOAD)
+        process, gsl = (ctypes.cast(library.cblas_sgemm, ctypes.c_void_p).value for library in libraries)
     except (AttributeError, OSError, TypeError):  # none of these names, as on other systems and in plain Python
         return False
-    return bool(is_known) and b"gslcblas" in (found.path or b"")
+    return process == gsl
 
 
 def reused(name: str, shape: tuple[int, ...], dtype: type) -> np.ndarray:
@@ -292,7 +261,6 @@ def correlated(plane: np.ndarray, taps: np.ndarray) -> np.ndarray:
     for i in range(_BLOCK):
         matrix[i, i : i + down] = taps
     matrix = matrix.reshape(_BLOCK, -1)
-    width = max(1, MAX_MULTIPLICATIONS // matrix.size)
     made = np.empty((-(-rows // _BLOCK) * _BLOCK, columns), np.float32)
     for start in range(0, rows, _STRIP):
         height = min(_STRIP, len(made) - start)
@@ -305,11 +273,6 @@ def correlated(plane: np.ndarray, taps: np.ndarray) -> np.ndarray:
         beside = reused("beside", (len(needed), across, columns), np.float32)
         for column in range(across):
             beside[:, column] = padded[:, column : column + columns]
-        strides = (_BLOCK * beside.strides[0], *beside.strides[1:])
-        shape = (height // _BLOCK, matrix.shape[1], columns)
-        samples = np.lib.stride_tricks.as_strided(beside, shape, strides, writeable=False)
-        target = made[start : start + height].reshape(-1, _BLOCK, columns)
-        for first in range(0, columns, width):
-            part = np.s_[..., first : first + width]
-            multiply(matrix, samples[part], target[part])
+        target = made[start : start + height].reshape(1, -1, _BLOCK, columns)
+        _banded(beside.reshape(1, -1, columns), matrix, target, _BLOCK * across)
     return made[:rows]

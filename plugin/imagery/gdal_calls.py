@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager, suppress
+from contextlib import contextmanager, suppress
 from typing import Any, Callable
 
 from osgeo import gdal
@@ -23,11 +23,9 @@ def gdal_silenced() -> Iterator[None]:
 
 def gdal_call(call: Callable[[], Any], failure: Message) -> Any:
     """What a GDAL call returns; RasterError when it fails."""
-    with gdal_silenced():
-        try:
-            result = call()
-        except RuntimeError:
-            result = None
+    result = None
+    with gdal_silenced(), suppress(RuntimeError):
+        result = call()
     if result is None:
         raise RasterError(failure)
     return result
@@ -56,13 +54,6 @@ def gdal_pixels(call: Callable[[], Any], failure: Message, damage: Callable[[str
     return result
 
 
-def read_metadata(dataset: gdal.Dataset) -> None:
-    """Have GDAL read now what lies beside a raster, and leave out what of it is broken; else the first question about
-    the raster fails, whatever it is."""
-    with gdal_silenced(), suppress(RuntimeError):
-        dataset.GetGeoTransform()
-
-
 @contextmanager
 def gdal_settings(**options: str) -> Iterator[None]:
     """GDAL's options for this thread alone."""
@@ -74,14 +65,6 @@ def gdal_settings(**options: str) -> Iterator[None]:
     finally:
         for name in options:
             gdal.SetThreadLocalConfigOption(name, before[name])
-
-
-def whole_jpeg_tiles() -> AbstractContextManager[None]:
-    """Datasets opened here, in this thread, decode whole tiles of JPEG in TIFF for reduced pixels.
-
-    Else libjpeg decodes a half to an eighth of a tile alone, where it takes sound tiles for cut off now and then.
-    """
-    return gdal_settings(GTIFF_IMPLICIT_JPEG_OVR="NO")
 
 
 @contextmanager
@@ -98,19 +81,22 @@ def gdal_writing(failure: Message) -> Iterator[None]:
         raise RasterError(failure)
 
 
-def gdal_masks_beside() -> AbstractContextManager[None]:
-    """A mask that this thread adds to a TIFF becomes a file beside it, as before GDAL 3.13."""
-    return gdal_settings(GDAL_TIFF_INTERNAL_MASK="NO")
+def vsi_bytes(path: str, most: int | None = None) -> bytes:
+    """The first bytes of a file that GDAL can open, or all; none of one that it can't."""
+    file = gdal.VSIFOpenL(path, "rb")
+    if file is None:
+        return b""
+    try:
+        return bytes(gdal.VSIFReadL(1, gdal.VSIStatL(path).size if most is None else most, file) or b"")
+    finally:
+        gdal.VSIFCloseL(file)
 
 
 def taken_from_memory(path: str) -> bytes:
     """The bytes of a file of /vsimem, which is then removed."""
-    file = gdal.VSIFOpenL(path, "rb")
-    try:
-        return bytes(gdal.VSIFReadL(1, gdal.VSIStatL(path).size, file))
-    finally:
-        gdal.VSIFCloseL(file)
-        drop_from_memory(path)
+    content = vsi_bytes(path)
+    drop_from_memory(path)
+    return content
 
 
 def drop_from_memory(path: str) -> None:

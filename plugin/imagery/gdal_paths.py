@@ -11,7 +11,7 @@ import re
 import sqlite3
 import stat
 from collections.abc import Iterator
-from contextlib import closing
+from contextlib import closing, suppress
 from functools import lru_cache
 from html import unescape
 from itertools import combinations
@@ -22,7 +22,7 @@ from osgeo import gdal
 
 from . import messages
 from .errors import RasterError
-from .gdal_calls import gdal_silenced
+from .gdal_calls import gdal_silenced, vsi_bytes
 
 _IMAGES = (
     "GTiff", "COG", "JPEG", "PNG", "GIF", "BIGGIF", "BMP", "WEBP", "JPEGXL", "HEIF", "PNM", "JP2OpenJPEG", "JP2ECW",
@@ -53,11 +53,9 @@ ANYTHING = Access(0, (*_IMAGES, *_TABLES, "OGR_VRT"))
 
 def open_dataset(path: str, access: Access, flags: int = gdal.OF_READONLY) -> gdal.Dataset | None:
     """None for what can't be opened by the drivers that are allowed. GDAL says nothing."""
-    with gdal_silenced():
-        try:
-            return gdal.OpenEx(readable_path(path), access.kind | flags, list(access.drivers))
-        except RuntimeError:
-            return None
+    with gdal_silenced(), suppress(RuntimeError):
+        return gdal.OpenEx(readable_path(path), access.kind | flags, list(access.drivers))
+    return None
 
 
 def check_raster_path(path: str, name: str) -> None:
@@ -73,23 +71,21 @@ def check_raster_path(path: str, name: str) -> None:
 
 def _driver(path: str, kind: int) -> str:
     """The first of GDAL's drivers that takes a path for its own; empty where none does."""
-    with gdal_silenced():
-        try:
-            driver = gdal.IdentifyDriverEx(path, kind)
-        except RuntimeError:
-            return ""
+    driver = None
+    with gdal_silenced(), suppress(RuntimeError):
+        driver = gdal.IdentifyDriverEx(path, kind)
     return "" if driver is None else str(driver.ShortName)
 
 
 def is_endless(path: str) -> bool:
     """Whether a path is no file with an end: a device, a pipe, a socket, what is typed, or what the system makes up."""
     try:
-        found = os.stat(path)
+        status = os.stat(path)
     except (OSError, ValueError):
         return path.startswith("/vsistdin")
-    if stat.S_ISREG(found.st_mode):
-        return found.st_size == 0 and os.path.realpath(path).startswith("/proc/")
-    return not stat.S_ISDIR(found.st_mode)
+    if stat.S_ISREG(status.st_mode):
+        return status.st_size == 0 and os.path.realpath(path).startswith("/proc/")
+    return not stat.S_ISDIR(status.st_mode)
 
 
 def is_layer_file(path: Path) -> bool:
@@ -182,18 +178,29 @@ def vrt_parts(path: str) -> tuple[str, ...]:
         return (path[len("vrt://") :].partition("?")[0],)
     if path.upper().startswith("GTI:"):
         return tuple(_indexed(path[len("GTI:") :]))
-    try:
-        found = os.stat(local_file(path))
-    except (OSError, ValueError):
+    stamp = file_stamp(local_file(path))
+    if stamp is None:
         return _read_names(path) if path.startswith("/vsimem/") else ()
-    is_file = stat.S_ISREG(found.st_mode)
-    return _kept_names(path, found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns) if is_file else ()
+    return _kept_names(path, stamp)
+
+
+Stamp = tuple[int, ...]
+"""File number, size and times of the last changes of a file."""
+
+
+def file_stamp(path: str) -> Stamp | None:
+    """Which file it is by now; None for what is no file of this machine."""
+    with suppress(OSError, ValueError):
+        found = os.stat(path)
+        if stat.S_ISREG(found.st_mode):
+            return found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns
+    return None
 
 
 @lru_cache(100_000)
-def _kept_names(path: str, *state: int) -> tuple[str, ...]:
-    """What the file at a path names, looked at anew once its ``state`` is another one: mosaics of ten thousand files
-    are opened for every window."""
+def _kept_names(path: str, stamp: Stamp) -> tuple[str, ...]:
+    """What the file at a path names, looked at anew once it is another one: mosaics of ten thousand files are opened
+    for every window."""
     return _read_names(path)
 
 
@@ -205,22 +212,11 @@ def _read_names(path: str) -> tuple[str, ...]:
 
 def _document(path: str) -> bytes:
     """The content of a file that may name others; empty for any other."""
-    with gdal_silenced():
-        try:
-            file = gdal.VSIFOpenL(path, "rb")
-        except RuntimeError:
-            file = None
-        if file is None:
-            return b""
-        try:
-            head = bytes(gdal.VSIFReadL(1, _HEAD_BYTES, file) or b"")
-            if not any(root in head.partition(b"\0")[0] for root in _NAMES_OTHERS):
-                return b""
-            return head + bytes(gdal.VSIFReadL(1, gdal.VSIStatL(path).size, file) or b"")
-        except RuntimeError:
-            return b""
-        finally:
-            gdal.VSIFCloseL(file)
+    with gdal_silenced(), suppress(RuntimeError):
+        head = vsi_bytes(path, _HEAD_BYTES)
+        if any(root in head.partition(b"\0")[0] for root in _NAMES_OTHERS):
+            return vsi_bytes(path)
+    return b""
 
 
 def _named(document: bytes, folder: str) -> Iterator[str]:

@@ -66,9 +66,8 @@ class PixelWindow:
 
     def shared_pixels(self, other: PixelWindow) -> int:
         """How many pixels two windows on the same grid have in common."""
-        width = min(self.column + self.width, other.column + other.width) - max(self.column, other.column)
-        height = min(self.row + self.height, other.row + other.height) - max(self.row, other.row)
-        return max(width, 0) * max(height, 0)
+        shared = self.moved_by(-other.column, -other.row).cut_to(other.width, other.height)
+        return shared.width * shared.height
 
 
 @dataclass(frozen=True)
@@ -127,15 +126,6 @@ class Grid:
             self.top - (window.row + window.height) * self.pixel_height,
             self.left + (window.column + window.width) * self.pixel_width,
             self.top - window.row * self.pixel_height,
-        )
-
-    def contains(self, window: PixelWindow) -> bool:
-        """Whether every pixel of the window is a pixel of the grid."""
-        return (
-            window.column >= 0
-            and window.row >= 0
-            and window.column + window.width <= self.columns
-            and window.row + window.height <= self.rows
         )
 
 

@@ -21,11 +21,13 @@ from __future__ import annotations
 import math
 import struct
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import chain, combinations
 
 import numpy as np
 from osgeo import gdal, ogr
+from scipy.spatial import cKDTree
 
 from . import messages
 from .errors import SeamlineError
@@ -113,13 +115,9 @@ def _clustered(points: np.ndarray, tolerance: float) -> tuple[np.ndarray, np.nda
     From west to east each point is kept unless a kept one is near: chains of near points don't collapse.
     """
     unique, member = np.unique(points, return_inverse=True)
-    # The box of 2 x tolerance around a point lies in four cells of that size.
-    one, other = _in_cells(unique, unique, 2 * tolerance)
-    near = (one < other) & (abs(unique[one] - unique[other]) <= tolerance)
-    one, other = one[near], other[near]
-    order = np.lexsort((one, other))
+    pairs = cKDTree(as_xy(unique)).query_pairs(tolerance, output_type="ndarray")
     kept = list(range(len(unique)))
-    for earlier, later in zip(one[order].tolist(), other[order].tolist()):
+    for earlier, later in pairs[np.lexsort(pairs.T)].tolist():
         if kept[earlier] == earlier and kept[later] == later:
             kept[later] = earlier
     used, cluster = np.unique(kept, return_inverse=True)
@@ -130,45 +128,19 @@ def _passed_nodes(nodes: np.ndarray, ends: np.ndarray, tolerance: float) -> tupl
     """Pairs (piece, node) where a piece passes a node within ``tolerance`` between its ends; pairs may repeat."""
     start, stop = nodes[ends].T
     length = abs(stop - start)
-    # Pieces are searched in steps of up to the mean length, and steps of like length together: long borders
-    # of a block then cost as little as the raster steps within it.
+    # Long pieces are searched in steps of the mean length, each in the circle around it.
     steps = np.maximum(np.ceil(length / max(length.mean(), tolerance)), 1).astype(int)
-    piece, step = np.repeat(np.arange(len(ends)), steps), _count_up(steps)
+    piece = np.repeat(np.arange(len(ends)), steps)
+    step = np.arange(len(piece)) - np.repeat(np.cumsum(steps) - steps, steps)
     middle = start[piece] + (stop - start)[piece] * (step + 0.5) / steps[piece]
-    octave = np.ceil(np.log2(np.maximum(length / steps, tolerance)))[piece]
-    found = []
-    for size in np.unique(octave):
-        chosen = np.flatnonzero(octave == size)
-        near, node = _in_cells(middle[chosen], nodes, 2**size + 2 * tolerance)
-        passing = piece[chosen[near]]
-        span = length[passing]
-        offset = (nodes[node] - start[passing]) * (stop - start)[passing].conj()
-        inside = (offset.real > 0) & (offset.real < span**2) & (abs(offset.imag) <= tolerance * span)
-        inside &= (node != ends[passing, 0]) & (node != ends[passing, 1])
-        found.append(np.stack([passing, node])[:, inside])
-    passing, node = np.concatenate(found, axis=1)
-    return passing, node
-
-
-def _in_cells(centres: np.ndarray, points: np.ndarray, size: float) -> tuple[np.ndarray, np.ndarray]:
-    """Pairs (centre, point) that hold all points in the square of ``size`` around each centre, and some more."""
-    rows = int(points.imag.max() / size) + 3  # all coordinates are 0 or more; a cell free on either side
-    cell = np.floor(points.real / size).astype(int) * rows + np.floor(points.imag / size).astype(int)
-    order = np.argsort(cell, kind="stable")
-    cell = cell[order]
-    pairs = []
-    corner = np.floor(centres.real / size - 0.5).astype(int) * rows + np.floor(centres.imag / size - 0.5).astype(int)
-    # Two cells above each other are neighbours in the sorted list.
-    for column in (corner, corner + rows):
-        first, last = np.searchsorted(cell, column), np.searchsorted(cell, column + 1, side="right")
-        centre = np.repeat(np.arange(len(centres)), last - first)
-        pairs.append((centre, order[first[centre] + _count_up(last - first)]))
-    return np.concatenate([pairs[0][0], pairs[1][0]]), np.concatenate([pairs[0][1], pairs[1][1]])
-
-
-def _count_up(counts: np.ndarray) -> np.ndarray:
-    """0, 1, ..., n - 1 for each n in ``counts``, one after the other."""
-    return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    near = cKDTree(as_xy(nodes)).query_ball_point(as_xy(middle), (length / steps / 2)[piece] + tolerance)
+    passing = np.repeat(piece, list(map(len, near)))
+    node = np.fromiter(chain.from_iterable(near), int, len(passing))
+    offset = (nodes[node] - start[passing]) * (stop - start)[passing].conj()
+    span = length[passing]
+    inside = (offset.real > 0) & (offset.real < span**2) & (abs(offset.imag) <= tolerance * span)
+    inside &= (node != ends[passing, 0]) & (node != ends[passing, 1])
+    return passing[inside], node[inside]
 
 
 def borders(pieces: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -350,10 +322,9 @@ def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[np
 
 def read_geometry(wkb: bytes, number: int) -> ogr.Geometry:
     """A geometry without curves, Z and M. Raises SeamlineError when the bytes are none."""
-    try:
+    geometry = None
+    with suppress(RuntimeError):  # only where the process has GDAL's exceptions switched on
         geometry = ogr.CreateGeometryFromWkb(bytes(wkb))
-    except RuntimeError as error:  # only where the process has GDAL's exceptions switched on
-        raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number)) from error
     if geometry is None:
         raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number))
     if geometry.HasCurveGeometry():
@@ -385,15 +356,10 @@ def polygon_rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
 
     Raises SeamlineError when the polygon is invalid beyond repair.
     """
-    if not all(np.isfinite(ring).all() for ring in _rings(polygon)):  # GEOS dies of them
-        raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number))
-    gdal.PushErrorHandler("CPLQuietErrorHandler")  # IsValid warns on stderr about what is repaired here
-    try:
-        valid = polygon if polygon.IsValid() else polygon.MakeValid()
-    except RuntimeError as error:
-        raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number)) from error
-    finally:
-        gdal.PopErrorHandler()
+    valid = None
+    if all(np.isfinite(ring).all() for ring in _rings(polygon)):  # GEOS dies of others
+        with gdal_silenced(), suppress(RuntimeError):  # IsValid warns on stderr about what is repaired here
+            valid = polygon if polygon.IsValid() else polygon.MakeValid()
     if valid is None:
         raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number))
     for part in filter(is_polygon, simple_parts(valid)):

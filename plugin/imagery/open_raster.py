@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import nullcontext, suppress
+from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from typing import Any, Callable, NamedTuple, TypeVar
@@ -14,12 +14,12 @@ from osgeo import gdal, gdal_array
 
 from . import limits, messages
 from .errors import Message, RasterError
-from .gdal_calls import gdal_call, gdal_pixels, gdal_silenced, read_metadata, whole_jpeg_tiles
-from .gdal_paths import RASTERS, check_raster_path, open_dataset
+from .gdal_calls import gdal_call, gdal_pixels, gdal_settings, gdal_silenced
+from .gdal_paths import RASTERS, check_raster_path, is_remote, open_dataset
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
-from .remote_files import persistently, remote_parts, remote_settings
+from .remote_files import COMPLETE, WITH_OTHERS, remote_parts, remote_settings, with_retries
 
 
 @dataclass(frozen=True)
@@ -89,42 +89,70 @@ class PixelBlock(NamedTuple):
 class OpenRaster:
     """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
 
-    All reads stay inside the raster, and raise RasterError when they fail.
+    All reads stay inside the raster, and raise RasterError when they fail. What comes over the network is asked for
+    again, in a raster that is opened anew, before that.
     """
+
+    dataset: gdal.Dataset = None
+    """For what only GDAL does, such as warping."""
 
     def __init__(self, ref: RasterRef, dataset: gdal.Dataset | None = None, complex_values: bool = False) -> None:
         """``dataset``: what was made of the raster in memory, instead of its file; ``complex_values`` may be welcome.
 
         Raises RasterError when it can't be opened or used.
         """
+        self.ref, self.is_broken = ref, False
         self._is_of_file = dataset is None
         # Looked at once: a VRT may name thousands of files.
         self._is_remote = dataset is None and bool(remote_parts(ref.path))
-        if dataset is None:
-            there = ref.path.startswith("/vsi") or ":" in ref.path or os.path.exists(ref.path)
-            failure = messages.NOT_A_RASTER(name=ref.name) if there else messages.NOT_FOUND(path=ref.path)
-            check_raster_path(ref.path, ref.name)
-            if os.path.exists(ref.path) and not os.access(ref.path, os.R_OK):
-                failure = messages.NOT_PERMITTED(name=ref.name)
-            for part in ref.parts:
-                check_raster_path(part, ref.name)
-            dataset = self.fetched(lambda: _with_metadata(gdal_call(lambda: _opened(ref), failure)))
-        if dataset.RasterCount == 0:
+        self._beside = COMPLETE
+        if dataset is not None:
+            self.dataset = dataset
+        self.fetched(lambda opened: None)  # and so opened
+        if self.dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
-        _check_amounts(dataset, ref.name)
-        kinds = [dataset.GetRasterBand(number).DataType for number in range(1, dataset.RasterCount + 1)]
+        _check_amounts(self.dataset, ref.name)
+        kinds = [self.dataset.GetRasterBand(number).DataType for number in range(1, self.dataset.RasterCount + 1)]
         if not complex_values and any(map(gdal.DataTypeIsComplex, kinds)):
             raise RasterError(messages.COMPLEX_VALUES(name=ref.name))
-        self.ref, self.columns, self.rows = ref, dataset.RasterXSize, dataset.RasterYSize
-        self.dataset = dataset
-        """For what only GDAL does, such as warping."""
-        self.roles = band_roles(dataset)
+        self.columns, self.rows = self.dataset.RasterXSize, self.dataset.RasterYSize
+        self.roles = band_roles(self.dataset)
 
-    def fetched(self, call: Callable[[], Fetched]) -> Fetched:
-        """What a call finds in the raster. What comes over the network has an end, whoever reads it: a server that
-        drips is given up."""
-        with remote_settings({}) if self._is_remote else nullcontext():
-            return call()
+    def _open(self) -> None:
+        ref = self.ref
+        there = ref.path.startswith("/vsi") or ":" in ref.path or os.path.exists(ref.path)
+        failure = messages.NOT_A_RASTER(name=ref.name) if there else messages.NOT_FOUND(path=ref.path)
+        if os.path.exists(ref.path) and not os.access(ref.path, os.R_OK):
+            failure = messages.NOT_PERMITTED(name=ref.name)
+        for path in ref.paths:
+            check_raster_path(path, ref.name)
+        with self._network():
+            self.dataset = gdal_call(lambda: _opened(ref), failure)
+            with gdal_silenced(), suppress(RuntimeError):
+                # Read now what lies beside it, without what of that is broken; else the next question fails.
+                self.dataset.GetGeoTransform()
+            is_complete = self.dataset.GetMetadataItem("LAYOUT", "IMAGE_STRUCTURE") == "COG"
+        if self._is_remote and self._beside == COMPLETE and is_remote(ref.path) and not is_complete:
+            self._beside = WITH_OTHERS
+            self._open()
+
+    def _network(self) -> AbstractContextManager[None]:
+        return remote_settings(self._beside) if self._is_remote else nullcontext()
+
+    def fetched(self, call: Callable[[gdal.Dataset], Fetched]) -> Fetched:
+        """What a call finds in the dataset; what comes over the network has an end, and is asked for again."""
+
+        def attempt(again: bool) -> Fetched:
+            if again or self.dataset is None:
+                self._open()
+            with self._network():
+                return call(self.dataset)
+
+        try:
+            return with_retries(self.ref.path, self.ref.name, attempt) if self._is_remote else attempt(again=False)
+        except RasterError:
+            self.is_broken = True
+            raise
 
     @cached_property
     def raster(self) -> Raster:
@@ -174,7 +202,9 @@ class OpenRaster:
     def _mask_flags(self) -> int:
         """GDAL's. Raises RasterError where the mask is damaged."""
         failure = messages.MASK_NOT_READABLE(name=self.ref.name)
-        return int(gdal_pixels(self.dataset.GetRasterBand(1).GetMaskFlags, failure, lambda why: failure))
+        return self.fetched(
+            lambda dataset: int(gdal_pixels(dataset.GetRasterBand(1).GetMaskFlags, failure, lambda why: failure))
+        )
 
     def band_index(self, number: int) -> int:
         """Where a band of the file, from 1 on, stands among those that are measured.
@@ -192,20 +222,17 @@ class OpenRaster:
         nearest ones, or means."""
         inside = (window.column, window.row, window.width, window.height)
         columns, rows = size or inside[2:]
-        options = {"buf_xsize": columns, "buf_ysize": rows}
-        if averaged:
-            options["resample_alg"] = gdal.GRIORA_Average
+        part = {"buf_xsize": columns, "buf_ysize": rows}
+        how = gdal.GRIORA_Average if averaged else gdal.GRIORA_NearestNeighbour
         stored = gdal.GetDataTypeSize(self.dataset.GetRasterBand(1).DataType) // 8 * self.dataset.RasterCount
         if columns * rows * stored > limits.MOST_READ_BYTES:
             raise RasterError(messages.TOO_MUCH_AT_ONCE(name=self.ref.name, width=columns, height=rows))
-        def read_mask(dataset: gdal.Dataset) -> np.ndarray | None:
-            mask: np.ndarray | None = dataset.GetRasterBand(1).GetMaskBand().ReadAsArray(*inside, columns, rows)
-            return mask
-
-        data = self._pixels(lambda dataset: dataset.ReadAsArray(*inside, **options), window, size)
+        data = self._pixels(lambda dataset: dataset.ReadAsArray(*inside, **part, resample_alg=how), window, size)
         mask = None
         if self._mask_flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
-            mask = self._pixels(read_mask, window, size)
+            mask = self._pixels(
+                lambda dataset: dataset.GetRasterBand(1).GetMaskBand().ReadAsArray(*inside, **part), window, size
+            )
         return self._block(data.reshape(-1, rows, columns), mask)
 
     def _pixels(
@@ -217,17 +244,16 @@ class OpenRaster:
         def attempt(dataset: gdal.Dataset) -> np.ndarray:
             return np.asarray(gdal_pixels(lambda: call(dataset), failure, partial(damaged, self.ref.name, window)))
 
-        def anew() -> np.ndarray:
-            with whole_jpeg_tiles():
-                return attempt(gdal_call(lambda: _opened(self.ref), failure))
-
         try:
-            return self.fetched(lambda: attempt(self.dataset))
+            return self.fetched(attempt)
         except RasterError:
             self.dataset.FlushCache()  # else the next one would get the made up pixels without a warning
             if size is None or not self._is_of_file:
                 raise
-        return self.fetched(anew)
+        # Of a JPEG in TIFF libjpeg decodes a half to an eighth of a tile alone for reduced pixels, where it takes sound
+        # tiles for cut off now and then.
+        with gdal_settings(GTIFF_IMPLICIT_JPEG_OVR="NO"):
+            return self.fetched(lambda _: attempt(gdal_call(lambda: _opened(self.ref), failure)))
 
     def thinned(self, window: PixelWindow, step: int) -> PixelBlock:
         """Every so many-th pixel of a window along both sides."""
@@ -259,12 +285,8 @@ class OpenRaster:
         """
         tile_width, tile_height = self.dataset.GetRasterBand(1).GetBlockSize()
         tile_width = min(tile_width, self.columns)
-        if tile_width * tile_height > most_pixels:
-            wide, high = tile_width, tile_height
-        else:
-            across = min(max(most_pixels // (tile_width * tile_height), 1), -(-window.width // tile_width))
-            wide = across * tile_width
-            high = max(most_pixels // (wide * tile_height), 1) * tile_height
+        wide = min(max(most_pixels // (tile_width * tile_height), 1), -(-window.width // tile_width)) * tile_width
+        high = max(most_pixels // (wide * tile_height), 1) * tile_height
         for top in range(window.row // high * high, window.row + window.height, high):
             for left in range(window.column // wide * wide, window.column + window.width, wide):
                 column, row = max(left, window.column), max(top, window.row)
@@ -289,8 +311,8 @@ class OpenRaster:
             indices = np.minimum(bands[0], len(roles.palette) - 1)
             masks.append(roles.palette[indices, 3] == 0)
             bands = np.moveaxis(roles.palette[indices, :3], -1, 0)
-        found = [one for one in masks if one is not None and one.any()]
-        return PixelBlock(bands, reduce(np.logical_or, found) if found else None)
+        invalid = [mask for mask in masks if mask is not None and mask.any()]
+        return PixelBlock(bands, reduce(np.logical_or, invalid) if invalid else None)
 
     def _nodata_mask(self, bands: np.ndarray) -> np.ndarray | None:
         """Pixels all of whose bands hold their nodata value, or None where there are none."""
@@ -308,11 +330,6 @@ class OpenRaster:
             if not invalid.any():
                 return None
         return invalid
-
-
-def _with_metadata(dataset: gdal.Dataset) -> gdal.Dataset:
-    read_metadata(dataset)
-    return dataset
 
 
 def damaged(name: str, window: PixelWindow, why: str) -> Message:
@@ -358,8 +375,6 @@ def _check_amounts(dataset: gdal.Dataset, name: str) -> None:
 
 def describe(ref: RasterRef) -> Raster:
     """Open a raster that may lie anywhere and say what it is. Raises RasterError when it can't be opened or used."""
-    if remote_parts(ref.path):
-        return persistently(ref.path, ref.name, lambda again: OpenRaster(ref).raster)
     return OpenRaster(ref).raster
 
 

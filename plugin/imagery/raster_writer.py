@@ -14,7 +14,7 @@ from . import limits, messages
 from .atomic_files import replacing
 from .errors import Message, RasterError
 from .file_identity import files_beside, guarding
-from .gdal_calls import drop_from_memory, gdal_call, gdal_masks_beside, gdal_silenced, gdal_writing
+from .gdal_calls import drop_from_memory, gdal_call, gdal_settings, gdal_silenced, gdal_writing
 from .rasters import Raster
 
 GEOTIFF = "GTiff"
@@ -76,7 +76,15 @@ def raster_writer(path: str, like: Raster, bands: WrittenBands) -> Iterator[Rast
     check_width(like)
     failure = messages.RASTER_NOT_WRITTEN(path=path)
     with whole_raster(path) as unfinished, guarding({os.path.basename(path): path}, like.ref.paths):
-        dataset = _created(unfinished, like, bands, failure)
+        kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.data_type.type)
+        options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", *["PHOTOMETRIC=RGB"] * bands.colours]
+        dataset = gdal_call(lambda: gdal.GetDriverByName(GEOTIFF).Create(
+            unfinished, like.columns, like.rows, bands.count, kind, options
+        ), failure)  # fmt: skip
+        if like.geotransform is not None:
+            dataset.SetGeoTransform(like.geotransform)
+        if like.wkt:
+            dataset.SetProjection(like.wkt)
         for index in range(1, bands.count + 1):
             band = dataset.GetRasterBand(index)
             if bands.colours:
@@ -106,7 +114,8 @@ class RasterWriter:
             if invalid is None:
                 return
             if self._mask is None:
-                with gdal_masks_beside():  # inside, it could not be added to what is already written
+                # Beside it: inside, as GDAL 3.13 would, it could not be added to what is already written.
+                with gdal_settings(GDAL_TIFF_INTERNAL_MASK="NO"):
                     self._dataset.CreateMaskBand(gdal.GMF_PER_DATASET)
                 self._mask = self._dataset.GetRasterBand(1).GetMaskBand()
                 self._mask.Fill(255)
@@ -122,15 +131,3 @@ class RasterWriter:
         """Close what is not wanted any more."""
         with gdal_silenced(), suppress(RuntimeError):
             self._mask = self._dataset = None
-
-
-def _created(path: str, like: Raster, bands: WrittenBands, failure: Message) -> gdal.Dataset:
-    options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", *["PHOTOMETRIC=RGB"] * bands.colours]
-    kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.data_type.type)
-    size = like.columns, like.rows, bands.count, kind, options
-    dataset = gdal_call(lambda: gdal.GetDriverByName(GEOTIFF).Create(path, *size), failure)
-    if like.geotransform is not None:
-        dataset.SetGeoTransform(like.geotransform)
-    if like.wkt:
-        dataset.SetProjection(like.wkt)
-    return dataset

@@ -53,10 +53,10 @@ class RecordFiles:
     @property
     def names(self) -> set[str]:
         """Names of all there is: nothing where the folder is not, as its disk may be gone. Whoever saves is told."""
-        files = set[str]()
-        with suppress(OSError), os.scandir(self.folder) as found:
-            files = {one.name for one in found if one.is_file(follow_symlinks=False)}
-        return {name for name in files if not name.startswith(".")}
+        with suppress(OSError), os.scandir(self.folder) as entries:
+            files = [entry.name for entry in entries if entry.is_file(follow_symlinks=False)]
+            return {name for name in files if not name.startswith(".")}
+        return set()
 
     def save(self, name: str, payload: bytes, is_synced: bool = False) -> None:
         """Keep a payload in the place of an earlier one; it outlives the process, and if ``is_synced`` the power.
@@ -82,10 +82,10 @@ class RecordFiles:
         """The payload, None where there is none. Raises OSError where it can't be read, or the disk damaged it."""
         path = self.folder / name
         try:
-            found = path.lstat()
+            status = path.lstat()
         except FileNotFoundError:
             return None
-        held = path.read_bytes() if stat.S_ISREG(found.st_mode) and found.st_size <= _MOST_BYTES else b""
+        held = path.read_bytes() if stat.S_ISREG(status.st_mode) and status.st_size <= _MOST_BYTES else b""
         payload, checksum = held[:-_CHECKSUM_BYTES], held[-_CHECKSUM_BYTES:]
         if zlib.crc32(payload).to_bytes(_CHECKSUM_BYTES, "little") != checksum:
             raise OSError(errno.EIO, os.strerror(errno.EIO))
@@ -241,14 +241,14 @@ class RecordKeeper:
         self._names.add(name)
 
     def _all(self, names: Collection[str] | None) -> dict[str, bytes]:
-        found: dict[str, bytes] = {}
+        payloads: dict[str, bytes] = {}
         if self._records is not None or self.folder.is_dir():
             files = self._opened()
             for name in self._names if names is None else names:
                 with suppress(OSError):  # damaged: as if it were not there
                     if (payload := files.load(name)) is not None:
-                        found[name] = payload
-        return found
+                        payloads[name] = payload
+        return payloads
 
     def _remove(self) -> None:
         if self._records is not None:

@@ -19,7 +19,7 @@ import sys
 import typing
 import zlib
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from enum import Enum
 from functools import cache
@@ -55,8 +55,8 @@ class Column(Generic[Result]):
 
     def values(self, result: Result, levels: int) -> Sequence[object]:
         """Values of the fields."""
-        found = self.value(result)
-        listed = ([None] * levels if found is None else found) if self.by_level else [found]
+        value = self.value(result)
+        listed = ([None] * levels if value is None else value) if self.by_level else [value]
         return [value.item() if isinstance(value, np.generic) else value for value in listed]  # fields take no numpy's
 
 
@@ -105,21 +105,21 @@ def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, n
     """What ``packed`` made bytes of, all of it or what ``names`` say; the arrays can't be written to. To be called with
     ``understanding``."""
     (length,) = _LENGTH.unpack_from(record)
-    place, found, left = _LENGTH.size + length, {}, _MOST_BYTES
+    place, arrays, room = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json_document(record[_LENGTH.size : place]):
         if names is not None and name not in names:
             place += size
             continue
         held = record[place : place + size]
         whole = math.prod(shape) * np.dtype(kind).itemsize
-        left -= max(whole, size)
-        if left < 0:
+        room -= max(whole, size)
+        if room < 0:
             raise NotUnderstoodError(f"{name}: {shape}")
         if is_compressed:
             held = zlib.decompressobj().decompress(held, max(whole, 1))
-        found[name] = np.frombuffer(held, kind).reshape(shape)
+        arrays[name] = np.frombuffer(held, kind).reshape(shape)
         place += size
-    return found
+    return arrays
 
 
 _JSON = "json"
@@ -144,8 +144,8 @@ def value_of(kind: type, record: bytes, sentences: Mapping[str, Message]) -> Any
 @cache
 def sentences_of(*modules: ModuleType) -> dict[str, Message]:
     """Those that a record may hold, by template."""
-    every = (one for module in modules for one in vars(module).values())
-    return {one.template: one for one in every if isinstance(one, Message)}
+    values = (value for module in modules for value in vars(module).values())
+    return {value.template: value for value in values if isinstance(value, Message)}
 
 
 def _plain(value: Any, arrays: dict[str, np.ndarray]) -> Any:
@@ -160,14 +160,14 @@ def _plain(value: Any, arrays: dict[str, np.ndarray]) -> Any:
         arrays[name] = value.astype(np.float16) if value.dtype == np.float32 else value
         return name
     if isinstance(value, Message):
-        values = {name: _word(one, arrays) for name, one in value.values.items()}
+        values = {name: _word(word, arrays) for name, word in value.values.items()}
         return dict(zip(_MESSAGE, (value.template, value.level.value, values)))
     if dataclasses.is_dataclass(value):
         return {field.name: _plain(getattr(value, field.name), arrays) for field in dataclasses.fields(value)}
     if isinstance(value, Mapping):
-        return {_plain(key, arrays): _plain(one, arrays) for key, one in value.items()}
+        return {_plain(key, arrays): _plain(item, arrays) for key, item in value.items()}
     if isinstance(value, (tuple, list)):
-        return [_plain(one, arrays) for one in value]
+        return [_plain(item, arrays) for item in value]
     raise TypeError(f"no record of {type(value).__name__}")
 
 
@@ -191,13 +191,17 @@ class _Reader:
     def read(self, kind: Any, plain: Any) -> Any:
         """Raises NotUnderstoodError, or whatever the data is not fit for."""
         if isinstance(kind, _OneOf):
-            return self._one_of(kind.kinds, plain)
+            for other in kind.kinds:
+                with suppress(NotUnderstoodError, AttributeError, KeyError, TypeError, ValueError):
+                    return self.read(other, plain)
+            raise NotUnderstoodError(repr(plain)[:80])
         origin, inner = typing.get_origin(kind), typing.get_args(kind)
         if origin is tuple:
-            kinds = [inner[0]] * len(plain) if len(inner) == 2 and inner[1] is ... else list(inner)
-            return tuple(self._list(kinds, plain))
+            kinds = inner[:1] * len(plain) if inner[-1] is ... else inner
+            _checked(type(plain) is list and len(kinds) == len(plain), plain)
+            return tuple(map(self.read, kinds, plain))
         if isinstance(origin, type) and issubclass(origin, Mapping):
-            return {self.read(inner[0], key): self.read(inner[1], one) for key, one in plain.items()}
+            return {self.read(inner[0], key): self.read(inner[1], item) for key, item in plain.items()}
         return self._single(kind, plain)
 
     def _single(self, kind: Any, plain: Any) -> Any:
@@ -206,8 +210,8 @@ class _Reader:
         if kind is float:
             return float(_checked(type(plain) in (int, float), plain))
         if kind is np.ndarray:
-            found = self._arrays[plain]
-            return found.astype(np.float32) if found.dtype == np.float16 else found
+            array = self._arrays[plain]
+            return array.astype(np.float32) if array.dtype == np.float16 else array
         if kind is Message:
             return self._message(plain)
         if issubclass(kind, Enum):
@@ -216,27 +220,13 @@ class _Reader:
             raise NotUnderstoodError(str(kind))
         make: Any = kind
         kinds = _annotations(make)
-        return make(**{name: self.read(kinds[name], one) for name, one in plain.items()})
-
-    def _list(self, kinds: list[Any], plain: list[Any]) -> list[Any]:
-        _checked(type(plain) is list and len(kinds) == len(plain), plain)
-        return [self.read(kind, one) for kind, one in zip(kinds, plain)]
-
-    def _one_of(self, kinds: tuple[Any, ...], plain: Any) -> Any:
-        if plain is None and type(None) in kinds:
-            return None
-        others = [kind for kind in kinds if kind is not type(None)]
-        for kind in others[:-1]:
-            try:
-                return self.read(kind, plain)
-            except (NotUnderstoodError, ValueError, TypeError, KeyError):
-                continue
-        return self.read(others[-1], plain)
+        return make(**{name: self.read(kinds[name], item) for name, item in plain.items()})
 
     def _message(self, plain: Any) -> Message:
         template, level, values = (plain[name] for name in _MESSAGE)
-        found = dataclasses.replace(self._sentences[template], level=Level(level))
-        message = found(**{name: self._in_sentence(one) for name, one in values.items()}) if values else found
+        sentence = dataclasses.replace(self._sentences[template], level=Level(level))
+        words = {name: self._in_sentence(word) for name, word in values.items()}
+        message = sentence(**words) if words else sentence
         str(message)  # values of another kind than it takes
         return message
 
@@ -270,7 +260,7 @@ def _kind(node: ast.expr, names: Mapping[str, Any]) -> Any:
         left = _kind(node.left, names)
         return _OneOf((*(left.kinds if isinstance(left, _OneOf) else (left,)), _kind(node.right, names)))
     if isinstance(node, ast.Tuple):
-        return tuple(_kind(one, names) for one in node.elts)
+        return tuple(_kind(part, names) for part in node.elts)
     if isinstance(node, ast.Subscript):
         return _kind(node.value, names)[_kind(node.slice, names)]
     raise NotUnderstoodError(ast.dump(node))

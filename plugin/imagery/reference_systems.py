@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 from contextlib import suppress
+from typing import Any, Callable
 
 import numpy as np
 from osgeo import ogr, osr
@@ -20,13 +21,8 @@ def extent_on(extent: Extent, wkt: str, target_wkt: str) -> Extent:
     """
     if same_system(wkt, target_wkt):
         return extent
-    with gdal_silenced():
-        try:
-            transform = osr.CoordinateTransformation(_system(wkt), _system(target_wkt))
-            bounds = transform.TransformBounds(*extent, 21)
-        except (RuntimeError, TypeError):  # TypeError: there is no transformation and GDAL's exceptions are off
-            bounds = (math.inf,)
-    if not all(map(math.isfinite, bounds)):
+    bounds = _moved(lambda: _transformation(wkt, target_wkt).TransformBounds(*extent, 21))
+    if bounds is None or not all(map(math.isfinite, bounds)):
         raise RasterError(messages.EXTENT_NOT_TRANSFORMED())
     return tuple(bounds)
 
@@ -39,14 +35,21 @@ def geometry_on(geometry: ogr.Geometry, wkt: str, target_wkt: str) -> ogr.Geomet
     if same_system(wkt, target_wkt):
         return geometry
     moved = geometry.Clone()
-    with gdal_silenced():
-        try:
-            failed = moved.Transform(osr.CoordinateTransformation(_system(wkt), _system(target_wkt)))
-        except (RuntimeError, TypeError):
-            failed = True
-    if failed:
+    if _moved(lambda: moved.Transform(_transformation(wkt, target_wkt))) != ogr.OGRERR_NONE:
         raise RasterError(messages.EXTENT_NOT_TRANSFORMED())
     return moved
+
+
+def _moved(transform: Callable[[], Any]) -> Any:
+    """What a transformation gives; None where PROJ knows none, or it fails."""
+    # RuntimeError with GDAL's exceptions, the others without them.
+    with gdal_silenced(), suppress(RuntimeError, TypeError, AttributeError, ValueError, IndexError):
+        return transform()
+    return None
+
+
+def _transformation(wkt: str, target_wkt: str) -> osr.CoordinateTransformation:
+    return osr.CoordinateTransformation(_system(wkt), _system(target_wkt))
 
 
 def same_coordinates(wkt: str, other: str, extent: Extent, tolerance: float) -> bool:
@@ -99,15 +102,16 @@ def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarra
     """
     if same_system(wkt, target_wkt) or not len(points):
         return np.array(points[:, :2], float)
-    with gdal_silenced():
-        try:
-            transform = osr.CoordinateTransformation(_horizontal(wkt), _horizontal(target_wkt))
-            moved = np.array(transform.TransformPoints(points[:, :2].tolist()), float)[:, :2]
-        except (RuntimeError, TypeError, AttributeError, ValueError):
-            moved = np.full((1, 2), np.nan)
-    if not np.isfinite(moved).all():
+    moved = _points(lambda: osr.CoordinateTransformation(_horizontal(wkt), _horizontal(target_wkt)), points[:, :2])
+    if moved is None:
         raise RasterError(messages.POINTS_NOT_TRANSFORMED())
-    return moved
+    return moved[:, :2]
+
+
+def _points(transformation: Callable[[], osr.CoordinateTransformation], points: np.ndarray) -> np.ndarray | None:
+    """Points (n, 3) of points (n, 2) or (n, 3); None where one of them has no place."""
+    moved = _moved(lambda: np.array(transformation().TransformPoints(points.tolist()), float))
+    return moved if moved is not None and moved.ndim == 2 and np.isfinite(moved).all() else None
 
 
 def vertical_part(wkt: str) -> str:
@@ -136,23 +140,13 @@ def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray
 
     ``vertical`` is ``EPSG:`` and a code, or WKT of a compound system. Raises RasterError where PROJ has no grid.
     """
-    source, target = osr.SpatialReference(), osr.SpatialReference()
-    with gdal_silenced():
-        try:
-            named = f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical
-            source.SetFromUserInput(named)
-            target.ImportFromEPSG(4979)
-            for system in (source, target):
-                system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
-            options = osr.CoordinateTransformationOptions()
-            options.SetBallparkAllowed(False)
-            transform = osr.CoordinateTransformation(source, target, options)
-            moved = np.array(transform.TransformPoints(geographic.tolist()), float)[:, 2]
-        except (RuntimeError, TypeError, AttributeError, ValueError, IndexError):
-            moved = np.full(1, np.nan)
-    if not np.isfinite(moved).all():
+    source = _system(f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical)
+    options = osr.CoordinateTransformationOptions()
+    options.SetBallparkAllowed(False)
+    moved = _points(lambda: osr.CoordinateTransformation(source, _system("EPSG:4979"), options), geographic)
+    if moved is None:
         raise RasterError(messages.NO_GEOID_GRID(vertical=source.GetName() or vertical))
-    return moved
+    return moved[:, 2]
 
 
 def is_geographic(wkt: str) -> bool:

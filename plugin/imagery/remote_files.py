@@ -69,7 +69,7 @@ def forget_failures() -> None:
     _failures.clear()
 
 
-def persistently(path: str, name: str, read: Callable[[bool], Result]) -> Result:
+def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result:
     """What ``read`` gives of a raster at once, or in a second attempt: told so, it is to open the raster anew.
 
     Raises RasterError with the cause, or what ``read`` raises about a raster that came whole. What failed is

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 from scipy import fft, ndimage
@@ -104,19 +104,19 @@ def find_shift(
     ``where``, (rows, columns) bool, says which pixels matter: only tiles of mostly such pixels are looked at. None
     where there is no such tile, or none with a peak that stands out, so that no number is made up.
     """
-    own, other = (one if isinstance(one, Spectra) else Spectra(one) for one in (image, reference))
-    found: list[tuple[Shift, np.ndarray]] = []
+    moved, fixed = (given if isinstance(given, Spectra) else Spectra(given) for given in (image, reference))
+    peaks: list[tuple[Shift, np.ndarray]] = []
     agreeing: list[np.ndarray] = []
     leader = None
-    for tile in _tiles(own.pixels.shape, where):
+    for tile in _tiles(moved.pixels.shape, where):
         side = tile[2]
-        cross = _cross_phases(own.of(tile), other.of(tile), side)
+        cross = _cross_phases(moved.of(tile), fixed.of(tile), side)
         shift = _nearest_pixel(cross, side)
         if shift.peak < max(MIN_SHIFT_PEAK, MIN_SHIFT_PEAK_PX / side):
             continue
-        found.append((shift, cross))
-        leader = max((one for one, _ in found), key=lambda one: one.peak)
-        agreeing = [one for at, one in found if np.hypot(at.x - leader.x, at.y - leader.y) < SAME_SHIFT_PX]
+        peaks.append((shift, cross))
+        leader = max((peak for peak, _ in peaks), key=lambda peak: peak.peak)
+        agreeing = [phases for at, phases in peaks if np.hypot(at.x - leader.x, at.y - leader.y) < SAME_SHIFT_PX]
         if len(agreeing) >= _ENOUGH_LARGE_TILES and side > _ALL_FREQUENCIES_PX:
             break
     return None if leader is None else _refined(sum(agreeing) / len(agreeing), side, leader)
@@ -129,7 +129,7 @@ def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
     """
     side = min(_TILE_PX, *shape[:2])
     if where is None:
-        return _far_apart(_grid(shape, side, _TILES_A_SIDE))
+        return _far_apart([(row, column, side) for row, column in product(*_places(shape, side, _TILES_A_SIDE))])
     within = np.pad(where[::_STRIDE, ::_STRIDE].astype(np.int32).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     while side >= _LEAST_TILE_PX:
         rows, columns = (np.array(places) for places in _places(shape, side, -(-2 * max(shape[:2]) // side)))
@@ -150,14 +150,8 @@ def _far_apart(tiles: list[_Tile]) -> list[_Tile]:
     return [first, *sorted(others, key=lambda tile: -np.hypot(tile[0] - first[0], tile[1] - first[1]))]
 
 
-def _grid(shape: tuple[int, ...], side: int, most: int) -> list[_Tile]:
-    """Tiles of one side, evenly spread, up to ``most`` a side."""
-    rows, columns = _places(shape, side, most)
-    return [(row, column, side) for row in rows for column in columns]
-
-
 def _places(shape: tuple[int, ...], side: int, most: int) -> list[list[int]]:
-    """First rows and first columns of such tiles."""
+    """First rows and first columns of tiles, evenly spread, up to ``most`` a side."""
     return [
         sorted({round(place) for place in np.linspace(0, length - side, min(most, -(-length // side) * 2 - 1))})
         for length in shape[:2]

@@ -113,6 +113,8 @@ def cohen_kappa(table: np.ndarray) -> Interval | None:
     other end is then the kappa of as many exceptions as the score interval of none in n allows (Wilson 1927). None for
     an empty table, and where one observer used one word only: kappa is 0 then whatever the other one said.
     """
+    import numpy as np  # not when QGIS starts
+
     count = float(table.sum())
     if count == 0:
         return None
@@ -128,18 +130,10 @@ def cohen_kappa(table: np.ndarray) -> Interval | None:
         return Interval(1.0, (1 - exceptions - by_chance) / (1 - by_chance), 1.0)
     if agreed == 0:
         return Interval(kappa, kappa, (exceptions - by_chance) / (1 - by_chance))
-    reach = NORMAL_95 * _standard_error(shares, rows, columns, kappa, by_chance) / math.sqrt(count)
-    return Interval(kappa, max(kappa - reach, -1.0), min(kappa + reach, 1.0))
-
-
-def _standard_error(
-    shares: np.ndarray, rows: np.ndarray, columns: np.ndarray, kappa: float, by_chance: float
-) -> float:
-    """Standard error of kappa for one window; Fleiss, Cohen and Everitt 1969, equation 13."""
-    rest = 1 - kappa
-    same = shares.diagonal()
+    same, rest = shares.diagonal(), 1 - kappa
+    marginals = (columns[:, np.newaxis] + rows) ** 2
     agreeing = float((same * (1 - (rows + columns) * rest) ** 2).sum())
-    marginals = (columns[:, None] + rows) ** 2
     apart = rest**2 * float((shares * marginals).sum() - (same * marginals.diagonal()).sum())
-    spread = agreeing + apart - (kappa - by_chance * rest) ** 2
-    return math.sqrt(max(spread, 0.0)) / (1 - by_chance)
+    spread = agreeing + apart - (kappa - by_chance * rest) ** 2  # Fleiss, Cohen and Everitt 1969, equation 13
+    reach = NORMAL_95 * math.sqrt(max(spread, 0.0) / count) / (1 - by_chance)
+    return Interval(kappa, max(kappa - reach, -1.0), min(kappa + reach, 1.0))

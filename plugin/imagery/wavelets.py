@@ -26,12 +26,12 @@ import pywt
 from . import limits, messages
 from .clips import Clip
 from .errors import SettingsError
-from .filters import FilterPair, Pair, filter_pair, halved, scale, split, sums_of_products
+from .filters import FilterPair, Pair, filter_pair, halved, split, sums_of_products
 from .limits import has_colours, measured_bands
 
 # A component of a smaller share is not exact to 1e-4 in that chain of coarse components.
-MIN_FLOAT32_SHARE = 3e-3  # shares were off by 1.5e-7 at most, on textures and orthoimages from 256 x 256 px on
-MIN_FLOAT64_SHARE = 1e-5  # by ten times MAX_FILTER_ERROR, for all wavelets that are orthonormal
+MIN_FLOAT32_SHARE = 3e-3  # shares were off by 3e-7 at most, on textures and orthoimages from 256 x 256 px on
+MIN_FLOAT64_SHARE = 1e-5  # PyWavelets' coefficients are orthonormal to 1e-11 at worst (sym20)
 MIN_EXACT_SHARE = 1e-9  # of the sum of several bands' energies, where each component is computed for itself
 MIN_FLOAT32_PIXELS = 256 * 256  # smaller clips are fast in float64 too, and average less rounding out
 FLOAT32_WAVELETS = (  # those whose float32 shares stay that near on all of these
@@ -130,30 +130,34 @@ def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequ
     """
     check_decomposition(wavelet, levels)
     filters = filter_pair(wavelet)
-    if filters.orthonormal:
-        single = (
-            wavelet in FLOAT32_WAVELETS
-            and bands[0].size >= MIN_FLOAT32_PIXELS
-            and np.can_cast(bands.dtype, np.float32)  # of float64 and 32 bit integers it would drop digits
-        )
-        for dtype in (np.float32, np.float64) if single else (np.float64,):
-            products = _chain_products(bands, filters, levels, pairs, dtype)
-            if (products.own > products.least_share * products.own_totals[:, np.newaxis]).all():
-                return products
+    single = (
+        wavelet in FLOAT32_WAVELETS
+        and bands[0].size >= MIN_FLOAT32_PIXELS
+        and np.can_cast(bands.dtype, np.float32)  # of float64 and 32 bit integers it would drop digits
+    )
+    for dtype in (np.float32, np.float64) if single else (np.float64,):
+        products = _chain_products(bands, filters, levels, pairs, dtype)
+        if (products.own > products.least_share * products.own_totals[:, np.newaxis]).all():
+            return products
     return _exact_products(bands, filters, levels, pairs)
 
 
-def detail_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:
+def detail_components(bands: np.ndarray, wavelet: str, levels: int, mirrored: bool = False) -> Iterator[np.ndarray]:
     """The detail components of every band less its mean, level by level from the finest on.
 
     ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``.
     Each level is (3, bands, rows / 2^r, columns / 2^r): LH, HL and HH, each coefficient where PyWavelets has it,
     so that coefficient (i, j) belongs to the pixels from (2^r i, 2^r j) on. In float32 for 8 and 16 bit values and
-    float32, which is some ten times as fast as PyWavelets, else in float64.
+    float32, which is some ten times as fast as PyWavelets, else in float64. Beyond their edges the bands go on
+    periodically, or ``mirrored``.
 
     Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
-    return _details(bands, wavelet, levels, mirrored=False)
+    check_decomposition(wavelet, levels)
+    dtype = np.float32 if np.can_cast(bands.dtype, np.float32) else np.float64
+    halve = partial(split, filters=filter_pair(wavelet), dtype=dtype, mirrored=mirrored)
+    for parts in _levels(bands, _near_means(bands), levels, halve):
+        yield parts[1:]
 
 
 def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:
@@ -165,22 +169,12 @@ def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
     the low-pass of coif3 by 2.5 px and its high-pass by as much the other way.
     """
     filters = filter_pair(wavelet)
-    for level, parts in enumerate(_details(bands, wavelet, levels, mirrored=True), 1):
+    for level, parts in enumerate(detail_components(bands, wavelet, levels, mirrored=True), 1):
         low, high = (round(delay / 2**level) for delay in filters.delays_px(level))
         placed = np.empty_like(parts)
         for part, by, target in zip(parts, ((high, low), (low, high), (high, high)), placed):
             _moved(part, by, target)
         yield placed
-
-
-def _details(bands: np.ndarray, wavelet: str, levels: int, mirrored: bool) -> Iterator[np.ndarray]:
-    check_decomposition(wavelet, levels)
-    dtype = np.float32 if np.can_cast(bands.dtype, np.float32) else np.float64
-    filters = filter_pair(wavelet)
-    # Details don't see a constant, but those of dmey do, which is orthogonal in name only.
-    offsets = _near_means(bands) if filters.orthonormal else [float(band.mean(dtype=np.float64)) for band in bands]
-    for parts in _levels(bands, offsets, levels, partial(split, filters=filters, dtype=dtype, mirrored=mirrored)):
-        yield parts[1:]
 
 
 def _moved(part: np.ndarray, by: tuple[int, int], out: np.ndarray) -> None:
@@ -208,12 +202,12 @@ def _chain_products(
     """Products of the components from those of the coarse chain alone: what leaves it is detail."""
     wanted = _own_pairs(bands) + list(pairs)
     offsets: Sequence[float] = _near_means(bands)  # what they miss the means by is taken out below, exactly
-    chain, coarse, factor = [], bands, scale(filters.low, dtype)
-    for level in range(levels):
+    chain, coarse = [], bands
+    for _ in range(levels):
         coarse, products = halved(coarse, offsets, filters, dtype, wanted)
-        chain.append(products / factor ** (4 * level))
+        chain.append(products)
         offsets = [0.0] * len(bands)
-    coarse = coarse.astype(np.float64) / factor ** (2 * levels)
+    coarse = coarse.astype(np.float64)
     chain.append(sums_of_products(coarse, wanted))
     # A constant c has the energy N c^2 at every level, all of it coarse.
     missed = coarse.mean(axis=(1, 2), dtype=np.float64) / 2**levels
@@ -225,8 +219,7 @@ def _chain_products(
 def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: Sequence[Pair]) -> Products:
     """Products of the components with every detail computed for itself, in float64.
 
-    No component is the difference of two larger numbers here, so it holds for clips of any smoothness,
-    and for PyWavelets' ``dmey``, which is orthogonal in name but only to 0.2 % in its coefficients.
+    No component is the difference of two larger numbers here, so it holds for clips of any smoothness.
     """
     wanted = _own_pairs(bands) + list(pairs)
     coarse = np.stack([_centred(band) for band in bands])

@@ -89,7 +89,7 @@ def windows_of(one: Delivery, pieces: Sequence[JudgedPiece], with_cells: bool) -
         first = [int((ends.min() + ends.max() - SIDE_PX) / 2) for ends in (columns, rows)]
         window = PixelWindow(*first, SIDE_PX, SIDE_PX)
         extent = mosaic.grid.window_extent(window)
-        is_inside = mosaic.grid.contains(window)
+        is_inside = window.cut_to(mosaic.columns, mosaic.rows) == window
         request = window_request(block, 1, extent, InspectionSettings())
         found.append(inspect_window(request).profile if is_inside else None)
     return found

@@ -68,7 +68,7 @@ def test_parameters() -> None:
     assert definitions["WAVELET"].usesStaticStrings()
     assert definitions["REFERENCE"].usesStaticStrings()
     assert definitions["REFERENCE"].options() == ["seam", "composite", "sources"]
-    assert {"haar", "db4", "sym8", "coif3", "dmey"} <= set(definitions["WAVELET"].options())
+    assert {"haar", "db4", "sym8", "coif3", "coif17"} <= set(definitions["WAVELET"].options())
     for definition in definitions.values():
         assert len(definition.help()) > 20
         assert definition.help() in job.shortHelpString()
