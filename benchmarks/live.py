@@ -8,8 +8,8 @@ from itertools import count
 from statistics import median
 
 from seam_inspector.plugin.imagery.raster_pool import ReadingLanes
-from seam_inspector.plugin.seams.measure.live_window import LivePixels, live_profile, read_live
-from seam_inspector.plugin.seams.measure.window.measured_window import measure_window
+from seam_inspector.plugin.seams.measure.live_window import live_profile, read_live
+from seam_inspector.plugin.seams.measure.window.measured_window import MeasuredWindow, measure_window
 from seam_inspector.plugin.seams.measure.window.window_request import WindowRequest
 from seam_inspector.plugin.toolkit.background_tasks import interface_first
 
@@ -87,6 +87,6 @@ def run(ground: Ground, quick: bool) -> list[Goal]:
     return goals
 
 
-def next_live(path: Iterator[WindowRequest], lanes: ReadingLanes) -> LivePixels | None:
+def next_live(path: Iterator[WindowRequest], lanes: ReadingLanes) -> MeasuredWindow | None:
     """The next picture's figures."""
     return read_live(next(path), lanes)

@@ -63,10 +63,12 @@ def feathers(planes: Sequence[np.ndarray], wavelet: str, levels: int) -> list[Fe
 
 def expected_ratios(found: Sequence[Feather], levels: int) -> tuple[float | None, ...]:
     """The smallest over the pairs, level by level: where feathering will hurt most."""
-    return tuple(
-        min((ratio for ratio in (feather.ratios[level] for feather in found) if ratio is not None), default=None)
-        for level in range(levels)
-    )
+    return _smallest([(None,) * levels, *(feather.ratios for feather in found)])
+
+
+def _smallest(values: Iterable[Sequence[float | None]]) -> tuple[float | None, ...]:
+    """Of several, level by level."""
+    return tuple(min((one for one in level if one is not None), default=None) for level in zip(*values))
 
 
 SIGMAS_PER_WIDTH = 4.0  # a Gaussian has no end; over two sigmas to either side the weights go from 0.02 to 0.98
@@ -134,10 +136,7 @@ def kept_detail(
 
 def least_kept(found: Sequence[KeptDetail]) -> KeptDetail:
     """The smallest over several pairs of sources, level by level: where feathering will hurt most."""
-    return KeptDetail(*(
-        tuple(min((one for one in values if one is not None), default=None) for values in zip(*pairs))
-        for pairs in ([one.window for one in found], [one.strip for one in found])
-    ))
+    return KeptDetail(_smallest(one.window for one in found), _smallest(one.strip for one in found))
 
 
 def _smoothed(mask: np.ndarray, sigma_px: np.ndarray) -> np.ndarray:
@@ -192,7 +191,10 @@ def drawn_seam(
 
     Raises RasterError when the lines can't be transformed to the mosaic's reference system.
     """
-    borders = [(_border(line, wkt, mosaic.wkt), 1) for line in lines]
+    borders = []
+    for line in lines:
+        geometry = geometry_on(ogr.CreateGeometryFromWkb(line).GetLinearGeometry(), wkt, mosaic.wkt)
+        borders.append((geometry.Boundary() if geometry.GetDimension() == 2 else geometry, 1))
     parts, _ = ndimage.label(burnt(borders, mosaic.grid, window, touched=True) == 0)
     sizes = np.bincount(parts.ravel())
     sizes[0] = 0
@@ -204,10 +206,3 @@ def drawn_seam(
     inside, outside = (ndimage.distance_transform_edt(side, pixel_m) for side in (largest, ~largest))
     half = min(pixel_m) / 2  # the seam runs between two pixels
     return np.where(largest, inside - half, half - outside)
-
-
-def _border(line: bytes, wkt: str, target_wkt: str) -> ogr.Geometry:
-    geometry = geometry_on(ogr.CreateGeometryFromWkb(line).GetLinearGeometry(), wkt, target_wkt)
-    return geometry.Boundary() if geometry.GetDimension() == 2 else geometry
-
-

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import zip_longest
 
@@ -128,8 +129,18 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     """
     if request.extent is None:
         return not_foretold(request, request.reason)
-    sources, unreadable = _opened(request.sources)
-    band = _most_common_band(sources)
+    sources: list[OpenRaster] = []
+    unreadable: list[Message] = []
+    for source in request.sources:
+        try:
+            raster = OpenRaster(source.ref)
+            placed(raster.raster)
+            sources.append(raster)
+        except RasterError as error:
+            unreadable.append(error.message.as_warning())
+    # The band that most are judged by, so that a source of other bands does not cost all the others.
+    counts = Counter(source.raster.judged_band for source in sources)
+    band = counts.most_common(1)[0][0] if counts else None
     try:
         place, unfit = _place(request, [source for source in sources if source.raster.judged_band == band])
     except WindowError as error:
@@ -176,51 +187,26 @@ class _ForecastPlace:
     """Its pixels."""
 
 
-def _opened(sources: Sequence[Source]) -> tuple[list[OpenRaster], list[Message]]:
-    opened: list[OpenRaster] = []
-    notices: list[Message] = []
-    for source in sources:
-        try:
-            raster = OpenRaster(source.ref)
-            placed(raster.raster)
-            opened.append(raster)
-        except RasterError as error:
-            notices.append(error.message.as_warning())
-    return opened, notices
-
-
-def _most_common_band(sources: Sequence[OpenRaster]) -> str | None:
-    """The band that most sources are judged by, so that one of other bands does not cost all the others."""
-    counts = Counter(source.raster.judged_band for source in sources)
-    return counts.most_common(1)[0][0] if counts else None
-
-
 def _place(request: ForecastRequest, sources: Sequence[OpenRaster]) -> tuple[_ForecastPlace | None, list[Message]]:
     """The window on the first of the finest sources that covers it north-up, and why those before it did not do.
 
     Raises WindowError when the window can't be measured on that grid.
     """
+    assert request.extent is not None
     unfit: list[Message] = []
     finest = min((source.raster.ground_sample_distance for source in sources), default=0.0)
     alike = (1 + imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE) * finest
     for source in sorted(sources, key=lambda source: max(source.raster.ground_sample_distance, alike)):
         try:
-            place = _place_on(source, request)
+            raster, grid = source.raster, source.raster.grid
+            extent = extent_on(request.extent, request.wkt or raster.wkt, raster.wkt)
+            if not covers(raster.extent, extent, grid.pixel_width, grid.pixel_height):
+                raise NotCoveredError(imagery_messages.NOT_COVERED(name=raster.ref.name))
+            window = snap_window(grid, extent, request.settings.levels)
+            return _ForecastPlace(raster, window, read_clip(source, raster, window)), unfit
         except RasterError as error:
             unfit.append(error.message)
-        else:
-            return place, unfit
     return None, unfit
-
-
-def _place_on(source: OpenRaster, request: ForecastRequest) -> _ForecastPlace:
-    assert request.extent is not None
-    raster, grid = source.raster, source.raster.grid
-    extent = extent_on(request.extent, request.wkt or raster.wkt, raster.wkt)
-    if not covers(raster.extent, extent, grid.pixel_width, grid.pixel_height):
-        raise NotCoveredError(imagery_messages.NOT_COVERED(name=raster.ref.name))
-    window = snap_window(grid, extent, request.settings.levels)
-    return _ForecastPlace(raster, window, read_clip(source, raster, window))
 
 
 def _comparable_clips(
@@ -233,22 +219,19 @@ def _comparable_clips(
         try:
             is_mosaic = source.ref == place.mosaic.ref
             clip = place.clip if is_mosaic else read_clip(source, place.mosaic, place.window)
-            _check_comparable(clip, band)
         except NotCoveredError:
             continue
         except RasterError as error:
             notices.append(error.message.as_warning())
+            continue
+        name, bands = clip.raster.ref.name, clip.raster.band_names
+        if clip.raster.judged_band != band:
+            notices.append(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)).as_warning())
+        elif not np.ptp(judged_plane(clip.bands, bands)) > 0:
+            notices.append(messages.SOURCE_CONSTANT(name=name).as_warning())
         else:
             clips.append(clip)
     return clips, notices
-
-
-def _check_comparable(clip: Clip, band: str | None) -> None:
-    name, bands = clip.raster.ref.name, clip.raster.band_names
-    if clip.raster.judged_band != band:
-        raise RasterError(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)))
-    if not np.ptp(judged_plane(clip.bands, bands)) > 0:
-        raise RasterError(messages.SOURCE_CONSTANT(name=name))
 
 
 def _kept(
@@ -261,26 +244,18 @@ def _kept(
     grid = place.mosaic.grid
     metres_x, metres_y = metres_per_unit(place.mosaic.wkt, grid.window_extent(place.window)[1])
     pixel_m = grid.pixel_height * metres_y, grid.pixel_width * metres_x
-    seams, assumed = _seams(request, place, pixel_m)
+    seams = assumed_seams(place.window.height, place.window.width, pixel_m)
+    assumed: list[Message] = []
+    if request.seamlines is not None:
+        drawn = None
+        with suppress(RasterError):
+            drawn = drawn_seam(request.seamlines, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
+        seams, assumed = (seams, [messages.SEAM_ASSUMED()]) if drawn is None else ([drawn], assumed)
     places = [place_feather(distance, settings.ramp, settings.width_m, pixel_m) for distance in seams]
     return [
         kept_detail(planes[pair.first], planes[pair.second], places, settings.wavelet, settings.levels)
         for pair in pairs
     ], assumed
-
-
-def _seams(
-    request: ForecastRequest, place: _ForecastPlace, pixel_m: tuple[float, float]
-) -> tuple[list[np.ndarray], list[Message]]:
-    """Where the seam may run in the window, and whether that had to be assumed though seamlines are given."""
-    assumed = assumed_seams(place.window.height, place.window.width, pixel_m)
-    if request.seamlines is None:
-        return assumed, []
-    try:
-        drawn = drawn_seam(request.seamlines, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
-    except RasterError:
-        drawn = None
-    return (assumed, [messages.SEAM_ASSUMED()]) if drawn is None else ([drawn], [])
 
 
 def _pair(

@@ -57,7 +57,11 @@ def gather_sources(
             elif key not in taken:
                 taken.add(key)
                 try:
-                    extent = candidate.extent if isinstance(candidate, Source) else _footprint(ref, wkt, pool)
+                    if isinstance(candidate, Source):
+                        extent = candidate.extent
+                    else:
+                        raster = placed(pool.open(ref).raster)
+                        extent = extent_on(raster.extent, raster.wkt, wkt)
                     kept.append(Source(ref, extent))
                 except RasterError as error:
                     notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
@@ -90,11 +94,6 @@ def covers(footprint: Extent, extent: Extent, slack_x: float = 0.0, slack_y: flo
 def is_same_file(first: RasterRef, second: RasterRef) -> bool:
     """Whether two rasters are one file, however its path is written."""
     return _key(_in_parts(first)) == _key(_in_parts(second))
-
-
-def _footprint(ref: RasterRef, wkt: str, pool: RasterPool) -> Extent:
-    raster = placed(pool.open(ref).raster)
-    return extent_on(raster.extent, raster.wkt, wkt)
 
 
 def _in_parts(ref: RasterRef) -> RasterRef:

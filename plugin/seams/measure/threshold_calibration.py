@@ -9,7 +9,7 @@ need research on statistically significant samples.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -123,7 +123,11 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     invisible verdicts there is a notice and no number.
     """
     if verdicts.is_loss:
-        return _mirrored(calibrate(_negative(verdicts)), verdicts)
+        negative = calibrate(_negative(verdicts))
+        steps = tuple(replace(step, threshold=-step.threshold) for step in negative.steps)
+        best = negative.best and replace(negative.best, threshold=-negative.best.threshold)
+        ends = negative.best_range and (max(-negative.best_range[1], 0.0), -negative.best_range[0])
+        return replace(negative, verdicts=verdicts, steps=steps, best=best, best_range=ends)
     visible, invisible = (np.array(kind, np.float64) for kind in (verdicts.visible, verdicts.invisible))
     if min(len(visible), len(invisible)) < MIN_VERDICTS:
         too_few = messages.TOO_FEW_VERDICTS(
@@ -135,7 +139,9 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     if is_one_place:
         places = Neighbourhoods.of_single_windows(len(visible), len(invisible))
     area, smoothed = roc_area(visible, invisible, places), smoothed_threshold(visible, invisible, places)
-    steps = tuple(_steps(np.sort(visible), np.sort(invisible)))
+    values = np.unique(np.concatenate([visible, invisible]))
+    hits, vain = (np.searchsorted(np.sort(kind), values, side="right").tolist() for kind in (visible, invisible))
+    steps = tuple(_step(*one, len(visible), len(invisible)) for one in zip(values.tolist(), hits, vain))
     best, name = _best(verdicts, steps, smoothed, most), verdicts.measure
     # The range of thresholds that can be set, the given one among them.
     ends = (min(smoothed.low, best.threshold), max(min(smoothed.high, most), best.threshold)) if best else None
@@ -168,22 +174,6 @@ def _negative(verdicts: Verdicts) -> Verdicts:
     """Verdicts of a measure of loss with its values negated, low where detail was lost."""
     visible, invisible = (tuple(-value for value in kind) for kind in (verdicts.visible, verdicts.invisible))
     return replace(verdicts, visible=visible, invisible=invisible, is_loss=False)
-
-
-def _mirrored(negative: ThresholdCalibration, verdicts: Verdicts) -> ThresholdCalibration:
-    """What the negative of these verdicts says of them."""
-    steps = tuple(replace(step, threshold=-step.threshold) for step in negative.steps)
-    best = negative.best and replace(negative.best, threshold=-negative.best.threshold)
-    ends = negative.best_range and (max(-negative.best_range[1], 0.0), -negative.best_range[0])
-    return replace(negative, verdicts=verdicts, steps=steps, best=best, best_range=ends)
-
-
-def _steps(visible: np.ndarray, invisible: np.ndarray) -> Iterator[Step]:
-    """One at every value of both kinds, which are ascending."""
-    values = np.unique(np.concatenate([visible, invisible]))
-    hits, vain = (np.searchsorted(kind, values, side="right").tolist() for kind in (visible, invisible))
-    for value, flagged, flagged_in_vain in zip(values.tolist(), hits, vain):
-        yield _step(value, flagged, flagged_in_vain, len(visible), len(invisible))
 
 
 def _step(threshold: float, hits: int, vain: int, seen: int, unseen: int) -> Step:

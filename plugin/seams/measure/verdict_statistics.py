@@ -146,17 +146,14 @@ class _Scale:
 
     def _powers(self, weights: list[np.ndarray]) -> np.ndarray:
         """The Box-Cox power, the same for both kinds, at which the values are likeliest to be normal."""
-        likelihoods = np.array([self._likelihood(weights, power) for power in POWERS])
-        return POWERS[0] + _parabola(likelihoods.T) * (POWERS[1] - POWERS[0])
-
-    def _likelihood(self, weights: list[np.ndarray], power: float) -> np.ndarray:
-        total = np.zeros(len(weights[0]))
-        for kind, weight in zip(self._kinds, weights):
-            moved, count = _powered(kind.values, power), weight.sum(axis=1)
-            mean = weight @ moved / count
-            variance = np.maximum(weight @ moved**2 / count - mean**2, self._least**2)
-            total += (power - 1) * (weight @ kind.values) - count / 2 * np.log(variance)
-        return total
+        likelihoods = np.zeros((len(weights[0]), len(POWERS)))
+        for place, power in enumerate(POWERS):
+            for kind, weight in zip(self._kinds, weights):
+                moved, count = _powered(kind.values, power), weight.sum(axis=1)
+                mean = weight @ moved / count
+                variance = np.maximum(weight @ moved**2 / count - mean**2, self._least**2)
+                likelihoods[:, place] += (power - 1) * (weight @ kind.values) - count / 2 * np.log(variance)
+        return POWERS[0] + _parabola(likelihoods) * (POWERS[1] - POWERS[0])
 
     def _youden(self, weights: list[np.ndarray], powers: np.ndarray) -> np.ndarray:
         """Smoothed Youden index at every threshold, (resamples, thresholds)."""

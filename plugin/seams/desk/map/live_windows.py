@@ -12,8 +12,8 @@ from ....imagery.raster_pool import ReadingLanes
 from ....toolkit.background_tasks import LatestOnly
 from ....toolkit.desk.widgets import single_shot
 from ...measure.inspection import window_request
-from ...measure.live_window import LivePixels, LiveWindow, live_profile, read_live
-from ...measure.window.measured_window import MeasuredAhead
+from ...measure.live_window import LiveWindow, live_profile, read_live
+from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow
 from ...measure.window.window_request import WindowRequest
 
 if TYPE_CHECKING:
@@ -118,7 +118,7 @@ class LiveWindows(QObject):
     def _without_result(self, request: WindowRequest) -> None:
         self.measure(request)
 
-    def _take_pixels(self, pixels: LivePixels) -> None:
+    def _take_pixels(self, pixels: MeasuredWindow) -> None:
         window, before = pixels.request.window, self._current
         assert window is not None
         profile = before.profile if before is not None else None

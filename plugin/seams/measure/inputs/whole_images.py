@@ -152,13 +152,12 @@ def _joined(sources: Sequence[Source], same: Iterable[tuple[int, int]]) -> list[
     parts: dict[int, list[Source]] = {}
     for source, image in zip(sources, connected_components(links, directed=False)[1].tolist()):
         parts.setdefault(image, []).append(source)
-    return [_as_one(*own) for own in parts.values()]
-
-
-def _as_one(first: Source, *others: Source) -> Source:
-    if not others:
-        return first
-    xmin, ymin, xmax, ymax = zip(first.extent, *(one.extent for one in others))
-    parts = (*first.ref.parts, *(path for one in others for path in one.ref.paths))
-    extent = min(xmin), min(ymin), max(xmax), max(ymax)
-    return Source(replace(first.ref, parts=parts), extent, any(one.may_be_copy for one in (first, *others)))
+    whole = []
+    for own in parts.values():
+        if len(own) > 1:
+            paths = tuple(path for one in own for path in one.ref.paths)
+            xmin, ymin, xmax, ymax = zip(*(one.extent for one in own))
+            extent = min(xmin), min(ymin), max(xmax), max(ymax)
+            own = [Source(replace(own[0].ref, parts=paths[1:]), extent, any(one.may_be_copy for one in own))]
+        whole += own
+    return whole

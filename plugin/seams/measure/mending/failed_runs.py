@@ -9,7 +9,6 @@ from typing import Callable
 import numpy as np
 
 from ....imagery.errors import SettingsError
-from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import as_xy, is_line, line_points, points_at, read_geometry, simple_parts, vertex_stations
 from ....imagery.seam_totals import STRETCH, PieceState, possible_kept
 from ..limits import ALL, FAILED, REDUCED
@@ -43,12 +42,6 @@ class SeamRun:
     span: tuple[float, float] = (-math.inf, math.inf)
     """Stations of a part of its pieces, metres along the seam."""
 
-    def window(self, grid: Grid) -> PixelWindow:
-        """The pixels around it."""
-        places = grid.to_pixels(self.piece.vertices)
-        first, last = np.floor(places.min(axis=0)).astype(int), np.ceil(places.max(axis=0)).astype(int)
-        return PixelWindow(*first.tolist(), *(last - first).tolist())
-
 
 def given_pieces(
     features: Iterable[SeamFeature], names: Sequence[str], what: str,
@@ -79,7 +72,9 @@ def given_pieces(
         wanted = row["state"] == PieceState.FAILED.value or row["verdict"] in lost
         piece = SeamPiece(int(seam_id), station, length, points, left, right)
         wide = max(width or 0.0 for width in widths)
-        found += _opened(SeamRun(piece, possible_kept(kept), wanted and is_near(points), wide))
+        run = SeamRun(piece, possible_kept(kept), wanted and is_near(points), wide)
+        is_ring = len(points) > 3 and (points[0] == points[-1]).all()  # which is cut in two halves
+        found += [part_of(run, 0, length / 2), part_of(run, length / 2, length)] if is_ring else [run]
     if not found:
         raise SettingsError(messages.NO_PIECES())
     return found
@@ -91,14 +86,6 @@ def _number(value: object) -> float | None:
     except ValueError:
         return None
     return found if math.isfinite(found) else None
-
-
-def _opened(one: SeamRun) -> list[SeamRun]:
-    """The run itself; a ring, which begins where it ends, in two halves."""
-    vertices, length = one.piece.vertices, one.piece.length_m
-    if (vertices[0] != vertices[-1]).any() or len(vertices) < 4:
-        return [one]
-    return [part_of(one, 0, length / 2), part_of(one, length / 2, length)]
 
 
 def part_of(run: SeamRun, first_m: float, last_m: float, metres: np.ndarray | float = 1.0) -> SeamRun:

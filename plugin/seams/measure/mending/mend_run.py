@@ -23,15 +23,15 @@ from ..hard_cut import JudgedGround, as_type, judged_ground
 from ..limits import MEND_BLEND_PX, MEND_WIDTH_M
 from ..scan.blocks.block_pixels import JUDGED, BlockPixels
 from ..scan.lines.piece_index import NearestPieces, PieceIndex
+from ..scan.mosaic_reading import ALL_READ
 from ..seam_cells import UNKNOWN
 from ..source_images import Source
 from ..while_measuring import measuring
 from . import messages
-from .dressing import EASED_PX, dress, eased, placed_bands, shown_detail, tells_tones
+from .dressing import EASED_PX, dress, eased, placed_bands, shown_detail, tells_tones, tone_step
 from .failed_runs import SeamRun
 from .mended_mosaic import patch_file
 from .new_cut import CELL_PX, cheapest_way, cutting_cost, fit_along
-from .tone_steps import tone_step
 
 GROUNDS_PX = 192, 512
 """Around the old seam and the new cut: what tones and filters are learned of, and where that is too little."""
@@ -88,6 +88,7 @@ class RunRequest:
 class MendedRun:
     """What became of it."""
 
+    reading = ALL_READ
     key: tuple[int, int]
     """Key of the request."""
     reason: Message | None = None
@@ -157,7 +158,11 @@ def _mended(request: RunRequest) -> MendedRun:
     images = [placed_bands(ground, side, _named(read.clip(side), names), valid[side]) for side in _SIDES]
     for side, image in zip(_SIDES, images):
         dress(ground, side, image, before, own[side])
-        _check_shown(read.clip(side), names, image, before, own[side])
+        for name, band, shown in zip(names, image, before):
+            share = shown_detail(band, shown, own[side])
+            if share is not None and share < _LEAST_DETAIL:
+                source = read.clip(side).raster.ref.name
+                raise RasterError(messages.DETAIL_NOT_SHOWN(name=source, share=share, band=name))
     middle = (judged_plane(images[0], names) + judged_plane(images[1], names)) / 2
     made = eased(images, weight, before, part.fade(inside), both)
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
@@ -183,7 +188,7 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
     """Columns and rows (n, 2) of the new cut, and the misfit of the images along it. Raises RasterError where there is
     none."""
     read = _Pixels(request, _around(line, request.reach_px), len(_SIDES))
-    first_image, second_image = (read.planes.sources[side] for side in _SIDES)
+    first_image, second_image = (read.planes.sources[side].plane for side in _SIDES)
     both = read.valid(0) & read.valid(1)
     cost = cutting_cost(first_image, second_image, both)
     corner = np.array([read.window.column, read.window.row])
@@ -254,16 +259,6 @@ class _Pixels:
         return found if self.own.valid is None else found & self.own.valid
 
 
-def _check_shown(
-    clip: Clip, names: Sequence[str], image: np.ndarray, mosaic: np.ndarray, own: np.ndarray
-) -> None:
-    """Raise RasterError where a dressed source has too little of the mosaic's fine detail on its ``own`` ground."""
-    for name, band, shown in zip(names, image, mosaic):
-        share = shown_detail(band, shown, own)
-        if share is not None and share < _LEAST_DETAIL:
-            raise RasterError(messages.DETAIL_NOT_SHOWN(name=clip.raster.ref.name, share=share, band=name))
-
-
 def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray) -> float:
     """The largest share, of all bands, of squares in ``unmixed`` ground, (rows, columns) bool, that a patch changes by
     more than that ground varies: there the images show something else than the mosaic."""
@@ -300,12 +295,13 @@ def _ground(read: _Pixels, part: _Part) -> JudgedGround:
     Where compression left too little to tell them by, what a scan says of the sides of the seam is believed.
     """
     image = ComparedImage(read.planes.mosaic[np.newaxis], JUDGED, {}, {}, read.mosaic, valid=read.own.valid)
-    found = judged_ground(image, read.planes.compared, None)
+    sources = list(read.planes.sources.values())
+    found = judged_ground(image, sources, None)
     own = enlarged(part.territory, CELL_PX) & (True if image.valid is None else image.valid)
     if np.count_nonzero(found.expected.labels[own] == UNKNOWN) <= _MOST_UNKNOWN * np.count_nonzero(own):
         return found
     sides = enlarged(np.where(part.on_left ^ part.flipped, *map(np.uint8, _SIDES)), CELL_PX)
-    return judged_ground(image, read.planes.compared, np.where(own, sides, np.uint8(UNKNOWN)))
+    return judged_ground(image, sources, np.where(own, sides, np.uint8(UNKNOWN)))
 
 
 @dataclass(frozen=True, eq=False)

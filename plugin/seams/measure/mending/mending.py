@@ -33,6 +33,7 @@ from ..scan.blocks.block_grid import BlockKey
 from ..scan.lines.given_seams import GivenSeams
 from ..scan.lines.piece_index import PieceIndex
 from ..scan.lines.seam_pieces import SidedSeam
+from ..scan.piece_sums import around_pieces
 from ..scan.scan_journal import ScanJournal, fingerprint_of, journal_beside
 from ..scan.scan_request import ScanRequest
 from ..scan.scan_settings import ScanSettings
@@ -89,7 +90,7 @@ class MendRequest:
 
     def near(self, run: SeamRun, reach_px: float) -> PieceIndex:
         """Those near a run."""
-        there = run.window(self.mosaic.grid).cut_to(self.mosaic.columns, self.mosaic.rows)
+        there = around_pieces([run.piece], self.mosaic.grid, 0.0).cut_to(self.mosaic.columns, self.mosaic.rows)
         return self.index.near(there, reach_px)
 
     def run(self, key: BlockKey, run: SeamRun) -> RunRequest:

@@ -10,8 +10,7 @@ import numpy as np
 from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.record_store import RecordFiles
-from ....imagery.records import packed, unpacked
-from ..energy_response import EnergyResponse
+from ....imagery.records import record_of, value_of
 from ..profile.cell_table import CellTable
 from ..profile.ground import LevelGround, grounds
 from ..while_measuring import measuring
@@ -19,11 +18,9 @@ from . import messages
 from .block_runs import NOTHING, block_labels, global_numbers, whole_block
 from .blocks.block_grid import LABEL_PX, LABELS, UNITS, BlockKey
 from .blocks.scan_block import NOT_LOOKED
-from .lines.label_borders import MARGIN, Chain, LabelTile, cleaned_chains
+from .lines.label_borders import MARGIN, LabelTile, cleaned_edges
 from .loss_raster import NODATA, loss_cells
 from .scan_journal import not_saved
-
-_CELLS = "cells"
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,18 +44,19 @@ class BlockOutputs:
     """What comes back."""
 
     key: BlockKey
-    chains: Sequence[Chain]
-    picture: bytes | None
-    """``loss_cells``, packed, its sources numbered from 1 on as in the whole scan; None where nothing is shown."""
+    edges: np.ndarray
+    """(4, n) of its borders, as ``tile_edges`` has them."""
+    cells: np.ndarray | None
+    """``loss_cells``, its sources numbered from 1 on as in the whole scan; None where nothing is shown."""
     sources: Sequence[int]
     """That are followed anywhere, ascending."""
     ground: np.ndarray
     """(UNITS, UNITS) int32: as ``BlockScan`` has it, with the numbers of the whole scan."""
 
-    @property
-    def cells(self) -> np.ndarray | None:
-        """The picture's."""
-        return None if self.picture is None else unpacked(self.picture)[_CELLS]
+
+@dataclass(frozen=True)
+class _BlockGround:
+    levels: tuple[LevelGround | None, ...]
 
 
 @measuring()
@@ -69,31 +67,32 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     scan = whole_block(files, key)
     numbers = None if scan is None else global_numbers(scan.sources, request.numbers)
     labels = None if scan is None or numbers is None else numbers[scan.labels]
-    chains = cleaned_chains(_labels_around(request, labels), request.tile, LABEL_PX) if request.traces else []
+    edges = np.zeros((4, 0), np.int64)
+    if request.traces:
+        edges = cleaned_edges(_labels_around(request, labels), request.tile, LABEL_PX)
     if scan is None or numbers is None or labels is None:
-        return BlockOutputs(key, chains, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
+        return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
     ground = grounds(scan.cells, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
     try:
-        files.save(_ground_name(key), packed({"ground": np.array([_row(one) for one in ground])}))
+        files.save(_ground_name(key), record_of(_BlockGround(tuple(ground))))
     except OSError as error:
         raise not_saved(files, system_reason(error)) from None
-    picture = None
-    if request.cell_px:
-        cells = loss_cells(scan, labels + 1, ground, request.cell_px)
-        picture = packed({_CELLS: cells}, (_CELLS,)) if (cells != NODATA).any() else None
+    cells = loss_cells(scan, labels + 1, ground, request.cell_px) if request.cell_px else None
+    if cells is not None and (cells == NODATA).all():
+        cells = None
     used = np.flatnonzero(np.bincount(labels.ravel() - NOTHING)[1:]).tolist()
     ground = np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)])
-    return BlockOutputs(key, chains, picture, used, ground)
+    return BlockOutputs(key, edges, cells, used, ground)
 
 
-def held_ground(files: RecordFiles, key: BlockKey) -> list[LevelGround | None]:
+def held_ground(files: RecordFiles, key: BlockKey) -> tuple[LevelGround | None, ...]:
     """What ``block_outputs`` kept of one block, by level; nothing where that was not measured. Raises
     SettingsError where it can't be read any more."""
     try:
         record = files.load(_ground_name(key))
     except OSError as error:
         raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=system_reason(error))) from None
-    return [] if record is None else [_level(row) for row in unpacked(record)["ground"].tolist()]
+    return () if record is None else value_of(_BlockGround, record, {}).levels
 
 
 def _labels_around(request: OutputsRequest, own: np.ndarray | None) -> np.ndarray:
@@ -127,24 +126,3 @@ def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
 
 def _ground_name(key: BlockKey) -> str:
     return f"ground {key[0]} {key[1]}"
-
-
-_RESPONSE = 6  # numbers of an EnergyResponse
-
-
-def _row(ground: LevelGround | None) -> np.ndarray:
-    """One level in numbers, NaN where there is none."""
-    if ground is None:
-        return np.full(2 * _RESPONSE + 4, np.nan)
-    curves = [(*one.coefficients, one.middle, one.lowest, one.highest) for one in (ground.amplitude, ground.gain)]
-    return np.array([*curves[0], *curves[1], ground.scatter, ground.blocks, ground.reach, ground.far_px])
-
-
-def _level(row: Sequence[float]) -> LevelGround | None:
-    if np.isnan(row[-1]):
-        return None
-    amplitude, gain = (
-        EnergyResponse(np.array(one[:3]), *one[3:]) for one in (row[:_RESPONSE], row[_RESPONSE : 2 * _RESPONSE])
-    )
-    scatter, blocks, reach, far_px = row[2 * _RESPONSE :]
-    return LevelGround(amplitude, gain, scatter, blocks, reach, int(far_px))

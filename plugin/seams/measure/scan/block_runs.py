@@ -40,19 +40,11 @@ _AT_A_TIME = 8
 Request = Any
 """Has the ``key`` of its block."""
 Scan = Any
-"""Has the ``key`` of its block, and ``notices``: what could not be read, which the block lacks."""
+"""Has the ``key`` of its block, its ``reading``, and ``notices``: what could not be read, which the block lacks."""
 
 
 def _always(_scan: Scan, _request: Request) -> bool:
     return True
-
-
-def _nothing(_scan: Scan) -> None:
-    return None
-
-
-def _all_read(_scan: Scan) -> BlockReading:
-    return ALL_READ
 
 
 @dataclass(frozen=True)
@@ -69,41 +61,29 @@ class BlockLook:
     """Raises NotUnderstoodError for what no scan of ours has written."""
     is_of: Callable[[Scan, Request], bool] = _always
     """Whether what an earlier run has kept of a block is what is asked for."""
-    brief: Callable[[Scan], Any] = _nothing
+    brief: Callable[[Scan], Any] = attrgetter("key")
     """What has to be known of it to hand out more blocks."""
-    reading: Callable[[Scan], BlockReading] = _all_read
-    """What could be read, as long as it is not held."""
-
-
-@dataclass(frozen=True, eq=False)
-class LookedAt:
-    """What comes back of one block."""
-
-    key: BlockKey
-    brief: Any
-    notices: tuple[Message, ...] = ()
-    was_held: bool = False
-    """Whether an earlier run has measured it."""
-    record: bytes | None = None
-    """All of it, where who measured it doesn't see the folder to keep it in."""
-    trouble: Message | str = ""
-    """Why it could not be kept."""
-    reading: BlockReading = ALL_READ
 
 
 @dataclass(frozen=True, eq=False)
 class ScanStep:
     """One block more is done."""
 
-    share: float
-    """Share of all blocks that is done, 0 to 1."""
-    seconds_left: float | None
-    """At the pace so far; None before that is known."""
     key: BlockKey
-    brief: Any = None
+    brief: Any
     notices: tuple[Message, ...] = ()
     """What could not be read in it; a later run measures the block anew."""
     reading: BlockReading = ALL_READ
+    was_held: bool = False
+    """Whether an earlier run has measured it."""
+    record: bytes | None = None
+    """All of it, where who measured it doesn't see the folder to keep it in."""
+    trouble: Message | str = ""
+    """Why it could not be kept."""
+    share: float = 0.0
+    """Share of all blocks that is done, 0 to 1."""
+    seconds_left: float | None = None
+    """At the pace so far; None before that is known."""
 
 
 class JournaledBlocks:
@@ -126,21 +106,21 @@ class JournaledBlocks:
             for block in blocks:
                 yield self._step(look, block)
 
-    def _step(self, look: BlockLook, one: LookedAt) -> ScanStep:
-        if one.trouble:
-            raise not_saved(self._journal.files, one.trouble)
-        if one.record is not None:
+    def _step(self, look: BlockLook, block: ScanStep) -> ScanStep:
+        if block.trouble:
+            raise not_saved(self._journal.files, block.trouble)
+        if block.record is not None:
             self._journal.is_shared = False
-            self._journal.save(_name(look, one.key, one.notices), one.record)
+            self._journal.save(_name(look, block.key, block.notices), block.record)
         self._done += 1
-        if one.was_held:
+        if block.was_held:
             self._started = time.monotonic()
         else:
             self._timed, self._missing = self._timed + 1, self._missing - 1
         left = None
         if self._timed >= _FEWEST_TIMED:
             left = (time.monotonic() - self._started) / self._timed * self._missing
-        return ScanStep(self._done / self._total, left, one.key, one.brief, one.notices, one.reading)
+        return replace(block, record=None, share=self._done / self._total, seconds_left=left)
 
 
 _One = TypeVar("_One")
@@ -153,19 +133,19 @@ def several(requests: Iterable[_One], ahead: int) -> Iterator[list[_One]]:
         yield some
 
 
-def _looked_at(look: BlockLook, files: RecordFiles, requests: Sequence[Request]) -> list[LookedAt]:
-    return [_looked_at_one(look, files, request) for request in requests]
-
-
-def _looked_at_one(look: BlockLook, files: RecordFiles, request: Request) -> LookedAt:
-    scan = _kept_before(look, files, request)
-    if scan is not None:
-        return LookedAt(scan.key, look.brief(scan), was_held=True)
-    try:
-        scan = look.measure(request)
-    except Exception as error:  # which costs this block only
-        scan = look.nothing(request, (unforeseen(error).as_warning(),))
-    return _kept(look, files, scan)
+def _looked_at(look: BlockLook, files: RecordFiles, requests: Sequence[Request]) -> list[ScanStep]:
+    steps = []
+    for request in requests:
+        scan = _kept_before(look, files, request)
+        if scan is not None:
+            steps.append(ScanStep(scan.key, look.brief(scan), was_held=True))
+            continue
+        try:
+            scan = look.measure(request)
+        except Exception as error:  # which costs this block only
+            scan = look.nothing(request, (unforeseen(error).as_warning(),))
+        steps.append(_kept(look, files, scan))
+    return steps
 
 
 def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan | None:
@@ -184,47 +164,40 @@ def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan 
     return None
 
 
-def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> LookedAt:
+def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
     record = look.record_of(scan)
-    told = LookedAt(scan.key, look.brief(scan), scan.notices, reading=look.reading(scan))
+    step = ScanStep(scan.key, look.brief(scan), scan.notices, scan.reading)
     try:
         files.save(_name(look, scan.key, scan.notices), record)
     except FileNotFoundError:
-        return replace(told, record=record)
+        return replace(step, record=record)
     except OSError as error:
-        return replace(told, trouble=system_reason(error))
-    return told
+        return replace(step, trouble=system_reason(error))
+    return step
 
 
-def _failed(look: BlockLook, files: RecordFiles, requests: Sequence[Request], reason: Message) -> list[LookedAt]:
+def _failed(look: BlockLook, files: RecordFiles, requests: Sequence[Request], reason: Message) -> list[ScanStep]:
     """Where who was to measure them failed in a way that nobody foresaw."""
     return [_kept(look, files, look.nothing(request, (reason.as_warning(),))) for request in requests]
 
 
-def held(look: BlockLook, files: RecordFiles, key: BlockKey) -> Scan | None:
-    """What was kept of one block. Raises SettingsError where that can't be read any more; it is then measured again
-    when the scan is started again."""
-    record = held_record(look, files, key)
-    if record is None:
-        return None
+def held(
+    look: BlockLook, files: RecordFiles, key: BlockKey, understood: Callable[[bytes], Any] | None = None
+) -> Any:
+    """The scan that was kept of one block, or what ``understood`` makes of its record; None where there is none.
+
+    Raises SettingsError where it can't be read any more; it is then measured again when the scan is started again.
+    """
+    name = _name(look, key)
     try:
-        return look.scan_of(record)
-    except NotUnderstoodError as error:
-        raise _lost(look, files, key, str(error)) from None
-
-
-def held_record(look: BlockLook, files: RecordFiles, key: BlockKey) -> bytes | None:
-    """Record of one block as it was kept. Raises SettingsError as ``held`` does."""
-    try:
-        record = files.load(_name(look, key))
-        return files.load(f"{INCOMPLETE} {_name(look, key)}") if record is None else record
-    except OSError as error:
-        raise _lost(look, files, key, system_reason(error)) from None
-
-
-def _lost(look: BlockLook, files: RecordFiles, key: BlockKey, reason: Message | str) -> SettingsError:
-    files.forget(_name(look, key))
-    return SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=reason))
+        record = files.load(name)
+        record = files.load(f"{INCOMPLETE} {name}") if record is None else record
+        with understanding():
+            return None if record is None else (understood or look.scan_of)(record)
+    except (OSError, NotUnderstoodError) as error:
+        files.forget(name)
+        why = system_reason(error) if isinstance(error, OSError) else str(error)
+        raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=why)) from None
 
 
 def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
@@ -233,8 +206,8 @@ def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
 
 
 _OWN = {
-    "squares": SQUARES, "dense": UNITS, "ground": UNITS, "labels": LABELS, "mixture": CELLS, "clear": CELLS,
-    "grey": CELLS, "grain": CELLS,
+    "squares": SQUARES, "dense": UNITS, "ground": UNITS, "labels": LABELS, "mixture": CELLS, "grey": CELLS,
+    "grain": CELLS,
 }
 """And how many samples each has along a side."""
 _LEARNED = "learned taps", "learned over cuts", "learned of"
@@ -248,7 +221,11 @@ def record_of(scan: BlockScan) -> bytes:
         arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in names}
     arrays["key"] = np.array(scan.key)
     arrays["sources"] = np.frombuffer("\n".join(scan.sources).encode(), np.uint8)
-    return packed(arrays | _learned_arrays(scan.learned), compressed=_OWN)
+    learned = scan.learned or Learned(Filters({}, False), frozenset())
+    filters, of = learned.filters, sorted(learned.of)
+    taps = np.array([filters.taps[number] for number in of if filters.taps], np.float32)
+    held = taps.reshape(-1, *UNTOUCHED.shape), np.array(filters.came_over_cuts), np.array(of, np.uint8)
+    return packed({**arrays, **dict(zip(_LEARNED, held))}, compressed=_OWN)
 
 
 def scan_of(record: bytes) -> BlockScan:
@@ -268,30 +245,12 @@ def scan_of(record: bytes) -> BlockScan:
         )
 
 
-def _learned_arrays(learned: Learned | None) -> dict[str, np.ndarray]:
-    learned = learned or Learned(Filters({}, False), frozenset())
-    filters, of = learned.filters, sorted(learned.of)
-    taps = np.array([filters.taps[number] for number in of if filters.taps], np.float32)
-    found = taps.reshape(-1, *UNTOUCHED.shape), filters.came_over_cuts, np.array(of, np.uint8)
-    return {name: np.asarray(one) for name, one in zip(_LEARNED, found)}
-
-
 def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
     taps, over_cuts, of = (held[name] for name in _LEARNED)
     if taps.shape[1:] != UNTOUCHED.shape or of.dtype != np.uint8:
         raise NotUnderstoodError("filters of another kind")
     numbers = of.tolist()
     return Learned(Filters(dict(zip(numbers, taps)), bool(over_cuts)), frozenset(numbers)) if numbers else None
-
-
-def learned_in(files: RecordFiles, key: BlockKey) -> Learned | None:
-    """What the first look at a block told of what came over the mosaic. Raises SettingsError as ``held`` does."""
-    record = held_record(FIRST_LOOK, files, key)
-    try:
-        with understanding():
-            return None if record is None else _learned(unpacked(record, _LEARNED))
-    except NotUnderstoodError as error:
-        raise _lost(FIRST_LOOK, files, key, str(error)) from None
 
 
 def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
@@ -301,22 +260,6 @@ def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
 
 NOTHING = -1
 """Number in place of a source's in the whole scan: none is followed."""
-
-
-@dataclass(frozen=True, eq=False)
-class BlockBrief:
-    """What of a block decides on what is looked at once more."""
-
-    sources: tuple[str, ...]
-    squares: np.ndarray
-    """Sources that squares follow, as ``BlockScan`` has them."""
-    dense: bytes
-    """Units that were measured pixel by pixel, as ``BlockScan`` has them, eight a byte."""
-
-    @classmethod
-    def of(cls, scan: BlockScan) -> BlockBrief:
-        """A block that was measured."""
-        return cls(scan.sources, scan.squares, np.packbits(scan.dense).tobytes())
 
 
 class BlockRun:
@@ -332,9 +275,8 @@ class BlockRun:
         """First every block, then along the borders of blocks what only two neighbours together show."""
         blocks = JournaledBlocks(self._journal, workers)
         for step in blocks.steps(FIRST_LOOK, self._request.keys(), self._request.block):
-            numbers = global_numbers(step.brief.sources, self._request.numbers)
-            self._squares[place_of(step.key, SQUARES)] = numbers[step.brief.squares]
-            self._dense[step.key] = step.brief.dense
+            sources, squares, self._dense[step.key] = step.brief
+            self._squares[place_of(step.key, SQUARES)] = global_numbers(sources, self._request.numbers)[squares]
             yield step
         if not workers.cancelled():
             second = dict(self._second_look())
@@ -350,7 +292,10 @@ class BlockRun:
             wanted = wanted[above * UNITS // SQUARES :][:UNITS]
             for column in range(self._request.blocks.columns):
                 key, own = (row, column), wanted[place_of((0, column), UNITS)]
-                if own.any() and (own := own & ~_units(self._dense[key])).any():
+                if own.any():
+                    dense = np.unpackbits(np.frombuffer(self._dense[key], np.uint8)).reshape(UNITS, UNITS)
+                    own = own & (dense == 0)
+                if own.any():
                     yield key, own
 
     def _looked_at_again(self, key: BlockKey, wanted: np.ndarray) -> BlockRequest:
@@ -358,22 +303,21 @@ class BlockRun:
         around = self._squares[max(rows.start - 1, 0) : rows.stop + 1, max(columns.start - 1, 0) : columns.stop + 1]
         found = set(np.unique(around).tolist())
         followed = frozenset(i for i, one in enumerate(request.sources) if self._request.numbers[one.ref.path] in found)
-        learned = learned_in(self._journal.files, key)
+        learned = held(FIRST_LOOK, self._journal.files, key, lambda record: _learned(unpacked(record, _LEARNED)))
         return replace(request, wanted=wanted, learned=learned, followed=followed)
-
-
-def _units(bits: bytes) -> np.ndarray:
-    return np.unpackbits(np.frombuffer(bits, np.uint8)).reshape(UNITS, UNITS).astype(bool)
 
 
 def _is_of_its_sources(scan: BlockScan, request: BlockRequest) -> bool:
     return scan.sources == tuple(one.ref.path for one in request.sources)
 
 
-SECOND_LOOK = BlockLook(
-    "border", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources, reading=attrgetter("reading")
-)
-FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=BlockBrief.of)
+def _what_neighbours_need(scan: BlockScan) -> tuple[tuple[str, ...], np.ndarray, bytes]:
+    """Its sources, which of them squares follow, and the units that were measured pixel by pixel, eight a byte."""
+    return scan.sources, scan.squares, np.packbits(scan.dense).tobytes()
+
+
+SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources)
+FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=_what_neighbours_need)
 
 
 def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:
@@ -390,17 +334,11 @@ def block_labels(
     ``NOTHING`` where none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
     found = None
     for look in (FIRST_LOOK, SECOND_LOOK):
-        record = held_record(look, files, key)
-        if record is None:
-            continue
-        try:
-            with understanding():
-                parts = unpacked(record, ("sources", "labels", "dense"))
-                own = global_numbers(_names(parts), numbers)[parts["labels"][place]]
-                dense = enlarged(parts["dense"], LABELS // UNITS)[place]
-                found = own if found is None else np.where(dense, own, found)
-        except NotUnderstoodError as error:
-            raise _lost(look, files, key, str(error)) from None
+        parts = held(look, files, key, partial(unpacked, names=("sources", "labels", "dense")))
+        if parts is not None:
+            own = global_numbers(_names(parts), numbers)[parts["labels"][place]]
+            dense = enlarged(parts["dense"], LABELS // UNITS)[place]
+            found = own if found is None else np.where(dense, own, found)
     return found
 
 
@@ -413,24 +351,18 @@ def global_numbers(sources: Sequence[str], numbers: Mapping[str, int]) -> np.nda
 
 def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
     """A block with what was looked at once more."""
-    labels_px, cells_px = len(first.labels) // UNITS, len(first.mixture) // UNITS
-    labels, mixture, clear, grey, grain = (
-        np.where(enlarged(second.dense, times), new, old)
-        for times, new, old in (
-            (labels_px, second.labels, first.labels), (cells_px, second.mixture, first.mixture),
-            (cells_px, second.clear, first.clear), (cells_px, second.grey, first.grey),
-            (cells_px, second.grain, first.grain),
-        )
-    )
-    ground = np.where(second.dense, second.ground, first.ground)
+
+    def merged(name: str) -> np.ndarray:
+        old, new = getattr(first, name), getattr(second, name)
+        return np.where(enlarged(second.dense, len(old) // UNITS), new, old)
+
+    per_unit = CELLS // UNITS
     cells, beside = first.cells, first.beside
-    replaced, was_beside = (
-        second.dense[one.row % CELLS // cells_px, one.column % CELLS // cells_px] for one in (cells, beside)
+    was_cell, was_beside = (
+        second.dense[one.row % CELLS // per_unit, one.column % CELLS // per_unit] for one in (cells, beside)
     )
     return replace(
-        first, labels=labels, mixture=mixture, clear=clear, grey=grey, grain=grain, ground=ground,
-        dense=first.dense | second.dense,
-        cells=CellTable.joined([cells.chosen(~replaced), second.cells]),
-        beside=MixtureTable.joined([beside.chosen(~was_beside), second.beside]),
-        notices=first.notices + second.notices,
+        first, **{name: merged(name) for name in ("labels", "mixture", "grey", "grain", "ground")},
+        dense=first.dense | second.dense, cells=CellTable.joined([cells.chosen(~was_cell), second.cells]),
+        beside=MixtureTable.joined([beside.chosen(~was_beside), second.beside]), notices=first.notices + second.notices,
     )

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import json
 import os
-from collections import defaultdict, deque
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures import Executor
 from contextlib import ExitStack
 from functools import partial
 from typing import Any, Callable
@@ -32,7 +32,7 @@ from .block_runs import several
 from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of
 from .blocks.scan_block import NOT_LOOKED
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
-from .lines.label_borders import Chain, LabelTile
+from .lines.label_borders import LabelTile
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
 from .lines.seam_tracing import SourceBorder, SourcePolygon, polygons_of, seams_of, trace_borders
@@ -61,6 +61,7 @@ class Gathering:
     def __init__(self, request: ScanRequest, journal: ScanJournal, reading: MosaicReading) -> None:
         self._request, self._journal, self._reading = request, journal, reading
         self._blocks = request.blocks
+        self._shown: dict[int, int] = {}  # numbers of the sources in the picture of losses
         number = np.min_scalar_type(-len(request.sources) - 1)
         self._units = np.full((self._blocks.rows * UNITS, self._blocks.columns * UNITS), NOT_LOOKED, number)
 
@@ -72,26 +73,23 @@ class Gathering:
         ``goes_on`` takes the share that is done; where it says no the result is None. Raises SettingsError when the
         journal can't be read, RasterError when the picture can't be written.
         """
+        settings = self._request.settings
         try:
             with ExitStack() as stack:
                 if not self._journal.is_shared:
                     executor, ahead = stack.enter_context(own_threads())
-                settings, picture = self._request.settings, None
                 raster = stack.enter_context(
                     loss_raster(loss_path, self._request.mosaic, settings.cell_px, settings.told)
                 ) if loss_path else None
-                aside = stack.enter_context(ThreadPoolExecutor(1, thread_name_prefix="seam-inspector-picture"))
-                if raster is not None:
-                    picture = _LossPicture(raster, aside)
-                return self._result(_Crew(executor, ahead, goes_on), aside, picture)
+                return self._result(_Crew(executor, ahead, goes_on), raster)
         except CancelledError:  # which leaves no picture
             return None
 
-    def _result(self, crew: _Crew, aside: Executor, picture: _LossPicture | None) -> ScanResult:
+    def _result(self, crew: _Crew, raster: LossRaster | None) -> ScanResult:
         request, grid = self._request, self._request.mosaic.grid
         known = given_polygons(request)
-        borders = self._borders(picture, crew, not (request.seams and known))
-        polygons = aside.submit(polygons_of, borders)
+        borders = self._borders(raster, crew, not (request.seams and known))
+        polygons = known or tuple(polygons_of(borders))
         pieces = list(request.pieces) if request.seams else cut_in_pieces(
             seams_of(borders), request.settings.piece_m, grid
         )
@@ -99,10 +97,16 @@ class Gathering:
             first, last = (one.row, one.column), (one.row + one.height, one.column + one.width)
             self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = NOT_LOOKED
         ground = FollowedGround(self._units, self._blocks, pieces, request.settings.piece_m)
-        told = {**self._said, **ground.told}
-        if picture is not None:
+        told = {"seams": "given" if request.seams else "found", **self._reading.told}
+        if names := request.not_given:
+            told["not_given"] = ", ".join(names)
+        if doubtful := [name for name, one in zip(request.source_names, request.sources) if one.may_be_copy]:
+            told["may_be_copies"] = ", ".join(doubtful)
+        told.update(ground.told)
+        if raster is not None:
             sources = _listed(source.ref for source in request.sources)
-            picture.finish({**told, "mosaic": _listed([request.mosaic.ref]), "sources": sources}, request.source_names)
+            settings = {**told, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
+            raster.close([request.source_names[number] for number in self._shown], settings)
         crew.tell(_CUT)
         measured, unchanged = self._measured(pieces, crew)
         judged = tuple(
@@ -117,11 +121,10 @@ class Gathering:
             told["unchanged_metres"] = f"{alike:.1f}"
         notices = (*self._reading.notices, *_notices(ground), *without_verdict(judged))
         if not pieces and not request.seams:
-            notices += self._no_seam(polygons.result())
-        if picture is not None:
-            picture.wait()
+            followed = ", ".join(request.source_names[one.source] for one in polygons)
+            notices += (messages.SCAN_WITHOUT_SEAMS(name=followed),) if followed else ()
         crew.tell(1.0)
-        return ScanResult(judged, known or tuple(polygons.result()), tuple(worst), (), notices, told)
+        return ScanResult(judged, polygons, tuple(worst), (), notices, told)
 
     def _name(self, side: Side) -> str | None:
         """Name of a source as its file has it, else as the seams do."""
@@ -130,22 +133,33 @@ class Gathering:
             return side if number is None else self._request.source_names[number]
         return None if side is None else self._request.source_names[side]
 
-    def _borders(self, picture: _LossPicture | None, crew: _Crew, traces: bool) -> list[SourceBorder]:
+    def _borders(self, raster: LossRaster | None, crew: _Crew, traces: bool) -> list[SourceBorder]:
         """Borders of what is followed, none unless they are traced; the picture of losses on the way."""
         mosaic = self._request.mosaic
         half = LABEL_PX // 2
-        chains: list[Chain] = []
+        edges = [np.zeros((4, 0), np.int64)]
         rows, columns = (-(-(length - half) // LABEL_PX) for length in (mosaic.rows, mosaic.columns))
-        cell_px = self._request.settings.cell_px if picture is not None else 0
+        cell_px = self._request.settings.cell_px if raster is not None else 0
         requests = (self._outputs(key, rows, columns, cell_px, traces) for key in self._blocks)
         total = self._blocks.rows * self._blocks.columns
         found: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
         for one in found:
-            chains += one.chains
+            edges.append(one.edges)
             self._units[place_of(one.key, UNITS)] = one.ground
-            if picture is not None:
-                picture.add(one)
-        return trace_borders(chains, mosaic.grid, columns, LABEL_PX)
+            cells = self._numbered(one)
+            if raster is not None and cells is not None:
+                raster.write(*one.key, cells)
+        return trace_borders(np.concatenate(edges, axis=1), mosaic.grid, columns, LABEL_PX)
+
+    def _numbered(self, block: BlockOutputs) -> np.ndarray | None:
+        """Cells of the picture of losses, their sources numbered in the order in which it meets them."""
+        found = block.cells
+        cells = None if found is None else found.copy()
+        for source in block.sources:
+            number = self._shown.setdefault(source, len(self._shown) + 1)
+            if found is not None and cells is not None:
+                cells[SOURCE_BAND - 1][found[SOURCE_BAND - 1] == source + 1] = number
+        return cells
 
     def _outputs(self, key: BlockKey, rows: int, columns: int, cell_px: int, traces: bool) -> OutputsRequest:
         """``rows``, ``columns`` of labels of the whole mosaic."""
@@ -200,22 +214,6 @@ class Gathering:
             self._journal.files, own, numbers, index.near(around, 0.0), self._blocks,
             self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, bool(self._request.seams),
         )
-
-    @property
-    def _said(self) -> dict[str, str]:
-        """How the seams were come by."""
-        said = {"seams": "given" if self._request.seams else "found", **self._reading.told}
-        if names := self._request.not_given:
-            said["not_given"] = ", ".join(names)
-        doubtful = [n for n, one in enumerate(self._request.sources) if one.may_be_copy]
-        if doubtful:
-            said["may_be_copies"] = ", ".join(self._request.source_names[n] for n in doubtful)
-        return said
-
-    def _no_seam(self, polygons: Sequence[SourcePolygon]) -> tuple[Message, ...]:
-        """Where none was found, what the mosaic follows instead; ``polygons``: of what is followed."""
-        names = ", ".join(self._request.source_names[one.source] for one in polygons)
-        return (messages.SCAN_WITHOUT_SEAMS(name=names),) if names else ()
 
 def _notices(ground: FollowedGround) -> Iterator[Message]:
     """What of the ground is in no figure."""
@@ -273,52 +271,6 @@ def _each(work: Callable[[Any], Any], requests: Sequence[Any]) -> list[Any] | Me
 
 def _raised(_requests: Sequence[Any], reason: Message) -> Message:
     return reason
-
-
-_MOST_WAITING = 64  # blocks of the picture that are not written yet
-
-
-class _LossPicture:
-    """The picture of losses, written in a thread of its own; sources are numbered in the order in which it meets them.
-    All methods raise RasterError when the disk is full."""
-
-    def __init__(self, raster: LossRaster, thread: Executor) -> None:
-        self._raster, self._thread = raster, thread
-        self._names: dict[int, int] = {}
-        self._waiting: deque[Future[None]] = deque()
-
-    def add(self, one: BlockOutputs) -> None:
-        """A block."""
-        self._do(self._write, one)
-
-    def finish(self, settings: dict[str, str], names: Sequence[str]) -> None:
-        """All blocks are in it; ``names`` of all sources."""
-        self._do(self._close, settings, names)
-
-    def wait(self) -> None:
-        """Until all of it is done."""
-        while self._waiting:
-            self._waiting.popleft().result()
-
-    def _do(self, work: Callable[..., None], *given: Any) -> None:
-        self._waiting.append(self._thread.submit(work, *given))
-        if len(self._waiting) > _MOST_WAITING:
-            self._waiting.popleft().result()
-
-    def _write(self, one: BlockOutputs) -> None:
-        for source in one.sources:
-            self._names.setdefault(source, len(self._names) + 1)
-        if (found := one.cells) is None:
-            return
-        cells = found.copy()
-        for source in one.sources:
-            cells[SOURCE_BAND - 1][found[SOURCE_BAND - 1] == source + 1] = self._names[source]
-        self._raster.write(*one.key, cells)
-
-    def _close(self, settings: dict[str, str], names: Sequence[str]) -> None:
-        for name, value in settings.items():
-            self._raster.add_setting(name, value)
-        self._raster.close([names[number] for number in self._names])
 
 
 def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:

@@ -3,8 +3,7 @@ where no orthoimage is given. Block by block, from the request to the cells' rec
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
-from operator import attrgetter
+from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
@@ -178,6 +177,7 @@ class LoneScan:
 def scan_lone_block(request: BlockRequest) -> LoneScan:
     """The cells along the seams of a block, which are its ``sides``. What can't be read is told in its notices."""
     assert request.wanted is not None
+    assert request.sides is not None
     tables = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)]
     notices: list[Message] = []
     unread: list[PixelWindow] = []
@@ -185,40 +185,33 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
     for part in parts:
         window = part.moved_by(request.window.column, request.window.row)
         try:
-            tables.append(_cells(request, window))
+            around = window.with_margin(MARGIN_PX)
+            clip = read_clip(open_raster(request.mosaic.ref), request.mosaic, around, partly=True, holes=True)
         except NotCoveredError:
             continue
         except RasterError as error:
             notices.append(error.message.as_warning())
             unread.append(window)
+        else:
+            bands = clip.bands if request.grey_factor == 1 else clip.bands * np.float32(request.grey_factor)
+            pixels = MosaicPixels(around, judged_plane(bands, clip.raster.band_names), bands, clip.valid)
+            near = request.sides.pieces.near(around, REACH_PX)
+            tables.append(lone_cells(pixels, window, near, request.settings.wavelet))
     reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))
     return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)
 
 
-def _cells(request: BlockRequest, window: PixelWindow) -> LoneTable:
-    around = window.with_margin(MARGIN_PX)
-    clip = read_clip(open_raster(request.mosaic.ref), request.mosaic, around, partly=True, holes=True)
-    bands = clip.bands if request.grey_factor == 1 else clip.bands * np.float32(request.grey_factor)
-    plane = judged_plane(bands, clip.raster.band_names)
-    assert request.sides is not None
-    near = request.sides.pieces.near(around, REACH_PX)
-    return lone_cells(MosaicPixels(around, plane, bands, clip.valid), window, near, request.settings.wavelet)
-
-
 def lone_record_of(scan: LoneScan) -> bytes:
     """All but the notices, which are told once."""
-    arrays = {one.name: getattr(scan.table, one.name) for one in fields(LoneTable)}
-    return packed({"key": np.array(scan.key), **arrays})
+    return packed({"key": np.array(scan.key), **vars(scan.table)})
 
 
 def lone_scan_of(record: bytes) -> LoneScan:
     """What ``lone_record_of`` made bytes of. Raises NotUnderstoodError for anything else."""
     with understanding():
         kept = unpacked(record)
-        row, column = kept["key"].tolist()
-        return LoneScan((row, column), LoneTable(**{one.name: kept[one.name] for one in fields(LoneTable)}))
+        row, column = kept.pop("key").tolist()
+        return LoneScan((row, column), LoneTable(**kept))
 
 
-LONE_LOOK = BlockLook(
-    "lone", scan_lone_block, LoneScan.nothing, lone_record_of, lone_scan_of, reading=attrgetter("reading")
-)
+LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, lone_record_of, lone_scan_of)

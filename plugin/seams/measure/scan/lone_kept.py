@@ -20,7 +20,7 @@ from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
 from ..verdicts import Verdict
 from . import messages
 from .lone_blocks import ZONES_PX
-from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP_PX, LoneStretches
+from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP, STRIP_PX, LoneStretches, ground_of
 
 EXCESS, DECAY = 1.5, 0.75
 """The variance of the mean of n stretches is that of one of them, times the first, over n to the power of the second:
@@ -92,9 +92,9 @@ class LoneSeams:
         spans = [self._span(number) for number in sorted(set(pieces))]
         return self._kept(np.concatenate([np.zeros(0, np.intp), *spans]))
 
-    def by_piece(self, count: int) -> list[LoneKept | None]:
+    def by_piece(self) -> list[LoneKept | None]:
         """What every piece kept for itself."""
-        return [self._kept(self._span(number)) for number in range(count)]
+        return [self._kept(self._span(number)) for number in range(len(self.seam_ids))]
 
     def _span(self, piece: int) -> np.ndarray:
         """The stretches of a piece that take part."""
@@ -117,12 +117,17 @@ class LoneSeams:
         """How much the upper end of log kept is raised for seams that are led through smooth ground."""
         return max(-self._selection, 0.0) + (0.0 if self._stretches.has_colour.all() else COLOURLESS)
 
+    def _has_ground(self, range_: int) -> np.ndarray:
+        """Stretches with enough ground on both sides, (n,) bool."""
+        s, parts, (near, far) = self._stretches, ground_of(range_), RANGES_PX[range_]
+        return np.asarray(
+            ((s.area[parts] >= _LEAST_AREA * (far - near) * s.length_px) & (s.plain[parts] > 0)).all(axis=0)
+        )
+
     def _prepare(self) -> None:
         """Which stretches take part, and what the intervals of all pieces follow from."""
-        s, (near, far) = self._stretches, RANGES_PX[self.range]
-        self._usable = (s.strip_area >= _LEAST_AREA * 2 * STRIP_PX * s.length_px) & (
-            s.ground_area[self.range] >= _LEAST_AREA * (far - near) * s.length_px
-        ).all(axis=0) & (s.ground_plain[self.range] > 0).all(axis=0)
+        s = self._stretches
+        self._usable = (s.area[0] >= _LEAST_AREA * 2 * STRIP_PX * s.length_px) & self._has_ground(self.range)
         self._selection, self._scatter = 0.0, None
         self._variance = np.zeros(len(s))
         used = np.flatnonzero(self._usable)
@@ -158,23 +163,23 @@ class LoneSeams:
 
         ``plain``: as the detail is; ``beyond``: not of the strip but of the nearer ground, over that farther off.
         """
-        s, range_ = self._stretches, 1 if beyond else self.range
-        strip, ground = (s.strip_plain, s.ground_plain) if plain else (s.strip_matched, s.ground_matched)
-        above = zip(s.ground_area[0], ground[0]) if beyond else [(s.strip_area, strip)]
-        influence, logs = np.zeros(len(chosen)), []
-        for sign, parts in ((1.0, list(above)), (-1.0, list(zip(s.ground_area[range_], ground[range_])))):
-            means = []
-            for area, values in parts:
-                weights = area[chosen] / area[chosen].sum()
-                means.append((weights, values[chosen], float(weights @ values[chosen])))
-            level = max(float(np.mean([mean for _, _, mean in means])), 1e-12)
-            logs.append(sign * np.log(level))
-            influence += sign * sum(share * (value - mean) for share, value, mean in means) / (level * len(means))
-        return float(sum(logs)), influence
+        s = self._stretches
+        area, values = (one[:, chosen] for one in (s.area, s.plain if plain else s.matched))
+        influence, log_kept = np.zeros(len(chosen)), 0.0
+        for sign, parts in (
+            (1, ground_of(0) if beyond else STRIP), (-1, ground_of(1 if beyond else self.range)),
+        ):
+            weights = area[parts] / area[parts].sum(axis=1, keepdims=True)
+            means = (weights * values[parts]).sum(axis=1)
+            level = max(float(means.mean()), 1e-12)
+            log_kept += sign * float(np.log(level))
+            apart = values[parts] - means[:, np.newaxis]
+            influence += sign * (weights * apart).sum(axis=0) / (level * len(means))
+        return log_kept, influence
 
     def _error(self, chosen: np.ndarray, influence: np.ndarray) -> float:
         """Standard error of the logarithm of kept."""
-        weights = self._stretches.strip_area[chosen] / self._stretches.strip_area[chosen].sum()
+        weights = self._stretches.area[0, chosen] / self._stretches.area[0, chosen].sum()
         squares = weights**2
         scatter = float(squares @ self._variance[chosen]) / float(squares.sum())
         variance = EXCESS * scatter * float(squares.sum()) ** DECAY
@@ -187,14 +192,10 @@ class LoneSeams:
 
     def _reaches_beyond(self) -> bool:
         """Whether, beside a loss along the seams, the nearer ground has lost detail itself."""
-        s, (near, far) = self._stretches, RANGES_PX[1]
         whole = self.kept()
         if whole is None or not whole.tells_loss:
             return False
-        chosen = np.flatnonzero(
-            self._usable & (s.ground_area[1] >= _LEAST_AREA * (far - near) * s.length_px).all(axis=0)
-            & (s.ground_plain[1] > 0).all(axis=0)
-        )
+        chosen = np.flatnonzero(self._usable & self._has_ground(1))
         if len(np.unique(self._run[chosen])) < _FEWEST_RUNS:
             return False
         log_kept, influence = self._compared(chosen, beyond=True)
@@ -204,9 +205,9 @@ class LoneSeams:
 
     def _width_px(self, chosen: np.ndarray) -> float:
         """Width of the band along some stretches."""
-        s = self._stretches
-        areas = s.ground_area[self.range][:, chosen]
-        level = (areas * s.ground_matched[self.range][:, chosen]).sum(axis=1) / areas.sum(axis=1)
+        s, ground = self._stretches, ground_of(self.range)
+        areas = s.area[ground, chosen]
+        level = (areas * s.matched[ground, chosen]).sum(axis=1) / areas.sum(axis=1)
         bins = []
         for zone, (near, far) in enumerate(zip(ZONES_PX, ZONES_PX[1:])):
             area = s.zone_area[zone, chosen]
@@ -236,9 +237,9 @@ class LoneJudgement:
     """Why there is none."""
 
 
-def judge_pieces(seams: LoneSeams, lengths_px: Sequence[float], pixel_m: float) -> list[LoneJudgement]:
+def judge_pieces(seams: LoneSeams, pixel_m: float) -> list[LoneJudgement]:
     """Every piece by itself, in their order. ``pixel_m``: side of a pixel on the ground."""
-    return [_judged(kept, seams.judgeable_px, pixel_m) for kept in seams.by_piece(len(lengths_px))]
+    return [_judged(kept, seams.judgeable_px, pixel_m) for kept in seams.by_piece()]
 
 
 def judge_stretches(

@@ -78,13 +78,15 @@ class LoneScanning:
         if parts:
             seams = LoneSeams(LoneStretches.joined(parts), [piece.seam_id for piece in self._pieces])
             lengths = [piece.length_m / pixel_m for piece in self._pieces]
-            judged = judge_pieces(seams, lengths, pixel_m)
+            judged = judge_pieces(seams, pixel_m)
             pieces = [_judged(*piece, pixel_m, settings.levels) for piece in zip(self._pieces, judged)]
-            stretches = [
-                replace(_judged(_joined([self._pieces[number] for number in run]), judgement, pixel_m, settings.levels),
-                        is_stretch=True)
-                for run, judgement in judge_stretches(seams, lengths, judged)
-            ]
+            for run, judgement in judge_stretches(seams, lengths, judged):
+                first, *others = (self._pieces[number] for number in run)
+                vertices = np.concatenate([first.vertices, *(piece.vertices[1:] for piece in others)])
+                length_m = sum(piece.length_m for piece in (first, *others))
+                whole_piece = replace(first, vertices=vertices, length_m=length_m)
+                stretch = _judged(whole_piece, judgement, pixel_m, settings.levels)
+                stretches.append(replace(stretch, is_stretch=True))
             if (whole := seams.kept()) is not None:
                 least = seams.judgeable_px
                 notices += (
@@ -122,23 +124,24 @@ class LoneScanning:
         """Pieces by the block that their middle lies in."""
         groups = defaultdict(list)
         for number, piece in enumerate(self._pieces):
-            groups[self._keys(piece.vertices[len(piece.vertices) // 2][np.newaxis])[0]].append(number)
+            (key,) = self._keys(piece.vertices[len(piece.vertices) // 2][np.newaxis])
+            groups[key].append(number)
         return groups
 
     def _touched(self, key: BlockKey, numbers: Sequence[int]) -> list[BlockKey]:
         """The blocks of some pieces and their neighbours."""
         step = self._mosaic.grid.pixel_width * BLOCK_PX / 4  # map units that are surely less than a block
-        met = {key, *self._keys(np.concatenate([_filled_in(self._pieces[n].vertices, step) for n in numbers]))}
+        lines = [self._pieces[number].vertices for number in numbers]
+        stations = [(line, vertex_stations(line)) for line in lines]
+        between = [points_at(line, at, np.union1d(at, np.arange(0, at[-1], step))) for line, at in stations]
+        met = {key, *self._keys(np.concatenate(between))}
         around = {(row + down, column + to) for row, column in met for down in (-1, 0, 1) for to in (-1, 0, 1)}
         return sorted(key for key in around if 0 <= key[0] < self._blocks.rows and 0 <= key[1] < self._blocks.columns)
 
-    def _keys(self, vertices: np.ndarray) -> list[BlockKey]:
-        grid = self._mosaic.grid
-        columns = grid.column_at(vertices[:, 0]) // BLOCK_PX
-        rows = grid.row_at(vertices[:, 1]) // BLOCK_PX
+    def _keys(self, vertices: np.ndarray) -> set[BlockKey]:
+        places = self._mosaic.grid.to_pixels(vertices)[:, ::-1] // BLOCK_PX
         last = self._blocks.rows - 1, self._blocks.columns - 1
-        return [(min(max(int(row), 0), last[0]), min(max(int(column), 0), last[1]))
-                for row, column in zip(rows, columns)]
+        return {(row, column) for row, column in places.clip(0, last).astype(int).tolist()}
 
     def _table_of(self, key: BlockKey) -> LoneTable | None:
         """What the journal holds of one block."""
@@ -155,17 +158,3 @@ def _judged(piece: SeamPiece, judgement: LoneJudgement, pixel_m: float, levels: 
         piece, left, right, (kept.kept, *[None] * (levels - 1)), kept.low, kept.high, kept.band_width_px * pixel_m,
         *verdict, state=state_by(kept.kept, kept.low, kept.high, judgement.verdict),
     )
-
-
-def _joined(pieces: Sequence[SeamPiece]) -> SeamPiece:
-    """Pieces that follow one another as one."""
-    first = pieces[0]
-    vertices = np.concatenate([first.vertices, *(piece.vertices[1:] for piece in pieces[1:])])
-    length = sum(piece.length_m for piece in pieces)
-    return SeamPiece(first.seam_id, first.station_m, length, vertices, first.left, first.right)
-
-
-def _filled_in(vertices: np.ndarray, step: float) -> np.ndarray:
-    """The vertices of a line, and points between those that lie far apart."""
-    along = vertex_stations(vertices)
-    return points_at(vertices, along, np.union1d(along, np.arange(0, along[-1], step)))

@@ -30,32 +30,30 @@ FEWEST_CELLS = 250
 _TILE_CELLS = 64  # what is expected is found anew in each tile of so many cells a side
 _BESIDE_CELLS = 32  # and from cells up to so far beside it
 _LEAST_PART_PX = 32.0  # area of a part: smaller ones have fewer than 8 coefficients in each direction
-_STRIP, _UNUSED = 0, -1  # groups of parts; those of the ground follow
+STRIP = slice(0, 1)
+"""Place of the strip among the parts of stretches; those of the ground follow, left and right of each range."""
+_PARTS = 1 + 2 * len(RANGES_PX)
+
+
+def ground_of(range_: int) -> slice:
+    """Places of the ground on both sides among the parts of stretches; ``range_``: place in ``RANGES_PX``."""
+    return slice(1 + 2 * range_, 3 + 2 * range_)
 
 
 @dataclass(frozen=True, eq=False)
 class LoneStretches:
-    """Sums of n stretches; ranges are those of ``RANGES_PX``, sides left and right.
-
-    ``matched``: the finest detail over what is expected of ground like that; ``plain``: the same in DN squared a pixel.
-    """
+    """Sums of n stretches; parts are the strip beside the seam and the ground."""
 
     piece: np.ndarray
     """(n,) number of the piece."""
     length_px: np.ndarray
     """(n,)"""
-    strip_area: np.ndarray
-    """(n,) pixels beside the seam."""
-    strip_matched: np.ndarray
-    """(n,) mean."""
-    strip_plain: np.ndarray
-    """(n,) mean."""
-    ground_area: np.ndarray
-    """(ranges, sides, n) pixels."""
-    ground_matched: np.ndarray
-    """(ranges, sides, n) mean."""
-    ground_plain: np.ndarray
-    """(ranges, sides, n) mean."""
+    area: np.ndarray
+    """(parts, n) pixels."""
+    matched: np.ndarray
+    """(parts, n) mean of the finest detail over what is expected of ground like that."""
+    plain: np.ndarray
+    """(parts, n) the same in DN squared a pixel."""
     zone_area: np.ndarray
     """(zones, n) pixels by distance."""
     zone_matched: np.ndarray
@@ -65,14 +63,6 @@ class LoneStretches:
 
     def __len__(self) -> int:
         return len(self.piece)
-
-    @classmethod
-    def empty(cls) -> LoneStretches:
-        """None at all."""
-        ground, zones, none = np.zeros((len(RANGES_PX), 2, 0)), np.zeros((len(ZONES_PX) - 1, 0)), np.zeros(0)
-        return cls(
-            np.zeros(0, np.intp), none, none, none, none, ground, ground, ground, zones, zones, np.zeros(0, bool)
-        )
 
     @classmethod
     def joined(cls, parts: Sequence[LoneStretches]) -> LoneStretches:
@@ -92,77 +82,48 @@ def lone_stretches(
     ``table`` holds all cells along them, and what is around: those of the neighbouring blocks. ``index``: of all
     pieces, or of those near the table. ``pixel_m``: side of a pixel on the ground.
     """
-    if not len(numbers):
-        return LoneStretches.empty()
-    lengths = np.array([pieces[number].length_m for number in numbers]) / pixel_m
-    counts = np.maximum(1, np.round(lengths / STRETCH_PX)).astype(np.intp)
+    start, length = np.array([(pieces[n].station_m, pieces[n].length_m) for n in numbers]).reshape(-1, 2).T
+    counts = np.maximum(1, np.round(length / pixel_m / STRETCH_PX)).astype(np.intp)
     count = int(counts.sum())
-    nearest = _nearest(table, pieces, numbers, index, counts)
+    # The stretch that is nearest to each cell, where that is one of those asked for, and its side.
+    seam = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX)
+    order = np.full(len(pieces) + 1, -1)
+    order[list(numbers)] = np.arange(len(numbers))
+    order = order[seam.number]  # -1, no piece, is the last
+    is_near = order >= 0
+    order = order[is_near]
+    share = (seam.station_m[is_near] - start[order]) / length[order]
+    stretch = np.zeros(len(table), np.intp)
+    stretch[is_near] = np.clip((share * counts[order]).astype(np.intp), 0, counts[order] - 1)
+    stretch[is_near] += (np.cumsum(counts) - counts)[order]
+
     ratio = table.energy / table.area / _expected(table)[table.cell]
-    belongs = nearest.belongs[table.cell]
+    belongs = is_near[table.cell]
     piece_of = np.repeat(np.arange(len(counts)), counts)
     zones = len(ZONES_PX) - 1
     inner = belongs & (table.zone < zones)
-    place = table.zone.astype(np.intp) * count + nearest.stretch[table.cell]
+    place = table.zone.astype(np.intp) * count + stretch[table.cell]
     zone_area, zone_matched = _means(ratio[inner], table.area[inner], place[inner], piece_of, zones)
     # The strip's parts of a cell are one: smaller ones would be capped oftener than the cells of the ground.
-    group = _groups(table, nearest.left)
-    used = belongs & (group != _UNUSED)
-    groups = 1 + 2 * len(RANGES_PX)
-    key, merged = np.unique(table.cell[used].astype(np.int64) * groups + group[used], return_inverse=True)
-    cell, group = np.divmod(key, groups)
+    part = np.full(len(table.zone), -1)
+    part[table.zone < ZONES_PX.index(STRIP_PX)] = 0
+    for range_, (near, far) in enumerate(RANGES_PX):
+        there = (table.zone >= ZONES_PX.index(near)) & (table.zone < ZONES_PX.index(far))
+        part[there] = ground_of(range_).start + ~seam.on_left[table.cell[there]]
+    used = belongs & (part >= 0)
+    key, merged = np.unique(table.cell[used].astype(np.int64) * _PARTS + part[used], return_inverse=True)
+    cell, part = np.divmod(key, _PARTS)
     area = np.bincount(merged, table.area[used], len(key))
     plain = np.bincount(merged, table.energy[used], len(key)) / area
     matched = np.bincount(merged, (table.area * ratio)[used], len(key)) / area
     large = area >= _LEAST_PART_PX
-    area, place = area[large], (group * count + nearest.stretch[cell])[large]
-    areas, matched_means = _means(matched[large], area, place, piece_of, groups)
-    _, plain_means = _means(plain[large], area, place, piece_of, groups)
-    shape = len(RANGES_PX), 2, count
+    area, place = area[large], (part * count + stretch[cell])[large]
+    areas, matched_means = _means(matched[large], area, place, piece_of, _PARTS)
+    _, plain_means = _means(plain[large], area, place, piece_of, _PARTS)
     return LoneStretches(
-        np.repeat(np.asarray(numbers, dtype=np.intp), counts), np.repeat(lengths / counts, counts),
-        areas[_STRIP], matched_means[_STRIP], plain_means[_STRIP],
-        areas[1:].reshape(shape), matched_means[1:].reshape(shape), plain_means[1:].reshape(shape),
-        zone_area, zone_matched, np.full(count, table.colour.shape[1] > 1),
+        np.repeat(np.asarray(numbers, dtype=np.intp), counts), np.repeat(length / pixel_m / counts, counts),
+        areas, matched_means, plain_means, zone_area, zone_matched, np.full(count, table.colour.shape[1] > 1),
     )
-
-
-@dataclass(frozen=True, eq=False)
-class _NearestStretch:
-    """Nearest stretch of each cell of a table, (cells,)."""
-
-    belongs: np.ndarray
-    """bool: whether its piece is one of those asked for."""
-    stretch: np.ndarray
-    left: np.ndarray
-    """bool: whether it lies on the left."""
-
-
-def _nearest(
-    table: LoneTable, pieces: Sequence[SeamPiece], numbers: Sequence[int], index: PieceIndex, counts: np.ndarray
-) -> _NearestStretch:
-    """``counts``: stretches of each piece that is asked for."""
-    seam = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX)
-    place = np.full(len(pieces) + 1, -1)
-    place[list(numbers)] = np.arange(len(numbers))
-    order = place[seam.number]  # -1, no piece, is the last
-    belongs = order >= 0
-    order = np.where(belongs, order, 0)
-    start, length = (np.array([getattr(pieces[n], name) for n in numbers]) for name in ("station_m", "length_m"))
-    share = (seam.station_m - start[order]) / length[order]
-    within = np.clip((share * counts[order]).astype(np.intp), 0, counts[order] - 1)
-    return _NearestStretch(belongs, np.cumsum(counts)[order] - counts[order] + within, seam.on_left)
-
-
-def _groups(table: LoneTable, left: np.ndarray) -> np.ndarray:
-    """Group of each part: the strip, or the range and side of the ground, or neither."""
-    group = np.full(len(table.zone), _UNUSED)
-    group[table.zone < ZONES_PX.index(STRIP_PX)] = _STRIP
-    side = np.where(left, 0, 1)[table.cell]
-    for number, (near, far) in enumerate(RANGES_PX):
-        there = (table.zone >= ZONES_PX.index(near)) & (table.zone < ZONES_PX.index(far))
-        group[there] = 1 + 2 * number + side[there]
-    return group
 
 
 def _means(

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 
 import numpy as np
 from osgeo import gdal
@@ -66,69 +65,48 @@ def _put(target: np.ndarray, above: np.ndarray, below: np.ndarray) -> None:
 
 
 class LossRaster:
-    """Writes the cells of blocks where they belong."""
+    """Writes the cells of blocks where they belong. All methods raise RasterError when the disk is full."""
 
     def __init__(self, dataset: gdal.Dataset, path: str, cell_px: int) -> None:
         self._dataset, self._failure = dataset, imagery_messages.RASTER_NOT_WRITTEN(path=path)
         self._side = BLOCK_PX // cell_px
         self._tiles: set[tuple[int, int]] = set()  # of the first overview, that have something to show
-        self._sums = [_Sums() for _ in BANDS]
+        self._sums = np.zeros((3, len(BANDS)))  # by band how many pixels are known, their values, and their squares
+        self._least, self._most = np.full(len(BANDS), np.inf), np.full(len(BANDS), -np.inf)
 
     def write(self, row: int, column: int, cells: np.ndarray) -> None:
-        """The cells of one block by its row and column. Raises RasterError when the disk is full."""
+        """The cells of one block by its row and column."""
         left, top = column * self._side, row * self._side
         width, height = self._dataset.RasterXSize - left, self._dataset.RasterYSize - top
         cells = np.ascontiguousarray(cells[:, :height, :width])
         known = cells != NODATA
         if not known.any():
             return
-        for band, of, sums in zip(cells, known, self._sums):
-            sums.add(band[of].astype(np.float64))
+        values = np.where(known, cells, 0).astype(np.float64)
+        self._sums += [one.sum(axis=(1, 2)) for one in (known, values, np.square(values))]
+        self._least = np.minimum(self._least, np.where(known, cells, np.inf).min(axis=(1, 2)))
+        self._most = np.maximum(self._most, cells.max(axis=(1, 2)))
         self._tiles.add((top // (2 * TILE), left // (2 * TILE)))
         with gdal_writing(self._failure):
             self._dataset.WriteArray(cells, left, top)
 
-    def add_setting(self, name: str, value: str) -> None:
-        """What only the whole scan knows, beside its settings."""
-        with gdal_writing(self._failure):
-            self._dataset.SetMetadataItem(name, value, SETTINGS_DOMAIN)
-
-    def close(self, names: Sequence[str]) -> None:
-        """Overviews, statistics and the names of the sources, which their numbers from 1 on mean."""
+    def close(self, names: Sequence[str], settings: Mapping[str, str] | None = None) -> None:
+        """Overviews, statistics and the names of the sources, which their numbers from 1 on mean; ``settings``: what
+        only the whole scan knows, beside its settings."""
         with gdal_writing(self._failure):
             dataset = self._dataset
+            for name, value in (settings or {}).items():
+                dataset.SetMetadataItem(name, value, SETTINGS_DOMAIN)
             dataset.GetRasterBand(SOURCE_BAND).SetCategoryNames(["", *names])
             dataset.FlushCache()
-            write_overviews(dataset, self._tiles, SOURCE_BAND)
-            for number, sums in enumerate(self._sums, 1):
-                if sums.count:
-                    dataset.GetRasterBand(number).SetStatistics(*sums.statistics)
+            _write_overviews(dataset, self._tiles)
+            for number, (count, total, squares) in enumerate(self._sums.T.tolist()):
+                if count:
+                    mean, ends = total / count, (float(self._least[number]), float(self._most[number]))
+                    deviation = max(squares / count - mean**2, 0.0) ** 0.5
+                    dataset.GetRasterBand(number + 1).SetStatistics(*ends, mean, deviation)
             dataset.FlushCache()
             self._dataset = None
-
-
-@dataclass
-class _Sums:
-    """Sums of the values of a band."""
-
-    count: int = 0
-    total: float = 0.0
-    squares: float = 0.0
-    least: float = np.inf
-    most: float = -np.inf
-
-    def add(self, values: np.ndarray) -> None:
-        """Some more of them, float64."""
-        self.count += values.size
-        self.total += float(values.sum())
-        self.squares += float(values @ values)
-        self.least, self.most = float(values.min(initial=self.least)), float(values.max(initial=self.most))
-
-    @property
-    def statistics(self) -> tuple[float, float, float, float]:
-        """Least, largest, mean and standard deviation."""
-        mean = self.total / self.count
-        return self.least, self.most, mean, max(self.squares / self.count - mean**2, 0.0) ** 0.5
 
 
 @contextmanager
@@ -175,49 +153,36 @@ TILE = 256
 """Side of the parts of an overview that are made at a time; a picture that is no larger has none."""
 
 
-def write_overviews(dataset: gdal.Dataset, tiles: Iterable[tuple[int, int]], of_names: int) -> None:
-    """Halve a picture until it is no larger than a tile: means, and of the band ``of_names`` what most pixels name.
-
-    ``tiles``: rows and columns of tiles of the first overview that are not empty.
-    """
+def _write_overviews(dataset: gdal.Dataset, tiles: Iterable[tuple[int, int]]) -> None:
+    """Halve a picture until it is no larger than a tile. ``tiles``: rows and columns of those of the first overview
+    that are not empty."""
     longest = max(dataset.RasterXSize, dataset.RasterYSize)
     factors = [2**level for level in range(1, 31) if longest / 2 ** (level - 1) > TILE]
     if not factors:
         return
     dataset.BuildOverviews("NONE", factors)
     wanted = set(tiles)
-    nodata = dataset.GetRasterBand(1).GetNoDataValue()
-    bands = [dataset.GetRasterBand(number + 1) for number in range(dataset.RasterCount)]
     for level in range(len(factors)):
         for row, column in sorted(wanted):
-            for number, band in enumerate(bands, 1):
+            for number in range(1, dataset.RasterCount + 1):
+                band = dataset.GetRasterBand(number)
                 finer = band.GetOverview(level - 1) if level else band
                 left, top = 2 * TILE * column, 2 * TILE * row
                 width, height = min(2 * TILE, finer.XSize - left), min(2 * TILE, finer.YSize - top)
-                pixels = finer.ReadAsArray(left, top, width, height)
-                made = most_named(pixels, nodata) if number == of_names else means(pixels, nodata)
+                made = _halved(finer.ReadAsArray(left, top, width, height), number == SOURCE_BAND)
                 band.GetOverview(level).WriteArray(made, left // 2, top // 2)
         wanted = {(row // 2, column // 2) for row, column in wanted}
 
 
-def means(pixels: np.ndarray, nodata: float) -> np.ndarray:
-    """Means of two by two pixels, without those that are not known."""
-    four = _four(pixels, nodata)
-    known = four != nodata
-    count = known.sum(axis=0)
-    total = np.where(known, four, 0).sum(axis=0, dtype=np.float64)
-    return np.where(count, total / np.maximum(count, 1), nodata).astype(np.float32)
-
-
-def most_named(pixels: np.ndarray, nodata: float) -> np.ndarray:
-    """The number that stands most often in two by two pixels; of several the first."""
-    four = _four(pixels, nodata)
-    votes = np.where(four != nodata, (four[:, np.newaxis] == four).sum(axis=1), 0)
-    return np.take_along_axis(four, votes.argmax(axis=0)[np.newaxis], axis=0)[0]
-
-
-def _four(pixels: np.ndarray, nodata: float) -> np.ndarray:
-    """(4, rows, columns) of each two by two; beyond the edge nothing is known."""
+def _halved(pixels: np.ndarray, are_names: bool) -> np.ndarray:
+    """Each two by two pixels as one, (rows, columns) float32: the mean of those that are known, or of numbers of
+    sources the one that stands most often, of several the first. Beyond the edge nothing is known."""
     rows, columns = pixels.shape
-    even = np.pad(pixels, ((0, rows % 2), (0, columns % 2)), constant_values=nodata)
-    return np.stack([even[row::2, column::2] for row in (0, 1) for column in (0, 1)])
+    even = np.pad(pixels, ((0, rows % 2), (0, columns % 2)), constant_values=NODATA)
+    four = np.stack([even[row::2, column::2] for row in (0, 1) for column in (0, 1)])
+    known = four != NODATA
+    if are_names:
+        votes = np.where(known, (four[:, np.newaxis] == four).sum(axis=1), 0)
+        return np.take_along_axis(four, votes.argmax(axis=0)[np.newaxis], axis=0)[0]
+    count, total = known.sum(axis=0), np.where(known, four, 0).sum(axis=0, dtype=np.float64)
+    return np.where(count, total / np.maximum(count, 1), NODATA).astype(np.float32)

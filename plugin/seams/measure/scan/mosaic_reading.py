@@ -63,24 +63,21 @@ class MosaicReading:
         in it; nothing where all was read."""
         if not self._unread:
             return {}
-        x, y = self._place
-        return {"unread": f"{self._share:.3g}", "unread_at": f"{x:.10g} {y:.10g}"}
+        share, x, y = self._lost
+        return {"unread": f"{share:.3g}", "unread_at": f"{x:.10g} {y:.10g}"}
 
     @property
     def notices(self) -> tuple[Message, ...]:
         """What could not be read, in words."""
         if not self._unread:
             return ()
-        x, y = self._place
-        return (messages.MOSAIC_UNREAD(share=100 * self._share, x=x, y=y),)
+        share, x, y = self._lost
+        return (messages.MOSAIC_UNREAD(share=100 * share, x=x, y=y),)
 
     @property
-    def _share(self) -> float:
-        pixels = sum(one.width * one.height for one in self.unread)
-        return pixels / (self._mosaic.columns * self._mosaic.rows)
-
-    @property
-    def _place(self) -> tuple[float, float]:
-        """The middle of the largest window."""
-        one = max(self.unread, key=lambda window: window.width * window.height)
-        return self._mosaic.grid.to_map(one.column + one.width / 2, one.row + one.height / 2)
+    def _lost(self) -> tuple[float, float, float]:
+        """Share of the mosaic that could not be read, and the middle of its largest window."""
+        windows = sorted(self.unread, key=lambda window: -window.width * window.height)
+        share = sum(one.width * one.height for one in windows) / (self._mosaic.columns * self._mosaic.rows)
+        column, row = windows[0].column + windows[0].width / 2, windows[0].row + windows[0].height / 2
+        return share, *self._mosaic.grid.to_map(column, row)

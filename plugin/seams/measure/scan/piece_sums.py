@@ -20,7 +20,7 @@ from ..while_measuring import measuring
 from .block_outputs import held_ground
 from .block_runs import block_labels, global_numbers, whole_block
 from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, BlockGrid, BlockKey
-from .blocks.scan_block import CELLS, BlockScan
+from .blocks.scan_block import CELLS
 from .lines.label_borders import NONE
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece, sources_beside
@@ -77,15 +77,18 @@ def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
         slice(first // CELL_PX, -(-(first + length) // CELL_PX))
         for first, length in ((around.row, around.height), (around.column, around.width))
     )
-    sums, along = PieceSums(request.numbers, request.index, request.levels), _CellsAlong(request.pieces, grid)
+    sums, along = PieceSums(request.numbers, request.index, request.levels), _cells_along(request.pieces, grid)
     grain = np.full(len(request.pieces), np.nan)
     for key in _blocks_of(around, request.blocks):
         window = request.blocks.window(key)
         scan = whole_block(files, key) if sums.are_near(window) else None
         if scan is not None:
-            cells, mixture = scan.cells.within((rows, columns)), with_numbers(scan, request.sources)
-            sums.add(cells, mixture.within((rows, columns)), held_ground(files, key), window, scan.grey)
-            np.fmax.at(grain, *along.values(key, scan.grain))
+            numbers = global_numbers(scan.sources, request.sources)
+            mixture = replace(scan.beside, source=numbers[scan.beside.source], other=numbers[scan.beside.other])
+            place = rows, columns
+            sums.add(scan.cells.within(place), mixture.within(place), held_ground(files, key), window, scan.grey)
+            piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
+            np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey
     found = [one if one.profile is None else replace(one, profile=replace(one.profile, bins=()))
              for one in without_even(sums.profiles(), grain, grey)]
@@ -114,12 +117,6 @@ def visibilities(
         visibility(one.profile.kept, one.profile.energy, mean, white) if one.profile else None
         for one, mean in zip(found, grey.tolist())
     ]
-
-
-def with_numbers(scan: BlockScan, sources: Mapping[str, int]) -> MixtureTable:
-    """What is mixed of what in a block, with the numbers of sources that all blocks share."""
-    numbers = global_numbers(scan.sources, sources)
-    return replace(scan.beside, source=numbers[scan.beside.source], other=numbers[scan.beside.other])
 
 
 def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> PixelWindow:
@@ -189,7 +186,10 @@ class PieceSums:
         piece_of[beside] = np.where(is_its_own & (self._numbers[place] == number), place, -1)
         piece = np.where(table.bin < MIXED_BINS, piece_of[table.cell], -1)
         if grey is not None:
-            self._add_grey(table, grey, piece)
+            strip = (table.bin < strip_bins(0).stop) & (piece >= 0)
+            values, area = grey[table.row[strip] % CELLS, table.column[strip] % CELLS], table.area[0, strip]
+            self._grey += [np.bincount(piece[strip], one, len(self._numbers)) for one in (area * values, area)]
+            self._brightest = float(np.fmax.reduce(values, initial=self._brightest))
         self._sums.add(table, mixture, ground, piece)
 
     def profiles(self) -> list[StripProfile]:
@@ -202,27 +202,13 @@ class PieceSums:
         total, area = self._grey
         return np.divide(total, area, out=np.full(len(area), np.nan), where=area > 0), self._brightest
 
-    def _add_grey(self, table: CellTable, grey: np.ndarray, piece: np.ndarray) -> None:
-        strip = (table.bin < strip_bins(0).stop) & (piece >= 0)
-        values, area = grey[table.row[strip] % CELLS, table.column[strip] % CELLS], table.area[0, strip]
-        self._grey += [np.bincount(piece[strip], one, len(self._numbers)) for one in (area * values, area)]
-        self._brightest = float(np.fmax.reduce(values, initial=self._brightest))
-
-
-class _CellsAlong:
-    """The cells that pieces run through."""
-
-    def __init__(self, pieces: Sequence[SeamPiece], grid: Grid) -> None:
-        parts = [np.zeros((0, 3), np.int64)]
-        for number, piece in enumerate(pieces):
-            path = grid.to_pixels(piece.vertices)
-            along = vertex_stations(path)
-            count = max(int(along[-1] // CELL_PX), 1)
-            cells = np.floor(points_at(path, along, (np.arange(count) + 0.5) / count * along[-1]) / CELL_PX)
-            parts.append(np.column_stack([np.full(count, number), cells]).astype(np.int64))
-        self._piece, self._column, self._row = np.concatenate(parts).T
-
-    def values(self, key: BlockKey, cells: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Places of pieces, and what ``cells`` (CELLS, CELLS) of a block have there."""
-        own = (self._row // CELLS == key[0]) & (self._column // CELLS == key[1])
-        return self._piece[own], cells[self._row[own] % CELLS, self._column[own] % CELLS]
+def _cells_along(pieces: Sequence[SeamPiece], grid: Grid) -> np.ndarray:
+    """The cells that pieces run through, (3, n) int: place of the piece, row and column."""
+    found = [np.zeros((3, 0), np.int64)]
+    for place, piece in enumerate(pieces):
+        path = grid.to_pixels(piece.vertices)
+        along = vertex_stations(path)
+        count = max(int(along[-1] // CELL_PX), 1)
+        column, row = np.floor(points_at(path, along, (np.arange(count) + 0.5) / count * along[-1]) / CELL_PX).T
+        found.append(np.stack([np.full(count, place), row, column]).astype(np.int64))
+    return np.concatenate(found, axis=1)

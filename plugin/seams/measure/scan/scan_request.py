@@ -121,13 +121,8 @@ class ScanRequest:
         return [key for key in self.blocks if squares is None or squares.is_read(key)]
 
     @property
-    def seams_m(self) -> float:
-        """Metres of the given seams on the mosaic."""
-        return sum(piece.length_m for piece in self.pieces)
-
-    @property
     def between_two_m(self) -> float:
-        """Metres of them that lie on two sources or more, without which nothing can be told of a seam."""
+        """Metres of the given seams on two sources or more, without which nothing can be told of a seam."""
         middles = ((piece, piece.vertices[len(piece.vertices) // 2].tolist()) for piece in self.pieces)
         return sum(
             piece.length_m for piece, (x, y) in middles if len(self.footprints.meeting((x, y, x, y))) > 1
@@ -231,8 +226,9 @@ def scan_request(
     if kept and not meeting:
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
     _check_readable(mosaic, meeting)
-    if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * request.seams_m:
-        notices.append(messages.SOURCES_TOO_FEW(between=between, all=request.seams_m))
+    seams_m = sum(piece.length_m for piece in request.pieces)
+    if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * seams_m:
+        notices.append(messages.SOURCES_TOO_FEW(between=between, all=seams_m))
         request = replace(request, sources=())
     if crowded := request.crowded:
         notices.append(messages.SOURCES_CROWDED(count=crowded, most=UNKNOWN))

@@ -9,8 +9,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Callable
 
-import numpy as np
-
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message, RasterError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
@@ -168,7 +166,9 @@ def worst_windows(
         judged = pieces[number]
         if len(found) >= count:
             break
-        window = _fitting(*_middle(judged.piece.vertices), grid, side, is_valid)
+        along = vertex_stations(judged.piece.vertices)
+        x, y = points_at(judged.piece.vertices, along, along[-1:] / 2)[0].tolist()
+        window = _fitting(x, y, grid, side, is_valid)
         if window is None or taken.shares_too_much(window):
             continue
         taken.add(window)
@@ -209,12 +209,6 @@ def _fitting(
         side //= 2
         if side < SMALLEST_SIDE_PX:
             return None
-
-
-def _middle(vertices: np.ndarray) -> tuple[float, float]:
-    along = vertex_stations(vertices)
-    x, y = points_at(vertices, along, along[-1:] / 2)[0].tolist()
-    return x, y
 
 
 @dataclass(frozen=True, eq=False)

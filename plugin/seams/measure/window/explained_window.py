@@ -101,19 +101,18 @@ def _in_file_values(found: Explanation, own: float, factors: Sequence[float]) ->
     """
     if own == 1 and all(factor == 1 for factor in factors):
         return found
+
+    def changed(change: Change, gain: float) -> Change:
+        tone = change.tone and replace(change.tone, gain=change.tone.gain * gain, bias=change.tone.bias / own)
+        return replace(
+            change, tone=tone, contrast=tuple(None if one is None else one * gain for one in change.contrast)
+        )
+
     changes = tuple(
-        {name: _change_in_file_values(change, own, factor) for name, change in changed.items()}
-        for changed, factor in zip(found.changes, (*factors, own))
+        {name: changed(change, factor / own) for name, change in of_source.items()}
+        for of_source, factor in zip(found.changes, (*factors, own))
     )
     return replace(found, curves=in_file_values(found.curves, own), changes=changes)
-
-
-def _change_in_file_values(change: Change, own: float, factor: float) -> Change:
-    gain, tone = factor / own, change.tone
-    if tone is not None:
-        tone = replace(tone, gain=tone.gain * gain, bias=tone.bias / own)
-    contrast = tuple(None if one is None else one * gain for one in change.contrast)
-    return replace(change, tone=tone, contrast=contrast)
 
 
 def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.ndarray | None:

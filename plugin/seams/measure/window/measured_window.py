@@ -10,17 +10,19 @@ from functools import cached_property, partial
 from threading import Lock
 from typing import Union
 
+import numpy as np
+
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message, NotCoveredError, RasterError
-from ....imagery.limits import measured_bands
+from ....imagery.limits import LUMINANCE, measured_bands
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import ReadEach, one_by_one
-from ....imagery.wavelets import Curve, measure_clip, measure_directions
+from ....imagery.wavelets import Curve, judged_plane, measure_bands, measure_clip, measure_directions
 from .. import messages
 from ..compared_image import MeasuredClip
 from ..inputs.whole_images import images_in_parts, whole_images_of_clips
 from ..verdicts import Judgement, Verdict, judge
-from .window_request import InspectionSettings, WindowRequest, place_in, read_with_surroundings
+from .window_request import WindowRequest, place_in, read_with_surroundings
 from .window_result import ClipResult, WindowClips
 
 
@@ -45,8 +47,12 @@ class MeasuredWindow:
         """The curves, without the pixels."""
         settings = self.request.settings
         named = ((self.mosaic, "mosaic"), *((source, "source") for source in self.sources if source.curves))
-        clips = tuple(_clip_result(one, role, settings) for one, role in named)
-        return WindowClips(self.request.window_id, self.request.window, clips, self.paper, self.is_explicable)
+        clips = []
+        for one, role in named:
+            directions = measure_directions(one.clip, settings.wavelet, settings.levels) if settings.directions else {}
+            curves = in_file_values(one.curves, one.grey_factor)
+            clips.append(ClipResult(one.clip.raster.ref.name, role, curves, directions))
+        return WindowClips(self.request.window_id, self.request.window, tuple(clips), self.paper, self.is_explicable)
 
     @property
     def band(self) -> str:
@@ -67,23 +73,27 @@ Measured = Union["MeasuredWindow", "Message", None]
 MeasureWindow = Callable[["WindowRequest"], Measured]
 
 
-def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> Measured:
+def measure_window(
+    request: WindowRequest, read_each: ReadEach = one_by_one, judged_only: bool = False
+) -> Measured:
     """Read and measure the clips of a window; why there are none where there is no window or no mosaic.
 
-    ``read_each`` opens the rasters, and may read them side by side.
+    ``read_each`` opens the rasters, and may read them side by side. ``judged_only``: curves of the judged band alone.
     """
     if request.window is None:
         return request.reason
-    readings = [(request.mosaic.ref, partial(_measured, request=request, partly=False))]
-    readings += [(source.ref, partial(_measured, request=request, partly=True)) for source in request.sources]
-    mosaic, *others = read_each(readings)
+    refs = request.mosaic.ref, *(source.ref for source in request.sources)
+    mosaic, *others = read_each([
+        (ref, partial(_measured, request=request, partly=number > 0, judged_only=judged_only))
+        for number, ref in enumerate(refs)
+    ])
     if isinstance(mosaic, RasterError):
         is_last = request.around == request.window
-        return mosaic.message if is_last else measure_window(replace(request, is_alone=True), read_each)
+        return mosaic.message if is_last else measure_window(replace(request, is_alone=True), read_each, judged_only)
     clips = [None if isinstance(one, RasterError) else one.around or one.clip for one in others]
     images = whole_images_of_clips(request.sources, clips)
     if len(images) < len(request.sources):
-        return measure_window(replace(request, sources=tuple(images)), read_each)
+        return measure_window(replace(request, sources=tuple(images)), read_each, judged_only)
     band = mosaic.clip.raster.judged_band
     sources, notices, not_covering = _comparable(others, band)
     judged = [one for one in sources if not one.clip.resampled] or sources
@@ -99,25 +109,25 @@ def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> 
     return MeasuredWindow(request, mosaic, tuple(judged), tuple(shown), tuple(sources), paper, tuple(notices))
 
 
-def _measured(raster: OpenRaster, request: WindowRequest, partly: bool) -> MeasuredClip:
+def _measured(raster: OpenRaster, request: WindowRequest, partly: bool, judged_only: bool) -> MeasuredClip:
     window, around = request.window, request.around
     assert window is not None
     clip, wide, factor = read_with_surroundings(raster, request.mosaic, window, around, partly)
-    settings, inside = request.settings, place_in(window, around)
-    measured = ({}, {}) if clip.valid is not None else measure_clip(clip, settings.wavelet, settings.levels)
-    return MeasuredClip(clip, *measured, factor, wide, inside)
+    inside = place_in(window, around)
+    if clip.valid is not None:
+        return MeasuredClip(clip, {}, {}, factor, wide, inside)
+    names, band = clip.raster.band_names, request.mosaic.judged_band
+    wavelet, levels = request.settings.wavelet, request.settings.levels
+    if judged_only and band in measured_bands(names):
+        wanted = slice(3) if band == LUMINANCE else slice(names.index(band), names.index(band) + 1)
+        plane = judged_plane(clip.bands[wanted], names[wanted])[np.newaxis]
+        return MeasuredClip(clip, *measure_bands(plane, (band,), wavelet, levels), factor, wide, inside)
+    return MeasuredClip(clip, *measure_clip(clip, wavelet, levels), factor, wide, inside)
 
 
 def in_file_values(curves: Mapping[str, Curve], factor: float) -> dict[str, Curve]:
     """Curves of values that were multiplied, with the variance that the file's have."""
     return {name: replace(curve, variance=curve.variance / factor**2) for name, curve in curves.items()}
-
-
-def _clip_result(measured: MeasuredClip, role: str, settings: InspectionSettings) -> ClipResult:
-    clip = measured.clip
-    directions = measure_directions(clip, settings.wavelet, settings.levels) if settings.directions else {}
-    curves = in_file_values(measured.curves, measured.grey_factor)
-    return ClipResult(clip.raster.ref.name, role, curves, directions)
 
 
 def _comparable(
@@ -132,20 +142,15 @@ def _comparable(
             not_covering.append(one.message.as_warning())
         elif isinstance(one, RasterError):
             notices.append(one.message.as_warning())
-        elif (why_not := _incomparable(one, band)) is not None:
-            notices.append(why_not.as_warning())
         else:
-            sources.append(one)
+            name, bands = one.clip.raster.ref.name, one.clip.raster.band_names
+            if band not in measured_bands(bands):
+                notices.append(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)).as_warning())
+            elif one.curves and one.curves[band].variance == 0:
+                notices.append(messages.SOURCE_CONSTANT(name=name).as_warning())
+            else:
+                sources.append(one)
     return sources, notices, not_covering
-
-
-def _incomparable(source: MeasuredClip, band: str) -> Message | None:
-    raster = source.clip.raster
-    if band not in measured_bands(raster.band_names):
-        return messages.BANDS_DIFFER(name=raster.ref.name, band=band, bands=", ".join(raster.band_names))
-    if source.curves and source.curves[band].variance == 0:
-        return messages.SOURCE_CONSTANT(name=raster.ref.name)
-    return None
 
 
 KEPT = 2  # windows with their pixels, some 10 MB each: the one under the mouse, and the one before
@@ -172,7 +177,8 @@ class MeasuredAhead:
             try:
                 future.set_result(measure_window(key, self._read_each))
             except Exception as error:
-                self._drop(key)
+                with self._lock:
+                    self._found.pop(key, None)
                 future.set_exception(error)
         found = future.result()
         return replace(found, request=request) if isinstance(found, MeasuredWindow) else found
@@ -181,7 +187,3 @@ class MeasuredAhead:
         """Let go of the pixels."""
         with self._lock:
             self._found.clear()
-
-    def _drop(self, key: WindowRequest) -> None:
-        with self._lock:
-            self._found.pop(key, None)

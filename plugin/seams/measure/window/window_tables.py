@@ -153,7 +153,8 @@ MEASURED = (
     ),
     WindowField("observer", "text"),
     WindowField(
-        "composite_ratio", "real", lambda result: _composite_ratios(result), by_level=True,
+        "composite_ratio", "real",
+        lambda result: result.explanation and next(iter(result.explanation.ratios.values())).detail, by_level=True,
         attribute="composite_ratios", title=QT_TR_NOOP("ratio {level} against the composite"), most=MOST_RATIO,
     ),
     WindowField(
@@ -354,10 +355,6 @@ def curves_of(result: WindowResult) -> Iterator[CurveRow]:
                 shares += [(component, level, share) for component, share in zip(DIRECTIONS, directions)]
             for component, level, share in shares:
                 yield CurveRow(result.window_id, clip, band, curve, component, level, share)
-
-
-def _composite_ratios(result: WindowResult) -> tuple[float | None, ...] | None:
-    return next(iter(result.explanation.ratios.values())).detail if result.explanation else None
 
 
 def _most_levels(results: Iterable[WindowResult]) -> int:

@@ -23,7 +23,7 @@ from seam_inspector.plugin.seams.measure.scan.lone_kept import (
     runs_of,
     verdict_of,
 )
-from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneStretches, lone_stretches
+from seam_inspector.plugin.seams.measure.scan.lone_stretches import lone_stretches
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
 
 from benchmarks.aftermaths import jpeg, nothing, unsharp
@@ -174,7 +174,7 @@ def test_a_sound_piece_is_never_reduced_by_a_coin_toss() -> None:
     for seed in range(4):
         mosaic = lone_mosaic(128, 20 + seed)
         told += [
-            one.verdict for one in judge_pieces(mosaic.seams(mosaic.blended(0)), lengths(mosaic), 1.0)
+            one.verdict for one in judge_pieces(mosaic.seams(mosaic.blended(0)), 1.0)
         ]
     lossy = sum(verdict in (Verdict.REDUCED, Verdict.SIGNIFICANT) for verdict in told)
     assert lossy <= 0.03 * len(told)
@@ -186,12 +186,12 @@ def lengths(mosaic: LoneMosaic) -> list[float]:
 
 def test_a_feather_is_significant_and_a_hard_cut_preserved(made: LoneMosaic) -> None:
     seams = made.seams(made.blended(48))
-    feathered = judge_pieces(seams, lengths(made), 1.0)
+    feathered = judge_pieces(seams, 1.0)
     assert Verdict.PRESERVED not in {one.verdict for one in feathered}
     stretches = judge_stretches(seams, lengths(made), feathered)
     assert {one.verdict for _, one in stretches} == {Verdict.SIGNIFICANT}
     sound = made.seams(made.blended(0))
-    hard = judge_pieces(sound, lengths(made), 1.0)
+    hard = judge_pieces(sound, 1.0)
     assert {one.verdict for one in hard} <= {Verdict.PRESERVED, Verdict.NOT_COMPARABLE}
     assert {one.verdict for _, one in judge_stretches(sound, lengths(made), hard)} == {Verdict.PRESERVED}
 
@@ -200,7 +200,7 @@ def test_short_pieces_have_no_verdict_and_are_told_together() -> None:
     """A piece never says what only the seam around it tells."""
     mosaic = lone_mosaic(piece_px=32)
     seams = mosaic.seams(mosaic.blended(32))
-    told = judge_pieces(seams, lengths(mosaic), 0.5)
+    told = judge_pieces(seams, 0.5)
     open_ = {number for number, one in enumerate(told) if one.verdict is Verdict.NOT_COMPARABLE}
     assert len(open_) > 0.5 * len(told)
     for one in told:
@@ -223,7 +223,7 @@ def test_a_lonely_short_piece_says_how_much_seam_is_needed() -> None:
     needed = seams.judgeable_px
     assert needed is not None
     assert 64 <= needed < 2048
-    for one in judge_pieces(seams, lengths(mosaic), 0.25):
+    for one in judge_pieces(seams, 0.25):
         if one.verdict is Verdict.NOT_COMPARABLE:
             assert one.kept is not None
             assert one.reason is not None
@@ -232,7 +232,7 @@ def test_a_lonely_short_piece_says_how_much_seam_is_needed() -> None:
 
 def test_more_seam_gives_narrower_intervals(made: LoneMosaic) -> None:
     seams = made.seams(made.blended(48))
-    pieces = [one.high / one.low for one in seams.by_piece(len(made.pieces)) if one is not None]
+    pieces = [one.high / one.low for one in seams.by_piece() if one is not None]
     half = seams.kept(range(len(made.pieces) // 2))
     assert half is not None
     assert whole(seams).high / whole(seams).low < half.high / half.low < np.median(pieces)
@@ -262,7 +262,7 @@ def test_ground_on_one_side_alone_is_not_enough() -> None:
     mosaic = lone_mosaic()
     seams = mosaic.seams(mosaic.blended(48), valid=mosaic.distance < 40)
     assert seams.kept() is None
-    (first, *_) = judge_pieces(seams, lengths(mosaic), 1.0)
+    (first, *_) = judge_pieces(seams, 1.0)
     assert first.verdict is Verdict.NOT_COMPARABLE
     assert "one side" in str(first.reason)
 
@@ -277,9 +277,9 @@ def test_no_seam_is_no_result(made: LoneMosaic) -> None:
     index = PieceIndex(made.pieces, made.grid)
     nothing_found = lone_stretches(LoneTable.empty(), made.pieces, range(len(made.pieces)), index, 1.0)
     assert LoneSeams(nothing_found, [1] * len(made.pieces)).kept() is None
-    assert len(lone_stretches(LoneTable.empty(), made.pieces, [], index, 1.0)) == 0
-    assert LoneSeams(LoneStretches.empty(), []).by_piece(0) == []
-    assert judge_pieces(LoneSeams(LoneStretches.empty(), []), [], 1.0) == []
+    none = lone_stretches(LoneTable.empty(), made.pieces, [], index, 1.0)
+    assert len(none) == 0
+    assert judge_pieces(LoneSeams(none, []), 1.0) == []
 
 
 # --- the table -------------------------------------------------------------------------------------------------

@@ -46,8 +46,6 @@ class DensePart:
     """(rows, columns) uint8, one in ``LABEL_PX`` pixels: number of the source that is followed, or ``UNKNOWN``."""
     mixture: np.ndarray
     """(rows, columns) float32 by cells of 16 px: share of the pixels that are a mixture of two sources."""
-    clear: np.ndarray
-    """(rows, columns) float32 by cells of 16 px: share of the pixels in which one source is followed for sure."""
     grey: np.ndarray
     """(rows, columns) float32 by cells of 16 px: mean of the mosaic."""
     grain: np.ndarray
@@ -88,9 +86,9 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
         taps = {plane: filters.taps[i] for plane, i in enumerate(given) if i in filters.taps}
         filters = replace(filters, taps=taps)
     if filters is not None and filters.taps:
-        followed = follow_given(image, planes.compared, filters)
+        followed = follow_given(image, list(planes.sources.values()), filters)
     else:
-        followed = follow_sources(image, planes.compared)
+        followed = follow_sources(image, list(planes.sources.values()))
         if sides is not None and followed.following.unclear_share >= MIN_UNCLEAR_SHARE:
             followed = clearer_by_parts(followed, sides.parts(around))
     closeness = Closeness(QUICK, PATCH_PX, bool(planes.resampled))
@@ -102,7 +100,7 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
         guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
     details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
-    masks = {number: planes.valid[number] for number in given if number in planes.valid}
+    masks = {number: one.valid for number, one in planes.sources.items() if one.valid is not None}
     sources = MeetingSources.of(replace(expected, labels=labels), masks)
     cells, beside = detail_sums(details, sources, energy_of_rounding(image.plane))
     labels = filled_in(labels, guessed)
@@ -113,7 +111,6 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
         window,
         labels[inside][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
         square_shares(mixed[inside], CELL_PX),
-        square_shares(clear[inside], CELL_PX),
         square_shares(image.plane[inside], CELL_PX),
         _grain(followed, known)[place],
         cells.within(place).moved(*first),
@@ -152,7 +149,7 @@ def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
     nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
     labels = np.full((window.height // LABEL_PX, window.width // LABEL_PX), UNKNOWN, np.uint8)
     tables = CellTable.empty(levels), MixtureTable.empty(levels)
-    return DensePart(window, labels, nothing, nothing, nothing, np.full_like(nothing, np.nan), *tables, unexplained)
+    return DensePart(window, labels, nothing, nothing, np.full_like(nothing, np.nan), *tables, unexplained)
 
 
 BLOCK_MARGIN_PX = 32
@@ -181,8 +178,8 @@ def measure_plain(
     for number in numbers:
         if number not in planes.sources:
             labels[labels == number] = UNKNOWN
-        elif number in planes.valid:
-            labels[(labels == number) & ~planes.valid[number]] = UNKNOWN
+        elif (valid := planes.sources[number].valid) is not None:
+            labels[(labels == number) & ~valid] = UNKNOWN
     if planes.mosaic_valid is not None:
         labels[~planes.mosaic_valid] = UNKNOWN
     made, gain = _composite(planes, labels, list(planes.sources), look.learned.filters)
@@ -194,7 +191,8 @@ def measure_plain(
     # One by one: arrays of more than 32 MB would be taken from the system every time.
     m, c = (next(placed_components(plane[np.newaxis], wavelet, 1))[finest] for plane in (planes.mosaic, made))
     sums = np.stack([
-        _by_cell(np.einsum("dij,dij->ij", a, b), CELL_PX // 2)[np.newaxis] for a, b in ((m, m), (c, c), (m, c))
+        np.sum([square_sums(*both, CELL_PX // 2) for both in zip(a, b)], axis=0)[np.newaxis]
+        for a, b in ((m, m), (c, c), (m, c))
     ])
     # The gain is even within a cell, and what evens out the background has no detail.
     sums[1] *= gain**2
@@ -219,14 +217,14 @@ def _composite(
             continue
         place = _around(followed)
         squares = tuple(slice(part.start // TONE_PX, part.stop // TONE_PX) for part in place)
-        plane = planes.sources[number][place]
+        plane = planes.sources[number].plane[place]
         whole = followed[place][TONE_PX // 2 :: TONE_PX, TONE_PX // 2 :: TONE_PX]
         gains = gain_field(means[squares], square_means(plane), whole, PATCH_PX // TONE_PX)
         np.copyto(gain[squares], gains, where=whole)
         np.copyto(made[place], filters.applied(number, plane), where=followed[place])
     margin, per_cell = BLOCK_MARGIN_PX // TONE_PX, CELL_PX // TONE_PX
     inside = gain[margin:-margin, margin:-margin]
-    return made, _by_cell(inside, per_cell) / per_cell**2
+    return made, square_shares(inside, per_cell)
 
 
 def _around(mask: np.ndarray) -> tuple[slice, slice]:
@@ -236,13 +234,3 @@ def _around(mask: np.ndarray) -> tuple[slice, slice]:
         slice(int(one[0]) // TONE_PX * TONE_PX, -(-(int(one[-1]) + 1) // TONE_PX) * TONE_PX) for one in (rows, columns)
     )
     return down, across
-
-
-def _by_cell(values: np.ndarray, side: int) -> np.ndarray:
-    """Sums over cells of ``side`` values a side, (rows, columns) float32."""
-    rows, columns = values.shape
-    down = values.reshape(rows // side, side, columns)
-    summed = down[:, 0].copy()
-    for row in range(1, side):
-        summed += down[:, row]
-    return np.asarray(summed.reshape(rows // side, columns // side, side).sum(axis=2))

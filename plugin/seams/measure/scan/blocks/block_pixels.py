@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from typing import Callable
 
 import numpy as np
@@ -30,38 +30,16 @@ MOST_HELD = 8
 
 @dataclass(frozen=True, eq=False)
 class Planes:
-    """A part of a block in the band that is judged, each (rows, columns)."""
+    """A part of a block in the band that is judged."""
 
     mosaic: np.ndarray
-    """float32"""
+    """(rows, columns) float32"""
     mosaic_valid: np.ndarray | None
-    """bool; None: everywhere."""
-    sources: dict[int, np.ndarray]
-    """float32, by number."""
-    valid: dict[int, np.ndarray]
-    """bool, of those that don't have all pixels."""
-    rasters: dict[int, Raster] = field(default_factory=dict)
-    """What the sources are."""
-    offsets: dict[int, tuple[float, float]] = field(default_factory=dict)
-    """How the pixel grids of the sources lie beside the mosaic's, px."""
-    resampled: set[int] = field(default_factory=set)
+    """(rows, columns) bool; None: everywhere."""
+    sources: dict[int, ComparedImage]
+    """By number, of one plane each."""
+    resampled: frozenset[int]
     """Sources that had to be warped to the mosaic's grid."""
-
-    @property
-    def compared(self) -> list[ComparedImage]:
-        """The sources as they are compared, in their order."""
-        return [
-            ComparedImage(plane[np.newaxis], JUDGED, {}, {}, self.rasters[i], self.offsets[i], self.valid.get(i))
-            for i, plane in self.sources.items()
-        ]
-
-    def take_sources(self, more: Planes) -> None:
-        """Those of other sources, too."""
-        self.sources.update(more.sources)
-        self.valid.update(more.valid)
-        self.rasters.update(more.rasters)
-        self.offsets.update(more.offsets)
-        self.resampled.update(more.resampled)
 
 
 class BlockPixels:
@@ -118,7 +96,10 @@ class BlockPixels:
         planes = self._planes(self.held, pick)
         for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
             read = BlockClips(self.held.own, self._read_sources(self._around, [number]))
-            planes.take_sources(self._planes(read, pick))
+            more = self._planes(read, pick)
+            planes = replace(
+                planes, sources={**planes.sources, **more.sources}, resampled=planes.resampled | more.resampled
+            )
         return planes
 
     def strip_of_patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
@@ -166,15 +147,16 @@ class BlockPixels:
         return clips
 
     def _planes(self, read: BlockClips, pick: _Pick = lambda pixels: pixels) -> Planes:
-        own, clips = read.own, read.clips
+        sources = {}
+        for i, clip in read.clips.items():
+            plane = _plane(clip, self._band, pick, self._factors.get(i, 1.0))
+            valid = None if clip.valid is None else pick(clip.valid)
+            offset = clip.offset_x, clip.offset_y
+            sources[i] = ComparedImage(plane[np.newaxis], JUDGED, {}, {}, clip.raster, offset, valid, plane)
         return Planes(
-            _plane(own, self._band, pick, self._factor),
-            None if own.valid is None else pick(own.valid),
-            {i: _plane(clip, self._band, pick, self._factors.get(i, 1.0)) for i, clip in clips.items()},
-            {i: pick(clip.valid) for i, clip in clips.items() if clip.valid is not None},
-            {i: clip.raster for i, clip in clips.items()},
-            {i: (clip.offset_x, clip.offset_y) for i, clip in clips.items()},
-            {i for i, clip in clips.items() if clip.resampled},
+            _plane(read.own, self._band, pick, self._factor),
+            None if read.own.valid is None else pick(read.own.valid),
+            sources, frozenset(i for i, clip in read.clips.items() if clip.resampled),
         )
 
 

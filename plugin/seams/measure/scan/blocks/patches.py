@@ -73,12 +73,16 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
     shape = len(rows), len(columns)
     planes = pixels.patches(rows, columns, PATCH_PX)
     with_patch = _share(planes.mosaic_valid, shape) >= _MIN_VALID
-    empty = ~with_patch & ~_any_valid(pixels)
+    empty = np.zeros(shape, bool)
+    if pixels.valid is not None:
+        firsts = [np.arange(0, length, SQUARE_PX) for length in pixels.valid.shape]
+        has_any = np.logical_or.reduceat(np.logical_or.reduceat(pixels.valid, firsts[0], axis=0), firsts[1], axis=1)
+        empty = ~with_patch & ~has_any
     if not planes.sources or empty.all():
         nothing = np.full(shape, UNKNOWN, np.uint8)
         return SquareLook(nothing, np.zeros(shape, bool), empty, CellTable.empty(levels))
     fine = high_pass(planes.mosaic)
-    fines = {i: high_pass(plane) for i, plane in planes.sources.items()}
+    fines = {i: high_pass(one.plane) for i, one in planes.sources.items()}
     told = _told(fine, fines, planes, with_patch, empty)
     if not told.sampled.any():
         return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels), plain=_is_plain(fine, shape))
@@ -87,7 +91,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         return _cells(planes, found.sampled_source, (rows, columns), wavelet, levels)
 
     mosaic_was = cache(lambda: was_compressed(planes.mosaic))
-    source_was = cache(lambda number: was_compressed(planes.sources[number]))
+    source_was = cache(lambda number: was_compressed(planes.sources[number].plane))
 
     def is_compressed(number: int | None) -> bool:
         return mosaic_was() or (any(map(source_was, fines)) if number is None else source_was(number))
@@ -166,7 +170,10 @@ def _told(
     winner, sure, doubtful, own, left = _followed(fine, fines, planes, shape)
     winner[~with_patch], doubtful[~with_patch], sure[~with_patch] = UNKNOWN, False, False
     silent = ~empty & (~with_patch | (_is_plain(fine, shape) & (winner == UNKNOWN) & ~doubtful))
-    filled, alone = _filled(winner, silent)
+    filled, alone, known = winner, silent, winner != UNKNOWN
+    if silent.any() and known.any():  # squares that say nothing follow what is nearest to them
+        distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
+        filled, alone = np.where(silent, winner[row, column], winner), silent & (distance > _FARTHEST_FILLED)
     doubtful |= alone & ~with_patch
     sampled = with_patch & ~doubtful & (filled != UNKNOWN) & sure.any()
     return _Told(filled, doubtful, sampled, np.where(with_patch, own, 0), left)
@@ -193,7 +200,7 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     planes = pixels.strip_of_patches(starts[:, 0], starts[:, 1], PATCH_PX)
     shape = len(squares), 1
     valid = _share(planes.mosaic_valid, shape) >= _MIN_VALID
-    fines = {i: high_pass(plane) for i, plane in planes.sources.items()}
+    fines = {i: high_pass(one.plane) for i, one in planes.sources.items()}
     if look.learned is not None:
         fines = {i: look.learned.applied(i, one) for i, one in fines.items()}
     winner, sure, *_ = _followed(high_pass(planes.mosaic), fines, planes, shape)
@@ -235,8 +242,8 @@ def _followed(
     energies = np.stack([_quadrants(one, one, shape) for one in fines.values()]) + least
     shared = np.stack([_quadrants(fine, one, shape) for one in fines.values()])
     for k, i in enumerate(fines):
-        if i in planes.valid:
-            shared[k][:, _share(planes.valid[i], shape) < _MIN_VALID] = 0
+        if (valid := planes.sources[i].valid) is not None:
+            shared[k][:, _share(valid, shape) < _MIN_VALID] = 0
     whole_own, whole_energies, whole_shared = own.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
     correlation = local_correlation(whole_own, whole_energies, whole_shared)
     best, lead = highest(correlation)
@@ -269,23 +276,6 @@ def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * LEAST_ENERGY)
 
 
-def _any_valid(pixels: BlockPixels) -> np.ndarray:
-    """Squares that have any pixels, (rows, columns) bool."""
-    firsts = [np.arange(0, length, SQUARE_PX) for length in (pixels.window.height, pixels.window.width)]
-    if pixels.valid is None:
-        return np.ones([len(one) for one in firsts], bool)
-    return np.logical_or.reduceat(np.logical_or.reduceat(pixels.valid, firsts[0], axis=0), firsts[1], axis=1)
-
-
-def _filled(winner: np.ndarray, silent: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Squares that say nothing follow what is nearest to them; and those among them that nothing is near to."""
-    known = winner != UNKNOWN
-    if not silent.any() or not known.any():
-        return winner, silent
-    distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
-    return np.where(silent, winner[row, column], winner), silent & (distance > _FARTHEST_FILLED)
-
-
 def _cells(
     planes: Planes, followed: np.ndarray, starts: tuple[np.ndarray, np.ndarray], wavelet: str, levels: int
 ) -> tuple[CellTable, Learned]:
@@ -306,7 +296,7 @@ def _cells(
     mosaic = planes.mosaic[chosen]
     numbers = np.unique(followed[followed != UNKNOWN]).tolist()
     expected, filters = mosaic_of(
-        mosaic, {i: planes.sources[i][chosen] for i in numbers}, labels, within, PATCH_PX
+        mosaic, {i: planes.sources[i].plane[chosen] for i in numbers}, labels, within, PATCH_PX
     )
     (details,) = placed_components(np.stack([mosaic, expected]), wavelet, 1)
     cell = slice(_CELL.start // 2, _CELL.stop // 2)

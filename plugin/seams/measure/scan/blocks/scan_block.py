@@ -80,8 +80,6 @@ class BlockScan:
     """(LABELS, LABELS) uint8: number of the source that is followed, or ``UNKNOWN``."""
     mixture: np.ndarray
     """(CELLS, CELLS) float32: share of the pixels that are a mixture of two sources; NaN where not measured."""
-    clear: np.ndarray
-    """(CELLS, CELLS) float32: share of the pixels that follow one source for sure; NaN where not measured densely."""
     grey: np.ndarray
     """(CELLS, CELLS) float32: mean of the mosaic; NaN where not measured densely."""
     grain: np.ndarray
@@ -114,7 +112,7 @@ def scan_block(request: BlockRequest) -> BlockScan:
     try:
         return _scanned(request)
     except NotCoveredError:
-        return replace(BlockScan.nothing(request, ()), ground=np.full((UNITS, UNITS), EMPTY, np.int16))
+        return BlockScan.nothing(request, ())
     except RasterError as error:
         nothing = BlockScan.nothing(request, (error.message.as_warning(),))
         return nothing if request.along_seams is None else _along_seams(request, nothing)
@@ -137,12 +135,16 @@ def _scanned(request: BlockRequest) -> BlockScan:
     whole = wanted is None or wanted.mean() >= WHOLE_SHARE
     refs, settings = [one.ref for one in request.sources], request.settings
     margin_px = (BLOCK_MARGIN_PX if is_full else 0) if whole else None
-    pixels = BlockPixels(request.mosaic, refs, _widened(request.window), margin_px, request.grey_factor)
+    # Those of a block at the mosaic's edge may be too few for a patch.
+    width, height = max(request.window.width, SQUARE_PX), max(request.window.height, SQUARE_PX)
+    around = replace(request.window, width=width, height=height)
+    pixels = BlockPixels(request.mosaic, refs, around, margin_px, request.grey_factor)
     made = _Block(request)
     look = look_at_squares(pixels, settings.wavelet, settings.levels) if wanted is None else None
     if look is not None:
         midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
-        wanted = called_for(look.source, UNKNOWN, midway) | _in_units(look.doubtful)
+        doubtful = widened(enlarged(look.doubtful, SQUARE_PX // UNIT_PX), 1)  # and a unit around it
+        wanted = called_for(look.source, UNKNOWN, midway) | doubtful
         if request.along_seams is not None:
             wanted |= request.along_seams[: wanted.shape[0], : wanted.shape[1]]
     assert wanted is not None
@@ -175,11 +177,6 @@ def _scanned(request: BlockRequest) -> BlockScan:
     return replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
 
 
-def _widened(window: PixelWindow) -> PixelWindow:
-    """The pixels of a block at the mosaic's edge may be too few for a patch."""
-    return replace(window, width=max(window.width, SQUARE_PX), height=max(window.height, SQUARE_PX))
-
-
 def called_for(
     source: np.ndarray, unknown: int = UNKNOWN, midway: tuple[np.ndarray, np.ndarray] | None = None
 ) -> np.ndarray:
@@ -209,11 +206,6 @@ def called_for(
     return found
 
 
-def _in_units(squares: np.ndarray) -> np.ndarray:
-    """Squares, and a unit around them."""
-    return widened(enlarged(squares, SQUARE_PX // UNIT_PX), 1)
-
-
 def _measured(
     pixels: BlockPixels, look: SquareLook | None, window: PixelWindow, request: BlockRequest
 ) -> DensePart | None:
@@ -223,7 +215,11 @@ def _measured(
     placed = window.moved_by(request.window.column, request.window.row)
     everyone, sides, decomposition = pixels.numbers, request.sides, (request.settings.wavelet, request.settings.levels)
     if look is not None:
-        around = _followed_around(look, window)
+        rows, columns = (
+            slice(max(first // SQUARE_PX - 1, 0), -(-(first + length) // SQUARE_PX) + 1)
+            for first, length in ((window.row, window.height), (window.column, window.width))
+        )
+        around = set(np.unique(look.source[rows, columns]).tolist())
     else:
         around = set(everyone if request.followed is None else request.followed)
     named = sides.named_near(placed) if sides is not None else set()
@@ -256,15 +252,6 @@ def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
     return replace(window, height=first), replace(window, row=window.row + first, height=window.height - first)
 
 
-def _followed_around(look: SquareLook, window: PixelWindow) -> set[int]:
-    """What the squares of a rectangle and those beside it follow."""
-    rows, columns = (
-        slice(max(first // SQUARE_PX - 1, 0), -(-(first + length) // SQUARE_PX) + 1)
-        for first, length in ((window.row, window.height), (window.column, window.width))
-    )
-    return set(np.unique(look.source[rows, columns]).tolist())
-
-
 class _Block:
     """What becomes a BlockScan."""
 
@@ -274,7 +261,6 @@ class _Block:
         self._dense = np.zeros((UNITS, UNITS), bool)
         self._labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
         self._mixture = np.full((CELLS, CELLS), np.nan, np.float32)
-        self._clear = np.full((CELLS, CELLS), np.nan, np.float32)
         self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
         self._grain = np.full((CELLS, CELLS), np.nan, np.float32)
         self._valid = np.ones((LABELS, LABELS), bool)
@@ -318,8 +304,7 @@ class _Block:
 
         for target, values, step in (
             (self._labels, part.labels, LABEL_PX), (self._mixture, part.mixture, CELL_PX),
-            (self._clear, part.clear, CELL_PX), (self._grey, part.grey, CELL_PX),
-            (self._grain, part.grain, CELL_PX),
+            (self._grey, part.grey, CELL_PX), (self._grain, part.grain, CELL_PX),
         ):
             own = place(step, len(target))
             target[own] = values[: own[0].stop - own[0].start, : own[1].stop - own[1].start]
@@ -364,6 +349,6 @@ class _Block:
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
             request.key, tuple(one.ref.path for one in request.sources), self._squares, self._dense, self._labels,
-            self._mixture, self._clear, self._grey, self._grain, table, beside, self._ground(),
+            self._mixture, self._grey, self._grain, table, beside, self._ground(),
             self._learned, notices,
         )

@@ -1,8 +1,9 @@
 """What given seams say of a block: which parts of the mosaic they call for, and what lies beside them."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from itertools import product
 from typing import Optional
 
 import numpy as np
@@ -17,7 +18,6 @@ from .block_grid import LABEL_PX, MARGIN_PX, UNIT_PX, UNITS, BlockGrid, BlockKey
 BESIDE_PX = 48
 """On either side of a seam that are measured densely."""
 _STEP_PX = 24.0  # between the points of a line that are looked at
-_AT_ONCE = 50_000  # points
 _NONE = np.zeros((UNITS, UNITS), bool)
 
 
@@ -34,8 +34,9 @@ class SeamSquares:
         self._blocks = blocks
         self._dense: dict[BlockKey, np.ndarray] = {}
         for seam in seams:
-            for points in _spaced(blocks.grid.to_pixels(seam.vertices)):
-                self._mark(points, beside_px)
+            path = blocks.grid.to_pixels(seam.vertices)
+            along = vertex_stations(path)
+            self._mark(points_at(path, along, np.linspace(0, along[-1], int(along[-1] / _STEP_PX) + 2)), beside_px)
         self._read = self._within(corridor_px / UNIT_PX) if corridor_px else None
 
     def dense_in(self, key: BlockKey) -> np.ndarray:
@@ -49,7 +50,7 @@ class SeamSquares:
 
     def is_read(self, key: BlockKey) -> bool:
         """Whether anything of a block is to be read."""
-        return self._read is None or bool(self._read[key])
+        return self._read is None or key in self._read
 
     def _mark(self, points: np.ndarray, beside_px: int) -> None:
         """Units within reach of points (n, 2), columns and rows in pixels."""
@@ -66,42 +67,17 @@ class SeamSquares:
             key = divmod(int(number[group[0]]), self._blocks.columns)
             self._dense.setdefault(key, _NONE.copy())[row[group] % UNITS, column[group] % UNITS] = True
 
-    def _within(self, reach: float) -> np.ndarray:
-        """Blocks with any unit at most ``reach`` units from one along a seam, (rows, columns) bool.
-
-        Above each block the nearest such unit of each column is looked at, then below it.
-        """
-        rows, columns = self._blocks.rows, self._blocks.columns
-        found = np.zeros((rows, columns), bool)
-        of_row: dict[int, list[int]] = {}
-        for row, column in self._dense:
-            of_row.setdefault(row, []).append(column)
-        for turn in (1, -1):
-            last = np.full(columns * UNITS, -np.inf)  # row of the nearest unit so far, counted in this direction
-            for passed, row in enumerate(range(rows)[::turn]):
-                first = passed * UNITS
-                for column in of_row.get(row, ()):
-                    dense = self._dense[row, column][::turn]
-                    lowest = first + UNITS - 1 - dense[::-1].argmax(axis=0)
-                    own = last[column * UNITS : (column + 1) * UNITS]
-                    own[:] = np.where(dense.any(axis=0), lowest, own)
-                away = np.maximum(first - last, 0)
-                near = np.flatnonzero(away <= reach)
-                aside = np.sqrt(reach**2 - away[near] ** 2)
-                start = np.maximum(np.ceil(near - aside), 0).astype(np.int64) // UNITS
-                end = np.minimum(np.floor(near + aside).astype(np.int64) // UNITS, columns - 1)
-                begun, ended = (np.bincount(one, minlength=columns + 1) for one in (start, end + 1))
-                found[row] |= np.cumsum(begun - ended)[:columns] > 0
+    def _within(self, reach: float) -> set[BlockKey]:
+        """Blocks with any unit at most ``reach`` units from one along a seam."""
+        found, most = set[BlockKey](), int(reach // UNITS) + 1
+        for (row, column), dense in self._dense.items():
+            units = np.argwhere(dense)
+            for down, across in product(range(-most, most + 1), repeat=2):
+                first = UNITS * np.array([down, across])
+                apart = units - units.clip(first, first + UNITS - 1)  # from the nearest unit of that block
+                if (np.square(apart).sum(axis=1) <= reach**2).any():
+                    found.add((row + down, column + across))
         return found
-
-
-def _spaced(path: np.ndarray) -> Iterator[np.ndarray]:
-    """(n, 2) points along a path, ``_STEP_PX`` apart at most, so many at once."""
-    along = vertex_stations(path)
-    steps = int(np.ceil(along[-1] / _STEP_PX))
-    for first in range(0, steps + 1, _AT_ONCE):
-        places = np.arange(first, min(first + _AT_ONCE, steps + 1))
-        yield points_at(path, along, places * (along[-1] / max(steps, 1)))
 
 
 REACH_PX = 4.0 * BESIDE_PX

@@ -18,6 +18,7 @@ from .. import messages
 from .seam_features import SeamFeature, gathered, owner_name
 from .seam_fields import said, seam_fields
 from .seam_pieces import SidedSeam
+from .seam_tracing import parts_with_area
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,11 +185,15 @@ def polygon_faults(polygons: Sequence[tuple[str, ogr.Geometry]], grid: Grid) -> 
     notices = []
     with gdal_silenced():
         overlaps = []
-        for one, other in _pairs_that_meet([geometry for _, geometry in polygons]):
-            shared = polygons[one][1].Intersection(polygons[other][1])
-            area = sum(part.GetArea() for part in _wide_parts(shared, narrow))
-            if area:
-                overlaps.append((area * square_metres, polygons[one][0], polygons[other][0]))
+        left, right, bottom, top = np.array([geometry.GetEnvelope() for _, geometry in polygons]).T
+        for number, (name, geometry) in enumerate(polygons):
+            meets = (left < right[number]) & (right > left[number]) & (bottom < top[number]) & (top > bottom[number])
+            for other in np.flatnonzero(meets[number + 1 :]) + number + 1:
+                shared = geometry.Intersection(polygons[other][1])
+                parts = () if shared is None else parts_with_area(shared)
+                area = sum(one.GetArea() for one in parts if 2 * one.GetArea() > narrow * one.Boundary().Length())
+                if area:
+                    overlaps.append((area * square_metres, name, polygons[other][0]))
         if overlaps:
             overlaps.sort(key=lambda found: -found[0])
             named = [f"{one} / {other}" for _, one, other in overlaps if one and other][:_NAMED]
@@ -208,46 +213,15 @@ def _gaps(geometries: Sequence[ogr.Geometry], grid: Grid, narrow: float) -> Iter
     """Holes in what polygons cover together."""
     together = ogr.Geometry(ogr.wkbMultiPolygon)
     for geometry in geometries:
-        for part in _polygons(geometry):
+        for part in parts_with_area(geometry):
             together.AddGeometry(part)
     # Slits that are bridged are closed first: they are no gaps, and one that leads outside would hide a gap.
     whole = together.UnionCascaded().Buffer(narrow / 2, 1)
     xmin, ymin, xmax, ymax = grid.extent
-    for part in _polygons(whole):
+    for part in parts_with_area(whole):
         for index in range(1, part.GetGeometryCount()):
             hole = ogr.Geometry(ogr.wkbPolygon)
             hole.AddGeometry(part.GetGeometryRef(index))
             left, right, bottom, top = hole.GetEnvelope()
             if left < xmax and right > xmin and bottom < ymax and top > ymin:
                 yield hole
-
-
-def _wide_parts(geometry: ogr.Geometry | None, narrow: float) -> Iterator[ogr.Geometry]:
-    """Polygons whose mean width is more than that."""
-    if geometry is None:
-        return
-    for part in _polygons(geometry):
-        if 2 * part.GetArea() > narrow * part.Boundary().Length():
-            yield part
-
-
-def _polygons(geometry: ogr.Geometry) -> Iterator[ogr.Geometry]:
-    """The polygons in a geometry."""
-    if geometry.GetGeometryType() == ogr.wkbPolygon:
-        yield geometry
-    else:
-        for index in range(geometry.GetGeometryCount()):
-            yield from _polygons(geometry.GetGeometryRef(index))
-
-
-def _pairs_that_meet(geometries: Sequence[ogr.Geometry]) -> Iterator[tuple[int, int]]:
-    """Pairs whose bounding boxes overlap: from west to east, each with those that begin before it ends."""
-    boxes = np.array([geometry.GetEnvelope() for geometry in geometries])
-    order = np.argsort(boxes[:, 0], kind="stable")
-    boxes = boxes[order]
-    last = np.searchsorted(boxes[:, 0], boxes[:, 1], side="left")
-    for place, stop in enumerate(last.tolist()):
-        following = np.arange(place + 1, stop)
-        meets = (boxes[following, 2] < boxes[place, 3]) & (boxes[following, 3] > boxes[place, 2])
-        for other in following[meets].tolist():
-            yield int(order[place]), int(order[other])

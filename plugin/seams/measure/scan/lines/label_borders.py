@@ -7,12 +7,10 @@ Borders: chains of sample sides from one junction of three labels to the next. A
 side between two samples with different labels. An edge is directed so that the lower label is on its left: at a node
 that two edges meet, one therefore comes in and the other goes out, and they part the same two labels. Where four edges
 meet and two labels face each other across, the node is taken for two that lie in one place, so that borders pass each
-other there and don't end. Each tile chains its own edges; what ends on a tile's side goes on in the next one, and all
-chains are joined in the end.
+other there and don't end. Each tile tells its own edges, and all of them are joined in the end.
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -26,7 +24,7 @@ NONE = -1
 REACH = 96
 """Samples: twice the filters' own, once the largest island removed and once the way to what fills it."""
 MARGIN = REACH + 1
-"""Samples around a tile that its chains are traced by."""
+"""Samples around a tile that its edges are traced by."""
 
 _GAP = 3  # samples: a strip up to twice as wide without labels (12 to 24 px) is crossed by those around it
 _SIGMA = 1.5  # samples, 6 px: of the neighbourhood whose majority counts; errors at borders are a cell or two wide
@@ -178,39 +176,21 @@ class LabelTile:
             slice(max(self.column - margin, 0), min(self.column + self.width + margin, self.columns)),
         )
 
-    def is_shared(self, nodes: np.ndarray) -> np.ndarray:
-        """Which nodes lie on its sides, where other tiles may have edges, too."""
-        found = np.zeros(nodes.shape, bool)
-        places = np.divmod(nodes // 2, self.columns + 1)
-        firsts, lengths, ends = (self.row, self.column), (self.height, self.width), (self.rows, self.columns)
-        for place, first, length, end in zip(places, firsts, lengths, ends):
-            found |= ((place == first) & (first > 0)) | ((place == first + length) & (first + length < end))
-        return found
 
-
-@dataclass(frozen=True, eq=False)
-class Chain:
-    """Edges one after the other, between the same two labels."""
-
-    nodes: np.ndarray
-    """(n,) int64, n >= 2: twice the number of each node, plus 1 for the second of two in one place."""
-    left: int
-    right: int
-
-
-def cleaned_chains(labels: np.ndarray, tile: LabelTile, label_px: int) -> list[Chain]:
-    """The chains of a tile of labels that are not cleaned, (rows, columns) of ``tile.around(MARGIN)``."""
+def cleaned_edges(labels: np.ndarray, tile: LabelTile, label_px: int) -> np.ndarray:
+    """The edges of a tile of labels that are not cleaned, (rows, columns) of ``tile.around(MARGIN)``."""
     place = tuple(
         slice(inner.start - outer.start, inner.stop - outer.start)
         for inner, outer in zip(tile.around(1), tile.around(MARGIN))
     )
-    return tile_chains(cleaned(labels, label_px)[place], tile)
+    return tile_edges(cleaned(labels, label_px)[place], tile)
 
 
-def tile_chains(labels: np.ndarray, tile: LabelTile) -> list[Chain]:
-    """The chains of a tile's own edges: those within it, on its upper and its left side, and on the mosaic's outline.
+def tile_edges(labels: np.ndarray, tile: LabelTile) -> np.ndarray:
+    """A tile's own edges: those within it, on its upper and its left side, and on the mosaic's outline.
 
-    ``labels``: (rows, columns) of ``tile.around(1)``.
+    ``labels``: (rows, columns) of ``tile.around(1)``. Returns (4, n) int64: first and last node, left and right label;
+    a node is twice its number, plus 1 for the second of two in one place.
     """
     margins = []
     for around, first, length, end in zip(
@@ -219,32 +199,24 @@ def tile_chains(labels: np.ndarray, tile: LabelTile) -> list[Chain]:
         # Of the last tile the sample beyond is its own: there is nothing, and the outline lies before it.
         last = first + length + (first + length == end)
         margins.append((around.start - first + 1, last + 1 - around.stop))
-    start, stop, left, right = _edges(np.pad(labels, margins, constant_values=NONE)[:-1], tile)
-    return [
-        Chain(np.append(start[one], stop[one[-1]]), int(left[one[0]]), int(right[one[0]]))
-        for one, _ in _chained(start, stop, tile.is_shared)
-    ]
+    return _edges(np.pad(labels, margins, constant_values=NONE)[:-1], tile)
 
 
-def joined_borders(chains: Sequence[Chain], columns: int) -> list[LabelBorder]:
-    """The borders that the chains of all tiles make, outlines included, by the nodes where they begin; ``columns`` of
-    the whole mosaic."""
-    start, stop = (np.array([one.nodes[end] for one in chains], np.int64) for end in (0, -1))
+def joined_borders(edges: np.ndarray, columns: int) -> list[LabelBorder]:
+    """The borders that the edges of all tiles, (4, n), make, outlines included, by the nodes where they begin;
+    ``columns`` of the whole mosaic."""
+    start, stop, left, right = edges
     borders = []
-    for group, is_ring in _chained(start, stop):
-        parts = [chains[number].nodes for number in group.tolist()]
-        nodes = np.concatenate([parts[0][:1], *(part[1:] for part in parts)])
-        if is_ring:
-            nodes = np.append(np.roll(nodes[:-1], -int(nodes.argmin())), nodes.min())
-        one = chains[group[0]]
-        places = np.column_stack(np.divmod(nodes // 2, columns + 1))
-        borders.append(LabelBorder(places, one.left, one.right, (int(nodes[0]), int(nodes[-1]))))
+    for group in _chained(start, stop):
+        nodes = np.append(start[group], stop[group[-1]])
+        places, sides = np.column_stack(np.divmod(nodes // 2, columns + 1)), (int(left[group[0]]), int(right[group[0]]))
+        borders.append(LabelBorder(places, *sides, (int(nodes[0]), int(nodes[-1]))))
     return sorted(borders, key=lambda one: (one.keys, one.left, one.right))
 
 
-def _edges(labels: np.ndarray, tile: LabelTile) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """First and last node, left and right label of the edges along the tops and the left sides of samples; ``labels``
-    begins with the row above and is a column wider on either side."""
+def _edges(labels: np.ndarray, tile: LabelTile) -> np.ndarray:
+    """(4, n) edges along the tops and the left sides of samples; ``labels`` begins with the row above and is a column
+    wider on either side."""
     width = tile.columns
     upper, lower = labels[:-1], labels[1:]
     across = upper[:, 1:-1] != lower[:, 1:-1]  # between rows: (row, column)
@@ -272,29 +244,24 @@ def _edges(labels: np.ndarray, tile: LabelTile) -> tuple[np.ndarray, np.ndarray,
     upper_end, lower_end = node + double[row, column], node + 2 * (width + 1)
     west_label, east_label = lower[row, column], lower[row, column + 1]
     southward = east_label < west_label
-    return (
-        np.concatenate([start, np.where(southward, upper_end, lower_end)]).astype(np.int64),
-        np.concatenate([stop, np.where(southward, lower_end, upper_end)]).astype(np.int64),
-        np.concatenate([left, np.minimum(west_label, east_label)]),
-        np.concatenate([right, np.maximum(west_label, east_label)]),
-    )
+    return np.concatenate([
+        np.stack([start, stop, left, right]),
+        np.stack([
+            np.where(southward, upper_end, lower_end), np.where(southward, lower_end, upper_end),
+            np.minimum(west_label, east_label), np.maximum(west_label, east_label),
+        ]),
+    ], axis=1).astype(np.int64)
 
 
-def _chained(
-    start: np.ndarray, stop: np.ndarray, is_open: Callable[[np.ndarray], np.ndarray] | None = None
-) -> list[tuple[np.ndarray, bool]]:
-    """Edges, or chains of them, one after the other: their numbers, and whether they make a ring.
-
-    Each runs from a node that other than two meet, or that ``is_open``, to the next; a ring from its lowest node.
-    """
+def _chained(start: np.ndarray, stop: np.ndarray) -> list[np.ndarray]:
+    """Numbers of the edges of each border, one after the other: from a node that other than two meet to the next; of a
+    ring from its lowest node."""
     count = len(start)
     if not count:
         return []
     nodes, ends = np.unique(np.concatenate([start, stop]), return_inverse=True)
     starts, stops = ends[:count], ends[count:]
     is_end = np.bincount(ends, minlength=len(nodes)) != 2
-    if is_open is not None:
-        is_end |= is_open(nodes)
     leaving = np.full(len(nodes), -1)
     leaving[starts] = np.arange(count)
     following = np.where(is_end[stops], -1, leaving[stops])
@@ -310,8 +277,7 @@ def _chained(
         np.minimum.at(first_node, chain, starts)
         following[is_ring[chain] & (stops == first_node[chain])] = -1
     order = np.lexsort((-_edges_to_last(following), chain))
-    groups = np.split(order, np.flatnonzero(np.diff(chain[order])) + 1)
-    return [(group, bool(is_ring[chain[group[0]]])) for group in groups]
+    return np.split(order, np.flatnonzero(np.diff(chain[order])) + 1)
 
 
 def _edges_to_last(following: np.ndarray) -> np.ndarray:

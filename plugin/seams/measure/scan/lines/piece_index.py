@@ -15,8 +15,7 @@ STEP_PX = 0.5
 """Lines are looked up by points at most this far apart; the distance is then taken to the line itself."""
 _SHORTEST_PX = 1e-6  # of a stretch, to divide by: some have no length
 TILE_PX = 2048
-"""Side of the tiles by which stretches of line are found, and places are looked up together."""
-_MOST_TILES = 1e6  # that the box of a straight stretch meets: it would span a continent
+"""Side of the tiles whose places are looked up together."""
 
 _STRETCH = np.dtype(
     [("start", complex), ("step", complex), ("number", np.int64), ("station", float), ("metres", float)]
@@ -50,15 +49,13 @@ class PieceIndex:
     def __init__(self, pieces: Iterable[SeamPiece], grid: Grid) -> None:
         held = list(pieces)
         if not held:
-            self._hold(np.empty(0, dtype=_STRETCH))
+            self._stretches = np.empty(0, dtype=_STRETCH)
             return
         places = np.concatenate([piece.vertices for piece in held])
         number = np.repeat(np.arange(len(held)), [len(piece.vertices) for piece in held])
         within = number[1:] == number[:-1]
         x, y = places.T
         line = grid.column_at(x) + 1j * grid.row_at(y)
-        tiles = abs(as_xy(np.diff(line))) / TILE_PX + 1
-        within &= tiles.prod(axis=1) < _MOST_TILES
         metres = np.where(within, np.hypot(np.diff(x) * grid.metres_x, np.diff(y) * grid.metres_y), 0)
         # Metres since the first vertex of all, less those up to the piece's own first vertex.
         passed = np.append(0, np.cumsum(metres))
@@ -67,7 +64,7 @@ class PieceIndex:
         stretches = np.empty(len(line) - 1, dtype=_STRETCH)
         stretches["start"], stretches["step"], stretches["number"] = line[:-1], np.diff(line), number[:-1]
         stretches["station"], stretches["metres"] = station[:-1], metres
-        self._hold(stretches[within])
+        self._stretches = stretches[within]
 
     def __len__(self) -> int:
         """How many straight stretches it holds."""
@@ -82,12 +79,11 @@ class PieceIndex:
         """The part of the index with all that lies within ``reach_px`` of a window; pieces keep their numbers."""
         left, top = window.column - reach_px, window.row - reach_px
         right, bottom = window.column + window.width + reach_px, window.row + window.height + reach_px
-        found = self._stretches[self._in_tiles(left, top, right, bottom)]
-        start, stop = found["start"], found["start"] + found["step"]
+        start, stop = self._stretches["start"], self._stretches["start"] + self._stretches["step"]
         met = (np.minimum(start.real, stop.real) <= right) & (np.maximum(start.real, stop.real) >= left)
         met &= (np.minimum(start.imag, stop.imag) <= bottom) & (np.maximum(start.imag, stop.imag) >= top)
         part = PieceIndex.__new__(PieceIndex)
-        part._hold(found[met])
+        part._stretches = self._stretches[met]
         return part
 
     def nearest(self, columns: np.ndarray, rows: np.ndarray, reach_px: float) -> tuple[np.ndarray, np.ndarray]:
@@ -106,9 +102,9 @@ class PieceIndex:
         number, distance = np.full(len(places), -1), np.full(len(places), np.inf)
         on_left, station = np.zeros(len(places), dtype=bool), np.zeros(len(places))
         if len(self) and len(places):
-            tile = _tile(places.real, places.imag)
-            order = np.argsort(tile, kind="stable")
-            for group in np.split(order, np.flatnonzero(np.diff(tile[order])) + 1):
+            tile = np.floor(places.real / TILE_PX) + 1j * np.floor(places.imag / TILE_PX)
+            tiles, of_place = np.unique(tile, return_inverse=True)
+            for group in (np.flatnonzero(of_place == number) for number in range(len(tiles))):
                 hit, stretch = self._nearest_of(places[group], reach_px)
                 hit = group[hit]
                 step, away = stretch["step"], places[hit] - stretch["start"]
@@ -152,44 +148,9 @@ class PieceIndex:
         hit = np.flatnonzero(found < len(points))
         return hit, stretches[of_point[found[hit]]]
 
-    def _hold(self, stretches: np.ndarray) -> None:
-        """Take straight stretches, (n,) of ``_STRETCH``."""
-        self._stretches = stretches
-        # A stretch is listed in every tile that its bounding box meets.
-        start, stop = stretches["start"], stretches["start"] + stretches["step"]
-        column, row = np.floor(start.real / TILE_PX).astype(int), np.floor(start.imag / TILE_PX).astype(int)
-        columns = np.floor(stop.real / TILE_PX).astype(int) - column
-        rows = np.floor(stop.imag / TILE_PX).astype(int) - row
-        counts = (abs(columns) + 1) * (abs(rows) + 1)
-        stretch = np.repeat(np.arange(len(start)), counts)
-        place = np.arange(len(stretch)) - np.repeat(np.cumsum(counts) - counts, counts)
-        down, across = np.divmod(place, abs(columns[stretch]) + 1)
-        tile = _key(column[stretch] + np.sign(columns[stretch]) * across, row[stretch] + np.sign(rows[stretch]) * down)
-        order = np.argsort(tile, kind="stable")
-        self._tile, self._of_tile = tile[order], stretch[order]
-
-    def _in_tiles(self, left: float, top: float, right: float, bottom: float) -> np.ndarray:
-        """Stretches in the tiles that meet a rectangle, ascending."""
-        first_column, last_column = int(np.floor(left / TILE_PX)), int(np.floor(right / TILE_PX))
-        rows = np.arange(int(np.floor(top / TILE_PX)), int(np.floor(bottom / TILE_PX)) + 1)
-        # Tiles of one row follow each other in the sorted list.
-        first = np.searchsorted(self._tile, _key(np.full(len(rows), first_column), rows))
-        last = np.searchsorted(self._tile, _key(np.full(len(rows), last_column), rows), side="right")
-        found = [self._of_tile[one:other] for one, other in zip(first, last)]
-        return np.unique(np.concatenate(found)) if found else np.empty(0, dtype=int)
-
 
 def _along(stretches: np.ndarray, places: complex | np.ndarray) -> np.ndarray:
     """Where a place is beside each stretch: 0 at its start, 1 at its end, less or more beyond them."""
     step = stretches["step"]
     away = (places - stretches["start"]) * step.conj()
     return np.asarray(away.real / np.maximum(abs(step) ** 2, np.finfo(float).tiny))
-
-
-def _tile(columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    return _key(np.floor(columns / TILE_PX).astype(int), np.floor(rows / TILE_PX).astype(int))
-
-
-def _key(column: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """One number per tile, row by row."""
-    return np.asarray(row) * 2**32 + column

@@ -111,7 +111,14 @@ def _gather(
             lines.dates.setdefault(name, set()).add(day)
     for part in seamlines.simple_parts(geometry):
         if seamlines.is_polygon(part):
-            polygon = _gathered_polygon(lines, part, number, owner)
+            rings = [_finite(ring) for ring in seamlines.polygon_rings(part, number)]
+            with gdal_silenced():
+                is_valid = part.IsValid()
+                polygon = part.Clone() if is_valid else part.MakeValid()
+            lines.repaired += not is_valid
+            lines.rings += rings
+            lines.ring_owners += [owner] * len(rings)
+            lines.polygons.append((owner_name(owner), polygon))
             if source:
                 lines.cells.append(Cell(source, bytes(polygon.ExportToWkb(ogr.wkbNDR)), _extent(polygon)))
         elif part.GetPointCount() > 1:
@@ -119,20 +126,6 @@ def _gather(
             lines.line_sides.append(sides)
             with gdal_silenced():
                 lines.crossing += not part.IsSimple()
-
-
-def _gathered_polygon(lines: GatheredLines, polygon: ogr.Geometry, number: int, owner: str) -> ogr.Geometry:
-    """The polygon as it was taken in, repaired."""
-    with gdal_silenced():
-        is_valid = polygon.IsValid()
-    rings = [_finite(ring) for ring in seamlines.polygon_rings(polygon, number)]
-    lines.repaired += not is_valid
-    lines.rings += rings
-    lines.ring_owners += [owner] * len(rings)
-    with gdal_silenced():
-        repaired = polygon.Clone() if is_valid else polygon.MakeValid()
-    lines.polygons.append((owner_name(owner), repaired))
-    return repaired
 
 
 def _finite(points: np.ndarray) -> np.ndarray:
@@ -181,7 +174,11 @@ def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message 
             except RasterError:
                 lost += 1
                 continue
-            features.append((_attributes(feature), None if placed is None else bytes(placed.ExportToWkb(ogr.wkbNDR))))
+            definitions = [feature.GetFieldDefnRef(number) for number in range(feature.GetFieldCount())]
+            attributes = {
+                one.GetName(): _value(feature, number, one.GetType()) for number, one in enumerate(definitions)
+            }
+            features.append((attributes, None if placed is None else bytes(placed.ExportToWkb(ogr.wkbNDR))))
     return features, messages.SEAM_FEATURES_NOT_TRANSFORMED(count=lost) if lost else None
 
 
@@ -189,11 +186,6 @@ def read_cells(path: str, mosaic: Raster) -> tuple[Cell, ...]:
     """The polygons of a vector file that name their source. Raises SeamlineError when none lies on the mosaic."""
     features, _ = read_seam_features(path, mosaic.wkt)
     return tuple(gathered(features, seam_fields([attributes for attributes, _ in features]), mosaic.grid).cells)
-
-
-def _attributes(feature: ogr.Feature) -> dict[str, object]:
-    definitions = [feature.GetFieldDefnRef(number) for number in range(feature.GetFieldCount())]
-    return {field.GetName(): _value(feature, number, field.GetType()) for number, field in enumerate(definitions)}
 
 
 def _value(feature: ogr.Feature, number: int, kind: int) -> object:

@@ -71,7 +71,9 @@ def seam_fields(rows: Sequence[Attributes], given: str = "") -> SeamFields:
     """
     names = list(dict.fromkeys(name for row in rows for name in row))
     filled = {name for row in rows for name in row if said(row[name])}
-    known = {_bare(part): name for name in reversed(names) if name in filled for part in (_last(name), name)}
+    # GDAL makes names of nested elements: ``phenomenonTime|TimePeriod|beginPosition``.
+    parts = [(part, name) for name in reversed(names) if name in filled for part in (re.split(r"[|.]", name)[-1], name)]
+    known = {_bare(part): name for part, name in parts}
     date, (left_date, right_date) = _first(DATE_FIELDS, known), _first_pair(DATE_SIDE_FIELDS, known)
     if given.strip():
         chosen = [part.strip() for part in given.split(",")]
@@ -105,11 +107,6 @@ def _first_pair(pairs: Iterable[tuple[str, str]], known: Mapping[str, str]) -> t
 
 def _bare(name: str) -> str:
     return re.sub(r"[\W_]", "", name.lower())
-
-
-def _last(name: str) -> str:
-    """The last part of a name that GDAL made of nested elements: ``phenomenonTime|TimePeriod|beginPosition``."""
-    return re.split(r"[|.]", name)[-1]
 
 
 _TOLD = 3  # names that a notice tells

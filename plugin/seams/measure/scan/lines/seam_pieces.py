@@ -133,29 +133,6 @@ def sources_beside(
 ) -> np.ndarray:
     """(pieces, 2) int: the source that most labels on the left and on the right hand of each piece show, so far from
     it, ``NONE`` where they don't agree."""
-    return _majorities(labels_at(*_places(pieces, grid, label_px, offsets_px)))
-
-
-def sided(piece: SeamPiece, shown: Sequence[int], numbers: Mapping[str, int]) -> SeamPiece:
-    """A piece with what lies beside it, ``shown`` as in ``sources_beside``.
-
-    One whose sides aren't named gets the numbers of its sources, None where labels don't agree, and the same number
-    twice where the mosaic doesn't change sources there. One that is named keeps its names; they are exchanged where the
-    labels say so (``numbers``: of the names).
-    """
-    left, right = (None if label == NONE else int(label) for label in shown)
-    if piece.left is None and piece.right is None:
-        return replace(piece, left=left, right=right)
-    named = _number(piece.left, numbers), _number(piece.right, numbers)
-    if left != right and _agreeing(named[::-1], (left, right)) > _agreeing(named, (left, right)):
-        return replace(piece, left=piece.right, right=piece.left)
-    return piece
-
-
-def _places(
-    pieces: Sequence[SeamPiece], grid: Grid, label_px: int, offsets_px: tuple[float, ...]
-) -> tuple[np.ndarray, np.ndarray]:
-    """Columns and rows of labels, (pieces, left and right, samples) each."""
     places = np.empty((len(pieces), 2, _STATIONS, len(offsets_px), 2))
     shares = (np.arange(_STATIONS) + 0.5) / _STATIONS
     offsets = np.array(offsets_px)[:, np.newaxis]
@@ -168,26 +145,31 @@ def _places(
         left = np.column_stack([down, -across])  # rows run down
         aside = (left / np.maximum(np.hypot(across, down), _TINY)[:, np.newaxis])[:, np.newaxis] * offsets
         places[i] = middle + aside, middle - aside
-    found = np.floor(places / label_px).astype(np.int64).reshape(len(pieces), 2, _STATIONS * len(offsets_px), 2)
-    return found[..., 0], found[..., 1]
+    samples = np.floor(places / label_px).astype(np.int64).reshape(len(pieces), 2, _STATIONS * len(offsets_px), 2)
+    found = labels_at(samples[..., 0], samples[..., 1])
+    votes = np.where(found == NONE, 0, (found[..., np.newaxis] == found[..., np.newaxis, :]).sum(axis=3))
+    most = votes.max(axis=2, keepdims=True)
+    best = np.where(votes == most, found, np.iinfo(np.int64).max).min(axis=2)  # of several the lowest
+    return np.where(most[..., 0] >= _LEAST_SHARE * found.shape[2], best, NONE)
 
 
-def _majorities(found: np.ndarray) -> np.ndarray:
-    """The label of most samples on each side, (pieces, 2), ``NONE`` where fewer than half agree."""
-    best = np.full(found.shape[:2], NONE, np.int64)
-    most = np.zeros(found.shape[:2], dtype=int)
-    for place in range(found.shape[2]):
-        candidate = found[:, :, place]
-        count = (found == candidate[:, :, np.newaxis]).sum(axis=2)
-        better = (candidate != NONE) & ((count > most) | ((count == most) & (candidate < best)))
-        best[better], most[better] = candidate[better], count[better]
-    best[most < _LEAST_SHARE * found.shape[2]] = NONE
-    return best
+def sided(piece: SeamPiece, shown: Sequence[int], numbers: Mapping[str, int]) -> SeamPiece:
+    """A piece with what lies beside it, ``shown`` as in ``sources_beside``.
 
+    One whose sides aren't named gets the numbers of its sources, None where labels don't agree, and the same number
+    twice where the mosaic doesn't change sources there. One that is named keeps its names; they are exchanged where the
+    labels say so (``numbers``: of the names).
+    """
+    left, right = (None if label == NONE else int(label) for label in shown)
+    if piece.left is None and piece.right is None:
+        return replace(piece, left=left, right=right)
+    left_named, right_named = (
+        numbers.get(side) if isinstance(side, str) else side for side in (piece.left, piece.right)
+    )
 
-def _number(side: Side, numbers: Mapping[str, int]) -> int | None:
-    return numbers.get(side) if isinstance(side, str) else side
+    def agreeing(one: int | None, other: int | None) -> int:
+        return (one is not None and one == left) + (other is not None and other == right)
 
-
-def _agreeing(named: tuple[int | None, ...], shown: tuple[int | None, ...]) -> int:
-    return sum(one is not None and one == other for one, other in zip(named, shown))
+    if left != right and agreeing(right_named, left_named) > agreeing(left_named, right_named):
+        return replace(piece, left=piece.right, right=piece.left)
+    return piece

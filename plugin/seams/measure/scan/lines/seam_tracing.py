@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import struct
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,8 +12,8 @@ from scipy import ndimage
 
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Grid
-from .....imagery.lines import as_xy, signed_area, straightened
-from .label_borders import NONE, Chain, LabelBorder, joined_borders
+from .....imagery.lines import as_xy, straightened
+from .label_borders import NONE, LabelBorder, joined_borders
 from .seam_pieces import SidedSeam
 
 _SIGMA = 2.0  # samples along a border, 8 px: a stair's length and more; a corner of 90 degrees is cut by 6 px
@@ -42,8 +42,8 @@ def seams_of(borders: Iterable[SourceBorder]) -> list[SidedSeam]:
     return sorted(seams, key=lambda one: (-round(one.length, 6), -one.vertices[0, 1], one.vertices[0, 0]))
 
 
-def trace_borders(chains: Sequence[Chain], grid: Grid, columns: int, label_px: int = 4) -> list[SourceBorder]:
-    """The seams and outlines that the chains of all tiles of labels make.
+def trace_borders(edges: np.ndarray, grid: Grid, columns: int, label_px: int = 4) -> list[SourceBorder]:
+    """The seams and outlines that the edges of all tiles of labels, (4, n), make.
 
     A label stands for the middle of ``label_px`` x ``label_px`` pixels of ``grid``, ``columns`` of them lie side by
     side; it is the number of a source or -1 for none. Ends that meet in a junction are equal to the last digit.
@@ -51,7 +51,7 @@ def trace_borders(chains: Sequence[Chain], grid: Grid, columns: int, label_px: i
     corner = np.array([grid.left, grid.top])
     pixel = np.array([grid.pixel_width, -grid.pixel_height])
     found = []
-    for border in joined_borders(chains, columns):
+    for border in joined_borders(edges, columns):
         places = np.minimum(_regularised(border) * label_px, (grid.columns, grid.rows))
         found.append(SourceBorder(corner + places * pixel, border.left, border.right, border.keys))
     return found
@@ -122,47 +122,22 @@ def _joined(leaving: dict[int, tuple[int, np.ndarray]]) -> list[np.ndarray]:
     return rings
 
 
-def _multipolygon(rings: list[np.ndarray]) -> bytes:
-    """Rings with the inside on their left: those that run counter-clockwise are outlines, the others holes."""
-    areas = [signed_area(ring @ (1, 1j)) for ring in rings]
-    outlines = sorted((i for i, area in enumerate(areas) if area > 0), key=lambda i: areas[i])
-    holes: defaultdict[int, list[int]] = defaultdict(list)
-    boxes = {i: (*rings[i].min(axis=0), *rings[i].max(axis=0)) for i in outlines}
-    for hole in (i for i, area in enumerate(areas) if area < 0):
-        # On its middle, since a hole may touch the outline in a vertex.
-        x, y = (rings[hole][0] + rings[hole][1]) / 2
-        for outline in outlines:  # the smallest one that holds it
-            left, bottom, right, top = boxes[outline]
-            if left <= x <= right and bottom <= y <= top and _holds(rings[outline], x, y):
-                holes[outline].append(hole)
-                break
+def _multipolygon(rings: Sequence[np.ndarray]) -> bytes:
+    """What lies inside an odd number of rings: outlines and holes; as it is valid where smoothing made them cross."""
+    held = [struct.pack("<I", len(ring)) + ring.astype("<f8").tobytes() for ring in rings]
+    polygon = ogr.CreateGeometryFromWkb(struct.pack("<BII", 1, ogr.wkbPolygon, len(rings)) + b"".join(held))
+    with gdal_silenced():
+        valid = polygon if polygon.IsValid() else polygon.MakeValid()
     whole = ogr.Geometry(ogr.wkbMultiPolygon)
-    for outline in outlines[::-1]:
-        for part in _valid_parts(_polygon([rings[outline], *(rings[hole] for hole in holes[outline])])):
-            whole.AddGeometry(part)
+    for part in parts_with_area(valid):
+        whole.AddGeometry(part)
     return bytes(whole.ExportToWkb(ogr.wkbNDR))
 
 
-def _valid_parts(polygon: ogr.Geometry) -> list[ogr.Geometry]:
-    """The polygon, or the polygons that remain where smoothing made its borders cross."""
-    with gdal_silenced():
-        valid = polygon if polygon.IsValid() else polygon.MakeValid()
-    if valid.GetGeometryType() == ogr.wkbPolygon:
-        return [valid]
-    parts = (valid.GetGeometryRef(i) for i in range(valid.GetGeometryCount()))
-    return [part.Clone() for part in parts if part.GetGeometryType() == ogr.wkbPolygon]
-
-
-def _polygon(rings: Sequence[np.ndarray]) -> ogr.Geometry:
-    """Polygon of an outline and its holes."""
-    held = [struct.pack("<I", len(ring)) + ring.astype("<f8").tobytes() for ring in rings]
-    return ogr.CreateGeometryFromWkb(struct.pack("<BII", 1, ogr.wkbPolygon, len(rings)) + b"".join(held))
-
-
-def _holds(ring: np.ndarray, x: float, y: float) -> bool:
-    """Whether a point lies inside, by how often a ray to the right meets the ring. GEOS would copy it first."""
-    (x0, y0), (x1, y1) = ring[:-1].T, ring[1:].T
-    crossed = (y0 > y) != (y1 > y)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        at = x0 + (y - y0) * (x1 - x0) / (y1 - y0)
-    return bool(np.count_nonzero(crossed & (at > x)) % 2)
+def parts_with_area(geometry: ogr.Geometry) -> Iterator[ogr.Geometry]:
+    """The polygons in a geometry."""
+    if geometry.GetGeometryType() == ogr.wkbPolygon:
+        yield geometry
+    else:
+        for index in range(geometry.GetGeometryCount()):
+            yield from parts_with_area(geometry.GetGeometryRef(index))

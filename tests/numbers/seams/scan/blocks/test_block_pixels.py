@@ -48,11 +48,11 @@ def assert_same(one: Planes, other: Planes) -> None:
     np.testing.assert_array_equal(one.mosaic[there[0]], other.mosaic[there[0]])
     for number in set(one.sources) | set(other.sources):
         shown = [planes.sources.get(number) for planes in (one, other)]
-        has = [np.zeros(one.mosaic.shape, bool) if plane is None else known(planes.valid.get(number), plane.shape)
-               for plane, planes in zip(shown, (one, other))]
+        has = [np.zeros(one.mosaic.shape, bool) if source is None else known(source.valid, source.plane.shape)
+               for source in shown]
         np.testing.assert_array_equal(*has, err_msg=str(number))
         if has[0].any():
-            np.testing.assert_array_equal(shown[0][has[0]], shown[1][has[1]], err_msg=str(number))
+            np.testing.assert_array_equal(shown[0].plane[has[0]], shown[1].plane[has[1]], err_msg=str(number))
 
 
 @pytest.mark.parametrize("window", [
@@ -82,13 +82,12 @@ def test_patches_are_the_pixels_of_the_files(crowd: Scene) -> None:
     found = crowd.pixels().patches(rows, columns, 41)
     assert 2 not in found.sources  # it has no pixels at all
     assert set(found.sources) == set(range(len(given))) - {2}
-    for number, plane in found.sources.items():
+    for number, source in found.sources.items():
         expected = np.block([[given[number][row : row + 41, column : column + 41] for column in columns]
                              for row in rows])
         there = expected != NODATA
-        np.testing.assert_array_equal(plane[there], expected[there])
-        assert number not in found.valid or (found.valid[number] == there).all()
-        assert number in found.valid or there.all()
+        np.testing.assert_array_equal(source.plane[there], expected[there])
+        assert (there if source.valid is None else source.valid == there).all()
 
 
 def test_a_strip_of_patches_is_those_patches(crowd: Scene) -> None:
@@ -100,8 +99,8 @@ def test_a_strip_of_patches_is_those_patches(crowd: Scene) -> None:
         alone = pixels.patches(np.array([row]), np.array([column]), 40)
         own = np.s_[40 * place : 40 * (place + 1)]
         np.testing.assert_array_equal(strip.mosaic[own], alone.mosaic)
-        for number, plane in strip.sources.items():
-            np.testing.assert_array_equal(plane[own], alone.sources[number])
+        for number, source in strip.sources.items():
+            np.testing.assert_array_equal(source.plane[own], alone.sources[number].plane)
 
 
 def test_of_many_sources_only_some_are_held(crowd: Scene) -> None:
@@ -135,7 +134,7 @@ def test_three_bands_are_judged_by_their_luminance(tmp_path: Path) -> None:
     found = one.pixels().part(PixelWindow(16, 32, 64, 48), (0,))
     own = np.s_[:, 32:80, 16:80]
     np.testing.assert_allclose(found.mosaic, luminance(mosaic[own]), rtol=1e-5)
-    np.testing.assert_allclose(found.sources[0], luminance(source[own]), rtol=1e-5)
+    np.testing.assert_allclose(found.sources[0].plane, luminance(source[own]), rtol=1e-5)
     patch = one.pixels().patches(np.array([32]), np.array([16]), 40)
     np.testing.assert_array_equal(patch.mosaic, found.mosaic[:40, :40])
 

@@ -59,7 +59,7 @@ def assert_same(one: BlockScan, other: BlockScan) -> None:
     """But for the notices."""
     assert one.key == other.key
     assert one.sources == other.sources
-    for name in ("squares", "dense", "labels", "mixture", "clear", "ground"):
+    for name in ("squares", "dense", "labels", "mixture", "ground"):
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
     for name in ("row", "column", "bin", "area", "mm", "cc", "mc"):
         np.testing.assert_array_equal(getattr(one.cells, name), getattr(other.cells, name), err_msg=name)
@@ -148,15 +148,13 @@ def test_a_feather_shows_in_the_bins_beside_the_seam_and_nowhere_else(tmp_path: 
     assert cells.mm[0, far].sum() / cells.cc[0, far].sum() == pytest.approx(1, abs=0.01)
 
 
-def test_mixture_and_clear_tell_where_two_sources_are_seen(tmp_path: Path) -> None:
+def test_mixture_tells_where_two_sources_are_seen(tmp_path: Path) -> None:
     given = images()
     found = scan_block(scene(tmp_path, blended(*given, beside(SEAM, 66)), given).request(density="full"))
     mixture = found.mixture[: SIDE // CELL_PX, : SIDE // CELL_PX]
     seam = SEAM // CELL_PX
     assert np.nanmean(mixture[:, seam - 1 : seam + 1]) > 0.5
     assert np.nanmean(mixture[:, : seam - 6]) < 0.02
-    assert np.isnan(found.clear).any()
-    assert np.nanmean(found.clear) > 0.7
 
 
 def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learned(
@@ -399,7 +397,7 @@ def test_the_arrays_of_all_blocks_are_of_one_size(hard: Scene) -> None:
     found = scan_block(hard.request())
     assert found.squares.shape == (SQUARES, SQUARES)
     assert found.labels.shape == (LABELS, LABELS)
-    assert found.mixture.shape == found.clear.shape == (CELLS, CELLS)
+    assert found.mixture.shape == (CELLS, CELLS)
     assert found.ground.shape == found.dense.shape == (UNITS, UNITS)
     assert CELLS * CELL_PX == BLOCK_PX
 

@@ -8,13 +8,13 @@ from scipy import ndimage
 from scipy.spatial import cKDTree
 from scipy.special import ndtri
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.label_borders import MARGIN, Chain, LabelTile, cleaned_chains
+from seam_inspector.plugin.seams.measure.scan.lines.label_borders import MARGIN, LabelTile, cleaned_edges
 
 LABEL_PX = 4
 
 
 def tiles_of(labels: np.ndarray, side: int = 512) -> Iterator[tuple[LabelTile, np.ndarray]]:
-    """Tiles that cover labels, each with those around that its chains are traced by."""
+    """Tiles that cover labels, each with those around that its edges are traced by."""
     rows, columns = labels.shape
     for row in range(0, rows, side):
         for column in range(0, columns, side):
@@ -22,10 +22,9 @@ def tiles_of(labels: np.ndarray, side: int = 512) -> Iterator[tuple[LabelTile, n
             yield tile, labels[tile.around(MARGIN)]
 
 
-def chains_of(labels: np.ndarray, side: int = 512) -> list[Chain]:
-    """Chains of all tiles."""
-    found = [cleaned_chains(part, tile, LABEL_PX) for tile, part in tiles_of(labels, side)]
-    return [chain for chains in found for chain in chains]
+def edges_of(labels: np.ndarray, side: int = 512) -> np.ndarray:
+    """Edges of all tiles, (4, n)."""
+    return np.concatenate([cleaned_edges(part, tile, LABEL_PX) for tile, part in tiles_of(labels, side)], axis=1)
 
 
 def estimated(labels: np.ndarray, seed: int, right_near: float = 0.94, right_far: float = 0.995) -> np.ndarray:

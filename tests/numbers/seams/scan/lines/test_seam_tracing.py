@@ -16,14 +16,14 @@ from seam_inspector.plugin.seams.measure.scan.lines.label_borders import (
     _gaps_closed,
     cleaned,
     joined_borders,
-    tile_chains,
+    tile_edges,
 )
 from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import SidedSeam, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import (
     LABEL_PX,
-    chains_of,
     distances,
+    edges_of,
     estimated,
     points_along,
     points_between,
@@ -36,7 +36,7 @@ SIDE = 200
 
 
 def trace_seams(labels: np.ndarray, grid: Grid, side: int = 512) -> list[SidedSeam]:
-    return seams_of(trace_borders(chains_of(labels, side), grid, labels.shape[1], LABEL_PX))
+    return seams_of(trace_borders(edges_of(labels, side), grid, labels.shape[1], LABEL_PX))
 
 
 def grid_of(labels: np.ndarray) -> Grid:
@@ -157,7 +157,7 @@ def test_seams_come_longest_first_and_stay_inside_the_mosaic() -> None:
 def test_labels_of_one_source_and_none_at_all_have_no_seams() -> None:
     assert traced(np.zeros((50, 50))) == []
     assert traced(np.full((50, 50), -1)) == []
-    assert joined_borders([], 10) == []
+    assert joined_borders(np.zeros((4, 0), np.int64), 10) == []
 
 
 def quilt(rows: int, columns: int, seed: int) -> np.ndarray:
@@ -185,8 +185,8 @@ def test_the_tiles_that_labels_come_in_do_not_show(side: int) -> None:
 def borders_of(labels: np.ndarray, side: int) -> list[LabelBorder]:
     """Borders of labels as they are, tile by tile."""
     tiles = [tile for tile, _ in tiles_of(labels, side)]
-    chains = [chain for tile in tiles for chain in tile_chains(labels[tile.around(1)], tile)]
-    return joined_borders(chains, labels.shape[1])
+    edges = [tile_edges(labels[tile.around(1)], tile) for tile in tiles]
+    return joined_borders(np.concatenate(edges, axis=1), labels.shape[1])
 
 
 SOME_LABELS = arrays(np.int16, st.tuples(st.integers(1, 9), st.integers(1, 9)), elements=st.integers(-1, 3))

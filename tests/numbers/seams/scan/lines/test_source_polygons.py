@@ -13,7 +13,7 @@ from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import (
     trace_borders,
 )
 
-from tests.numbers.seams.scan.lines.labelled import LABEL_PX, chains_of, estimated
+from tests.numbers.seams.scan.lines.labelled import LABEL_PX, edges_of, estimated
 
 SIDE = 200
 
@@ -24,8 +24,8 @@ def grid_of(labels: np.ndarray) -> Grid:
 
 
 def borders_of(labels: np.ndarray, side: int = 64) -> list[SourceBorder]:
-    chains = chains_of(labels.astype(np.int16), side)
-    return trace_borders(chains, grid_of(labels), labels.shape[1], LABEL_PX)
+    edges = edges_of(labels.astype(np.int16), side)
+    return trace_borders(edges, grid_of(labels), labels.shape[1], LABEL_PX)
 
 
 def polygons(labels: np.ndarray) -> dict[int, ogr.Geometry]:

@@ -55,6 +55,6 @@ def scan_of_window(detail: WindowDetail, labels: np.ndarray) -> BlockScan:
     mixture[:count, :count] = np.linspace(0, 1, count**2).reshape(count, count)
     return BlockScan(
         (0, 0), ("a", "b"), np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool), full,
-        mixture, mixture.copy(), mixture.copy(), mixture.copy(), detail.cells, detail.mixture,
+        mixture, mixture.copy(), mixture.copy(), detail.cells, detail.mixture,
         np.zeros((UNITS, UNITS), bool),
     )

@@ -266,7 +266,7 @@ def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
     nothing = BlockScan(
         (0, 0), ("a", "b"), np.full((16, 16), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool),
         np.full((LABELS, LABELS), UNKNOWN, np.uint8) if labels is None else labels,
-        *np.full((4, 128, 128), np.nan, np.float32), CellTable.empty(3), MixtureTable.empty(3),
+        *np.full((3, 128, 128), np.nan, np.float32), CellTable.empty(3), MixtureTable.empty(3),
         np.full((UNITS, UNITS), LACKING, np.int16),
     )
     return replace(nothing, **arrays)
