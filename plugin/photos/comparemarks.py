@@ -12,27 +12,29 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
-from .measure import limits, messages
+from .measure import messages
 
 if TYPE_CHECKING:
     from .measure.mark_comparison import ComparedMark, DifferenceStatistics, MarkDifference
 
+DEFAULT_MEAN_DISTANCE_PX = 0.25  # of two operators in Mikrut and Chwastek 2007, tables 1 and 2, and so their demand
 NAMED = 5  # of the marks that are not compared
 FIRST, SECOND, PIXEL_SIZE, LIMIT = "FIRST", "SECOND", "PIXEL_SIZE", "LIMIT"
 FOLDERS = {FIRST: "FIRST_FOLDER", SECOND: "SECOND_FOLDER"}
 OUTPUT, PHOTOS, DIFFERENCES, WITHIN_LIMIT = "OUTPUT", "PHOTOS", "DIFFERENCES", "WITHIN_LIMIT"
 STATISTICS = ("COUNT", "MEAN", "STANDARD_DEVIATION", "MAXIMUM", "MINIMUM")
 WITHIN, BEYOND = "within", "beyond"  # verdicts on a mean distance
-STATISTICS_FIELDS = (  # of OUTPUT, one row for each unit
-    ("unit", "text"), ("count", "integer"), ("mean", "real"), ("standard_deviation", "real"), ("maximum", "real"),
-    ("minimum", "real"), ("limit", "real"), ("verdict", "text"),
-)
-PHOTO_FIELDS = (  # of PHOTOS, one row for each, px
-    ("photo", "text"), ("count", "integer"), ("mean", "real"), ("maximum", "real"), ("verdict", "text")
-)
-DIFFERENCE_FIELDS = (  # of DIFFERENCES, one row for each mark in both layers
-    ("photo", "text"), ("mark", "text"), ("difference_column", "real"), ("difference_row", "real"), ("distance", "real")
-)
+TABLES = {
+    OUTPUT: (  # one row for each unit
+        ("unit", "text"), ("count", "integer"), ("mean", "real"), ("standard_deviation", "real"), ("maximum", "real"),
+        ("minimum", "real"), ("limit", "real"), ("verdict", "text"),
+    ),
+    PHOTOS: (("photo", "text"), ("count", "integer"), ("mean", "real"), ("maximum", "real"), ("verdict", "text")),
+    DIFFERENCES: (  # one row for each mark in both layers
+        ("photo", "text"), ("mark", "text"), ("difference_column", "real"), ("difference_row", "real"),
+        ("distance", "real"),
+    ),
+}  # fmt: skip
 
 
 class CompareMarks(SeamInspectorAlgorithm):
@@ -64,10 +66,10 @@ class CompareMarks(SeamInspectorAlgorithm):
         ):
             self.addDescribed(common.features(name, title, common.TABLE, optional=True), described)
             self.addDescribed(common.folder(FOLDERS[name], of_files, optional=True), of_folder)
-        self.addDescribed(
-            common.real(LIMIT, tr("Largest mean distance (px)"), limits.DEFAULT_MEAN_DISTANCE_PX, 0, decimals=None),
-            tr("The verdict is 'within' where the mean distance is at most that; in the paper 0.25 px."),
-        )
+        limit = common.real(LIMIT, tr("Largest mean distance (px)"), DEFAULT_MEAN_DISTANCE_PX, 0, decimals=None)
+        self.addDescribed(limit, tr(
+            "The verdict is 'within' where the mean distance is at most that; in the paper 0.25 px."
+        ))
         self.addDescribed(common.real(PIXEL_SIZE, tr("Pixel size (µm)"), None, 0.001, optional=True, decimals=None), tr(
             "Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them."
         ))
@@ -78,10 +80,9 @@ class CompareMarks(SeamInspectorAlgorithm):
         self.addDescribed(common.result(PHOTOS, tr("Photos"), common.TABLE, optional=True, by_default=False), tr(
             "Count, mean, maximum (px) and verdict of each photo."
         ))
-        self.addDescribed(
-            common.result(DIFFERENCES, tr("Differences"), common.TABLE, optional=True, by_default=False),
-            tr("The difference of each mark, the second measurement less the first, in pixels."),
-        )
+        self.addDescribed(common.result(DIFFERENCES, tr("Differences"), common.TABLE, True, False), tr(
+            "The difference of each mark, the second measurement less the first, in pixels."
+        ))
         for unit in ("PX", "UM"):
             self.addNumbers({f"{name}_{unit}": f"{name} {unit}".lower().replace("_", " ") for name in STATISTICS[1:]})
         self.addNumbers({
@@ -100,51 +101,47 @@ class CompareMarks(SeamInspectorAlgorithm):
 
         self.check(run)
         measured = [self._marks(run, name) for name in (FIRST, SECOND)]
-        found, alone = mark_comparison.mark_differences(*measured)
+        differences, alone = mark_comparison.mark_differences(*measured)
         limit = run.real(LIMIT)
         size = run.real(PIXEL_SIZE) if run.parameters.get(PIXEL_SIZE) else None
         size = size or mark_comparison.pixel_size(measured[0]) or mark_comparison.pixel_size(measured[1])
-        made = {"px": mark_comparison.distance_statistics(found)}
+        statistics, limits_of_units = {"px": mark_comparison.distance_statistics(differences)}, {"px": limit}
         if size is None:
             run.tell(messages.PIXEL_SIZE_UNKNOWN())
         else:
-            made["um"] = made["px"].scaled(size)
+            statistics["um"], limits_of_units["um"] = statistics["px"].scaled(size), limit * size
         if alone:
             names = ", ".join(alone[:NAMED]) + (", ..." if len(alone) > NAMED else "")
             run.tell(messages.COMPARED_ALONE(count=len(alone), names=names))
         by_photo: dict[str, list[MarkDifference]] = {}
-        for difference in found:
+        for difference in differences:
             by_photo.setdefault(difference.photo, []).append(difference)
-        photos = {photo: mark_comparison.distance_statistics(some) for photo, some in by_photo.items()}
-        limits_of_units = {"px": limit, "um": limit * (size or 1.0)}
-        tables: tuple[tuple[str, tuple[tuple[str, str], ...], list[list[object]]], ...] = (
-            (OUTPUT, STATISTICS_FIELDS, [
-                [unit, one.count, one.mean, one.standard_deviation, one.maximum, one.minimum, limits_of_units[unit],
-                 _verdict(one, limits_of_units[unit])]
-                for unit, one in made.items()
-            ]),
-            (PHOTOS, PHOTO_FIELDS, [
-                [photo or None, one.count, one.mean, one.maximum, _verdict(one, limit)] for photo, one in photos.items()
-            ]),
-            (DIFFERENCES, DIFFERENCE_FIELDS, [
-                [one.photo or None, one.mark, one.column, one.row, one.distance] for one in found
-            ]),
-        )  # fmt: skip
+        rows: dict[str, list[list[object]]] = {
+            OUTPUT: [
+                [unit, made.count, *made.lengths, limits_of_units[unit], _verdict(made, limits_of_units[unit])]
+                for unit, made in statistics.items()
+            ],
+            PHOTOS: [
+                [photo or None, made.count, made.mean, made.maximum, _verdict(made, limit)]
+                for photo, of_photo in by_photo.items() for made in [mark_comparison.distance_statistics(of_photo)]
+            ],
+            DIFFERENCES: [
+                [mark.photo or None, mark.mark, mark.column, mark.row, mark.distance] for mark in differences
+            ],
+        }  # fmt: skip
         results: dict[str, Any] = {}
-        for name, columns, rows in tables:
+        for name, columns in TABLES.items():
             fields = table_fields.table_fields(*columns)
             sink, results[name] = (run.sink if name == OUTPUT else run.optional_sink)(name, fields)
-            run.write(sink, (table_fields.feature(fields, row) for row in rows))
-        within = _verdict(made["px"], limit) == WITHIN
-        results.update({"COUNT": len(found), WITHIN_LIMIT: int(within)})
-        for unit, one in made.items():
-            known = zip(STATISTICS[1:], (one.mean, one.standard_deviation, one.maximum, one.minimum))
+            run.write(sink, (table_fields.feature(fields, row) for row in rows[name]))
+        within = _verdict(statistics["px"], limit) == WITHIN
+        results.update({"COUNT": len(differences), WITHIN_LIMIT: int(within)})
+        words = tr("{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.")
+        for unit, made in statistics.items():
+            known = zip(STATISTICS[1:], made.lengths)
             results.update({f"{name}_{unit.upper()}": value for name, value in known if not math.isnan(value)})
-            run.inform(
-                filled(tr("{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}."),
-                    count=one.count, mean=one.mean, maximum=one.maximum, minimum=one.minimum, unit=unit
-                )
-            )
+            lengths = {"mean": made.mean, "maximum": made.maximum, "minimum": made.minimum}
+            run.inform(filled(words, count=made.count, unit=unit, **lengths))
         words = tr("The mean distance is within the limit of {limit:g} px.") if within else tr(
             "The mean distance is beyond the limit of {limit:g} px."
         )

@@ -79,24 +79,21 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             "Off: the positions were measured by hand and are taken as they are; the other marks are measured. One "
             "that lies off by more than a thousandth of the frame fails as a measured mark does."
         ))
-        self.addDescribed(common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS), tr(
-            "The shape to look for, in the size it has on the photo; automatic tries all."
-        ))
-        self.addDescribed(common.choice(TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS), tr(
-            "Whether the arms of a cross, or the wedges, stand upright or diagonally."
-        ), advanced=True)
-        self.addDescribed(common.choice(TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES), tr(
-            "Whether a cross is open in the middle."
-        ), advanced=True)
-        self.addDescribed(common.choice(TEMPLATE_TONE, tr("Tone of the mark"), TONES), tr(
-            "Whether the mark is lighter than its ground, as on most positives, or darker."
-        ), advanced=True)
+        for name, title, words, text, advanced in (
+            (TEMPLATE_KIND, tr("Kind of mark"), KINDS,
+             tr("The shape to look for, in the size it has on the photo; automatic tries all."), False),
+            (TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS,
+             tr("Whether the arms of a cross, or the wedges, stand upright or diagonally."), True),
+            (TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES, tr("Whether a cross is open in the middle."), True),
+            (TEMPLATE_TONE, tr("Tone of the mark"), TONES,
+             tr("Whether the mark is lighter than its ground, as on most positives, or darker."), True),
+        ):  # fmt: skip
+            self.addDescribed(common.choice(name, title, words), text, advanced)
         self.addDescribed(common.real(SEARCH, tr("Search (mm)"), limits.DEFAULT_SEARCH_MM, 0.01, decimals=None), tr(
             "How far around a position the mark is looked for."
         ))
-        least = common.real(
-            MIN_CORRELATION, tr("Smallest correlation"), limits.DEFAULT_MIN_CORRELATION, 0, 1, decimals=None
-        )
+        usual = limits.DEFAULT_MIN_CORRELATION
+        least = common.real(MIN_CORRELATION, tr("Smallest correlation"), usual, 0, 1, decimals=None)
         self.addDescribed(least, tr("A mark whose best correlation is smaller fails."))
         self.addDescribed(common.choice(SURFACE, tr("Surface"), SURFACES), tr(
             "What the second-degree surface is laid through: the correlations around the best pixel, or the brightness "
@@ -109,26 +106,21 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             "A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in "
             "µm, correlation, status, reason and the photo's name."
         ))
-        self.addDescribed(
-            common.made_file(PARAMETERS, tr("Parameters"), tr("JSON files (*.json)"), optional=True),
-            tr("Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy."),
-        )
-        world_files = tr("World files (*.wld *.jgw *.tfw *.pgw *.bpw)")
-        self.addDescribed(
-            common.made_file(WORLD_FILE, tr("World file"), world_files, optional=True, by_default=False),
-            tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres."),
-        )
-        measures = tr("MicMac measurement"), tr("XML files (*.xml)")
-        self.addDescribed(common.made_file(MEASURES, *measures, optional=True, by_default=False), tr(
-            "The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, with "
-            "the photo's whole file name, as in MeasuresIm-114.jpg.xml."
-        ))
+        for name, title, filters, text in (
+            (PARAMETERS, tr("Parameters"), tr("JSON files (*.json)"),
+             tr("Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.")),
+            (WORLD_FILE, tr("World file"), tr("World files (*.wld *.jgw *.tfw *.pgw *.bpw)"),
+             tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres.")),
+            (MEASURES, tr("MicMac measurement"), tr("XML files (*.xml)"),
+             tr("The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, "
+                "with the photo's whole file name, as in MeasuresIm-114.jpg.xml.")),
+        ):  # fmt: skip
+            self.addDescribed(common.made_file(name, title, filters, True, name == PARAMETERS), text)
         self.addDescribed(*common.report(tr(
             "A page with a picture of each mark and the place that was found."
         ), tr("HTML files (*.html)"), True))
         self.addNumbers({
-            RMS_UM: tr("Root mean square of the residuals (µm)"),
-            MARKS: tr("Marks measured or given"),
+            RMS_UM: tr("Root mean square of the residuals (µm)"), MARKS: tr("Marks measured or given"),
             FAILED: tr("Marks that failed"),
         })
 
@@ -156,15 +148,13 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         run.progress(0.05)
         made = orient_photo(photo, calibration, positions, settings, run.is_cancelled)
         run.progress(0.8)
-        wkt = photo.raster.wkt
-        crs = reference_system(wkt)
+        crs = reference_system(photo.raster.wkt)
         sink, destination = run.sink(OUTPUT, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs)
         run.write(sink, (mark_tables.mark_feature(mark, photo) for mark in made.marks))
         run.style(destination, "marks")
         self._tell(made, run)
         failed = made.count(MarkStatus.FAILED)
-        results: dict[str, Any] = {OUTPUT: destination}
-        results.update({MARKS: len(made.marks) - failed, FAILED: failed})
+        results: dict[str, Any] = {OUTPUT: destination, MARKS: len(made.marks) - failed, FAILED: failed}
         if made.fitted is not None and made.fitted.redundancy:
             results[RMS_UM] = made.fitted.rms
         results.update(self._files(run, photo, calibration, settings, made))
@@ -188,11 +178,9 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             run.tell(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))
             return results
-        for name, text in (
-            (PARAMETERS, orientation_files.parameters_text(photo, calibration, made)),
-            (WORLD_FILE, orientation_files.world_file(photo, made)),
-        ):
-            results.update(run.save(name, partial(save_text, text)))
+        text = orientation_files.parameters_text(photo, calibration, made)
+        results.update(run.save(PARAMETERS, partial(save_text, text)))
+        results.update(run.save(WORLD_FILE, partial(save_text, orientation_files.world_file(made))))
         return results
 
     def _tell(self, made: PhotoOrientation, run: Run) -> None:
@@ -201,12 +189,9 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             if mark.reason is not None:
                 run.tell(imagery_messages.ABOUT(what=mark.name, why=mark.reason).as_warning())
         if made.fitted is not None:
-            run.inform(
-                filled(tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm."),
-                    marks=made.fitted.marks, rms=made.fitted.rms,
-                    model=sentence(messages.WORDS[made.fitted.to_mm.model.value]),
-                )
-            )
+            words = tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm.")
+            model = sentence(messages.WORDS[made.fitted.to_mm.model.value])
+            run.inform(filled(words, marks=made.fitted.marks, rms=made.fitted.rms, model=model))
 
     def _calibration(self, run: Run) -> CameraCalibration:
         from .measure.camera_calibration import read_calibration
@@ -223,8 +208,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         if not run.parameters.get(POSITIONS):
             return {}
         source = run.source(POSITIONS)
-        measure = run.flag(MEASURE)
-        return mark_tables.given_positions(layers.features(source), source.fields().names(), photo, measure)
+        names = source.fields().names()
+        return mark_tables.given_positions(layers.features(source), names, photo, run.flag(MEASURE))
 
     def _settings(self, run: Run) -> OrientationSettings:
         from .measure.mark_templates import chosen_shapes, cut_out

@@ -48,11 +48,9 @@ def mark_feature(mark: MarkResult, photo: Photo) -> QgsFeature:
 def given_positions(
     rows: Iterable[QgsFeature], names: Sequence[str], photo: Photo, measure: bool
 ) -> dict[str, GivenPosition]:
-    """Where the user says that marks are; points without a name or a place are left out.
-
-    Whether a position is measured says its field ``measure`` where there is one, else ``measure``. Raises PhotoError
-    for a layer without the field ``mark`` and for a mark that is there twice.
-    """
+    """The user's positions of marks; points without a name or a place are left out. Whether a position is measured says
+    its field ``measure`` where there is one, else ``measure``. Raises PhotoError for a layer without the field ``mark``
+    and for a mark that is there twice."""
     if MARK not in names:
         raise PhotoError(messages.POSITIONS_WITHOUT_MARK())
     made: dict[str, GivenPosition] = {}
@@ -75,9 +73,7 @@ def compared_marks(
     rows: Iterable[QgsFeature], names: Sequence[str], layer: str, default_photo: str = ""
 ) -> list[ComparedMark]:
     """The marks of a layer to be compared: by ``column`` and ``row`` where it has them, else by the points themselves.
-
-    Raises PhotoError for a layer without the field ``mark``.
-    """
+    Raises PhotoError for a layer without the field ``mark``."""
     if MARK not in names:
         raise PhotoError(messages.COMPARED_WITHOUT_MARK(layer=layer))
     photo = PHOTO if PHOTO in names else "layer"
@@ -96,15 +92,15 @@ def compared_marks(
 
 
 def folder_marks(folder: Path) -> list[ComparedMark]:
-    """The marks of all files of a folder: layers with a field ``mark``, and MicMac's MeasuresIm-*.xml.
-
-    A layer that does not say the photo is of the photo that its file is called like; what is no file is left alone.
-    Raises PhotoError for a folder that is not there or holds no marks.
-    """
+    """The marks of all files of a folder: layers with a field ``mark``, and MicMac's MeasuresIm-*.xml. A layer that
+    does not say the photo is of the photo that its file is called like; what is no file is left alone. Raises
+    PhotoError for a folder that is not there or holds no marks."""
     if not os.path.isdir(folder):
         raise PhotoError(messages.COMPARED_NO_FOLDER(path=folder))
     made: list[ComparedMark] = []
-    for path in (one for one in sorted(folder.iterdir()) if not is_endless(str(one))):
+    for path in sorted(folder.iterdir()):
+        if is_endless(str(path)):
+            continue
         if path.suffix.lower() == ".xml" and path.name.startswith(MEASURES):
             made += [ComparedMark(photo, mark, place) for photo, mark, place in read_measures(path)]
         elif path.suffix.lower() in VECTOR_ENDINGS and is_layer_file(path):

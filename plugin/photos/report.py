@@ -27,7 +27,7 @@ _COLOURS = {MarkStatus.MEASURED: (0, 230, 130), MarkStatus.GIVEN: (255, 170, 0),
 
 @dataclass(frozen=True)
 class OrientationJob:
-    """What an interior orientation was made of."""
+    """The photo, calibration and settings of an interior orientation."""
 
     photo: Photo
     calibration: CameraCalibration
@@ -38,24 +38,21 @@ class OrientationJob:
 def save_orientation_report(path: Path, job: OrientationJob, made: PhotoOrientation) -> None:
     """Write the report. Raises SettingsError where no file can be."""
     photo = job.photo
+    how = HowMeasured(_settings(job, made), [measured_raster(tr("photo"), photo.raster)])
     save_page(
-        path,
-        "interior_orientation",
-        HowMeasured(_settings(job, made), [measured_raster(tr("photo"), photo.raster)]),
-        name=photo.ref.name,
-        figures=_figures(made),
-        notices=sentences_once(made.notices),
+        path, "interior_orientation", how,
+        name=photo.ref.name, figures=_figures(made), notices=sentences_once(made.notices),
         marks=[_row(mark) for mark in made.marks],
         pictures=[_picture(mark, made) for mark in made.marks if mark.name in made.views],
         scan=[] if made.fitted is None else _scan(job, made),
         transformation=None if made.fitted is None else _transformation(made.fitted),
         scan_orientation=made.scan_orientation,
         evidence=None if made.evidence is None else sentence(messages.WORDS[made.evidence.value]),
-    )
+    )  # fmt: skip
 
 
 def _figures(made: PhotoOrientation) -> list[tuple[str, str]]:
-    """What the page says first."""
+    """The figures at the head of the page."""
     words = (
         (MarkStatus.MEASURED, tr("marks measured")), (MarkStatus.GIVEN, tr("marks given")),
         (MarkStatus.FAILED, tr("marks failed")),
@@ -93,7 +90,7 @@ def _transformation(fitted: FittedTransformation) -> dict[str, object]:
 
 
 def _scan(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, str]]:
-    """What the transformation says of the scan, and of the camera in it."""
+    """Facts of the scan and of the camera in it, by the transformation."""
     values = parameters(job.photo, job.calibration, made)
     facts = [
         (tr("pixel size"), filled("{x:.3f} x {y:.3f} µm", **values["pixel_size_um"])),
@@ -116,15 +113,13 @@ def _settings(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, st
     elif template is not None:
         rows, columns = template.pixels.shape
         facts.append((tr("template"), filled("{columns} x {rows} px", columns=columns, rows=rows)))
+    largest = filled("{mm:.3f} mm", mm=limits.FILM_DEFORMATION * job.calibration.span)
     return [
         *facts,
         (tr("smallest correlation"), shown_number(settings.min_correlation, 2)),
         (tr("search"), filled("{mm:g} mm", mm=settings.search_mm)),
         (tr("surface"), sentence(messages.WORDS[settings.surface.value])),
-        (
-            tr("largest distance of a mark from its place"),
-            filled("{mm:.3f} mm", mm=limits.FILM_DEFORMATION * job.calibration.span),
-        ),
+        (tr("largest distance of a mark from its place"), largest),
     ]
 
 
@@ -151,10 +146,8 @@ def marked(status: MarkStatus, place: Place, view: PhotoView) -> np.ndarray:
     x = round((place[0] - view.left) * times / step - 0.5)
     y = round((place[1] - view.top) * times / step - 0.5)
     arm, gap, thin = 3 * times, times // 2, slice(-1, 2)
-    for rows, columns in (
-        (thin, slice(-arm, -gap)), (thin, slice(gap + 1, arm + 1)), (slice(-arm, -gap), thin),
-        (slice(gap + 1, arm + 1), thin), (slice(0, 1), slice(0, 1)),
-    ):
+    arms, middle = (slice(-arm, -gap), slice(gap + 1, arm + 1)), slice(0, 1)
+    for rows, columns in (*((thin, arm) for arm in arms), *((arm, thin) for arm in arms), (middle, middle)):
         picture[y + rows.start : y + rows.stop, x + columns.start : x + columns.stop] = _COLOURS[status]
     return picture
 

@@ -46,7 +46,7 @@ class CompareSensorModels(SensorAlgorithm):
         from .measure import adjustment
         from .measure.heights import is_flat
         from .measure.points import control_coverage, coverage_warnings
-        from .point_tables import MODELS
+        from .point_tables import MODELS, ModelRow
 
         image = self._image()
         rpc = self._rpc(run, IMAGE_RPC, image)
@@ -59,7 +59,7 @@ class CompareSensorModels(SensorAlgorithm):
             is_flat(points), run.progress, run.is_cancelled,
         )
         sink, output = run.sink(OUTPUT, column_fields(MODELS))
-        run.write(sink, column_features(MODELS, [(result, row) for row in result.rows]))
+        run.write(sink, column_features(MODELS, [ModelRow(result, model) for model in result.rows]))
         run.tell(result.reason)
 
         def write_report(path: Path) -> None:

@@ -30,7 +30,7 @@ MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
 OUTPUT, MODEL_FILE, RPC, RPC_IMAGE, POINTS = "OUTPUT", "MODEL_FILE", "RPC", "RPC_IMAGE", "POINTS"
 CONTROL_COUNT, CHECK_COUNT, CONDITION = "CONTROL_COUNT", "CHECK_COUNT", "CONDITION"
 BIAS_COLUMN, BIAS_ROW = "BIAS_COLUMN", "BIAS_ROW"
-_BIASES = tuple(one.name for one in registry.RPC_BIAS.variants)
+_BIASES = tuple(variant.name for variant in registry.RPC_BIAS.variants)
 _ERRORS = ("RMSE_X", "RMSE_Y", "MAX_X", "MAX_Y")
 MODEL_TITLES = {
     "polynomial_2d": QT_TR_NOOP("polynomials of the plane, as in a georeferencer, without heights"),
@@ -58,15 +58,15 @@ class FitSensorModel(SensorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
-        kinds = common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name)
-        self.addDescribed(kinds, " ".join(map(_described, registry.KINDS.values())))
+        purpose = " ".join(map(_described, registry.KINDS.values()))
+        self.addChoice(MODEL, tr("Model"), tuple(registry.KINDS), purpose, registry.RATIONAL.name)
         self.addDescribed(common.whole(ORDER, tr("Order"), 1, 1, 3), tr(
             "Of polynomials and quotients. Higher orders need many points and swing between them."
         ))
         self.addDescribed(common.flag(DLT_XY, tr("Term a12 xy of the direct linear transformation")), tr(
             "Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."
         ))
-        self.addDescribed(common.choice(BIAS, tr("Correction of the RPC"), _BIASES), tr(
+        self.addChoice(BIAS, tr("Correction of the RPC"), _BIASES, tr(
             "For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."
         ))
         self.addFittingParameters()
@@ -121,7 +121,7 @@ class FitSensorModel(SensorAlgorithm):
             notices.append(messages.RPC_BIAS_FOUND(columns=column, rows=row, most=most))
         view = view_direction(done.fitted.model, points.wkt, files.domain)
         if view is not None:
-            notices.append(view.told(run.real(TERRAIN_ERROR)))
+            notices.append(view.notice(run.real(TERRAIN_ERROR)))
         run.tell(*notices)
         run.progress(0.6)
         system = reference_system(points.wkt)
@@ -152,7 +152,7 @@ class FitSensorModel(SensorAlgorithm):
             for name in _ERRORS:
                 results[f"{group}_{name}"] = getattr(errors, name.lower())
             if errors.count:
-                run.inform(_errors_told(group, errors))
+                run.inform(_errors_described(group, errors))
         condition = done.fitted.condition if math.isfinite(done.fitted.condition) else None
         return {**results, CONDITION: condition, **view_numbers(run, view), BIAS_COLUMN: column, BIAS_ROW: row}
 
@@ -168,7 +168,7 @@ class FitSensorModel(SensorAlgorithm):
     @staticmethod
     def _notices(done: Adjustment) -> list[Message]:
         from .measure.adjustment import suspects
-        from .measure.polynomials import Rational, terms_told
+        from .measure.polynomials import Rational, term_names
 
         fitted, notices = done.fitted, []
         if not fitted.converged:
@@ -176,7 +176,7 @@ class FitSensorModel(SensorAlgorithm):
         if fitted.condition > MAX_CONDITION:
             notices.append(messages.ILL_CONDITIONED(condition=fitted.condition))
         if done.request.kind is registry.RATIONAL_TERMS and isinstance(fitted.model, Rational):
-            notices.append(messages.TERMS_KEPT(terms=terms_told(fitted.model)))
+            notices.append(messages.TERMS_KEPT(terms=term_names(fitted.model)))
         if done.check.count == 0:
             notices.append(messages.CHECK_POINTS_MISSING())
         if names := done.points.named(done.blunder):
@@ -187,13 +187,14 @@ class FitSensorModel(SensorAlgorithm):
 
 
 def _described(kind: registry.ModelKind) -> str:
-    """What a model is and how many points it needs."""
-    fewest = ", ".join(f"{one.fewest} ({one.name})" if one.name else str(one.fewest) for one in kind.variants)
+    """A model in words, and how many points it needs."""
+    counts = {variant.name: variant.fewest for variant in kind.variants}
+    fewest = ", ".join(f"{count} ({name})" if name else str(count) for name, count in counts.items())
     words = tr("{model}: {title}; needs at least {fewest} control points.")
     return filled(words, model=kind.name, title=tr(MODEL_TITLES[kind.name]), fewest=fewest)
 
 
-def _errors_told(group: str, errors: Accuracy) -> str:
+def _errors_described(group: str, errors: Accuracy) -> str:
     name = tr("Check points") if group == "CHECK" else tr("Control points")
     return filled(tr(
         "{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m"

@@ -5,11 +5,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingParameterCrs, QgsProcessingParameterExtent, QgsProcessingParameterRasterDestination
+from qgis.core import QgsProcessingParameterExtent, QgsProcessingParameterRasterDestination
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SensorModelError, SettingsError
-from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
 from .measure import limits, messages
@@ -32,7 +31,7 @@ ERROR_RMS, ERROR_MAX, UNCOVERED = "ERROR_RMS", "ERROR_MAX", "UNCOVERED"
 
 
 class OrthoAlgorithm(SensorAlgorithm):
-    """What makes orthoimages: the parameters of photos' orientations, of terrain and of what is made."""
+    """An algorithm that makes orthoimages: the parameters of photos' orientations, of terrain and of what is made."""
 
     RASTER_LISTS = (DEM,)
 
@@ -47,36 +46,35 @@ class OrthoAlgorithm(SensorAlgorithm):
             "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac "
             "write it. Empty: in the file of the exterior orientation."
         ))
-        system = QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), None, True)
-        self.addDescribed(system, tr("Projected, in metres. Empty: what its file says, else the image's own."), True)
-        self.addDescribed(
-            common.choice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS),
-            tr("as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."),
-            advanced=True,
-        )
-        angles = common.choice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS)
-        self.addDescribed(angles, tr("Of a table. auto: what its header says, else degrees."), advanced=True)
+        self.addSystem(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), tr(
+            "Projected, in metres. Empty: what its file says, else the image's own."
+        ), advanced=True)
+        self.addChoice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS, tr(
+            "as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."
+        ), advanced=True)
+        self.addChoice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS, tr(
+            "Of a table. auto: what its header says, else degrees."
+        ), advanced=True)
 
     def addGround(self, terrain: str) -> None:
         """A terrain model or a height."""
         self.addTerrain(terrain, (DEM_HEIGHTS, tr("Heights of the terrain model")))
-        self.addDescribed(
-            common.real(HEIGHT, tr("Constant height (metres)"), None, optional=True),
-            tr("Above the ellipsoid, instead of a terrain model: only where the terrain is flat."),
-        )
+        self.addReal(HEIGHT, tr("Constant height (metres)"), None, tr(
+            "Above the ellipsoid, instead of a terrain model: only where the terrain is flat."
+        ))
 
     def addGrid(self, system: str) -> None:
-        """How what is made looks; ``system``: what its reference system is by default."""
-        self.addDescribed(QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), system)
-        self.addDescribed(
-            common.real(PIXEL_SIZE, tr("Pixel size"), None, 0.0, optional=True, decimals=6),
-            tr("In units of the reference system. Empty: that of the image on the ground."),
+        """The pixels and the file of orthoimages; ``system``: the help of their reference system."""
+        self.addSystem(CRS, tr("Reference system"), system)
+        self.addReal(PIXEL_SIZE, tr("Pixel size"), None, tr(
+            "In units of the reference system. Empty: that of the image on the ground."
+        ), least=0)
+        self.addChoice(
+            RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, tr("How pixels are interpolated."), default="cubic"
         )
-        self.addDescribed(
-            common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic"), tr("How pixels are interpolated.")
-        )
-        kinds = common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS)
-        self.addDescribed(kinds, tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."))
+        self.addChoice(FORMAT, tr("Format"), limits.ORTHO_FORMATS, tr(
+            "GeoTIFF, or cloud optimised GeoTIFF with overviews."
+        ))
 
     def _block(self, run: Run, exterior: str) -> FrameBlock:
         """The orientations and the ground. Raises SettingsError without an exterior one."""
@@ -170,17 +168,17 @@ class Orthorectify(OrthoAlgorithm):
             request = replace(request, target_wkt=system_wkt(target), extent=extent)
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
-        run.inform(told(made))
+        run.inform(described(made))
         view = view_direction(*sight[:3])
         if view is not None:
-            run.tell(view.told(run.real(TERRAIN_ERROR)))
+            run.tell(view.notice(run.real(TERRAIN_ERROR)))
         return {
             OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered,
             **view_numbers(run, view),
         }  # fmt: skip
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
-        """In the image's own pixels; its system, where it is used, and what the terrain's heights are taken as."""
+        """The model in the image's pixels, its system and domain, and the datum that the terrain's heights have."""
         from .measure.fit_files import load_model
         from .measure.orthorectification import rpc_domain
         from .measure.sensor_model import WGS84
@@ -204,8 +202,8 @@ class Orthorectify(OrthoAlgorithm):
         return rpc, WGS84, rpc_domain(rpc, image.raster), datum
 
 
-def told(made: Ortho) -> str:
-    """What an orthoimage is like."""
+def described(made: Ortho) -> str:
+    """An orthoimage in words."""
     return filled(
         tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."),
         columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px,

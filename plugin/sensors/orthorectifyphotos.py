@@ -14,7 +14,7 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
 from .measure import messages
-from .orthorectify import DEM, EXTERIOR, HEIGHT, INTERIOR, OUTPUT, OrthoAlgorithm, told
+from .orthorectify import DEM, EXTERIOR, HEIGHT, INTERIOR, OUTPUT, OrthoAlgorithm, described
 from .sensor_parameters import GEOID
 
 PHOTOS, PHOTO_COUNT, LEFT_OUT_COUNT = "PHOTOS", "PHOTO_COUNT", "LEFT_OUT_COUNT"
@@ -94,7 +94,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 continue
             wkt, size, count = made.wkt, made.pixel_size, count + 1
             run.tell_once(made.notices)
-            run.inform(f"{photo.name}: {told(made)}")
+            run.inform(f"{photo.name}: {described(made)}")
         if left_out and not count and not run.is_cancelled():
             raise SensorModelError(left_out[-1])
         return {OUTPUT: str(output), PHOTO_COUNT: count, LEFT_OUT_COUNT: len(left_out)}

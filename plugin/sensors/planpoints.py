@@ -29,7 +29,7 @@ _MOST_POINTS = 1000
 
 
 class PlanPoints(SensorAlgorithm):
-    """How many points to measure, where and how well."""
+    """The accuracy to expect from a number of points, their spread and their quality."""
 
     RASTER_LISTS = (IMAGE,)
     ID = "planpoints"
@@ -42,13 +42,13 @@ class PlanPoints(SensorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        model = common.choice(MODEL, tr("Model"), _MODELS, registry.PUSHBROOM.name)
-        self.addDescribed(model, tr("The sensor model to be fitted, with its order or form. rpc_bias needs an RPC."))
+        purpose = tr("The sensor model to be fitted, with its order or form. rpc_bias needs an RPC.")
+        self.addChoice(MODEL, tr("Model"), _MODELS, purpose, registry.PUSHBROOM.name)
         counts = QgsProcessingParameterString(COUNTS, tr("Numbers of control points"), "6, 8, 10, 15, 20, 30")
         self.addDescribed(counts, tr(
             "One row of the table for each, such as 6, 10, 20. Check points are not counted."
         ))
-        self.addDescribed(common.choice(SPREAD, tr("Spread"), limits.SPREADS), tr(
+        self.addChoice(SPREAD, tr("Spread"), limits.SPREADS, tr(
             "grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."
         ))
         for name, label, default, least, most, text in (
@@ -59,11 +59,9 @@ class PlanPoints(SensorAlgorithm):
              tr("Of a point's column and row: how well it is identified.")),
         ):  # fmt: skip
             self.addReal(name, label, default, text, least=least, most=most)
-        for name, label, default in (
-            (LOWEST, tr("Lowest terrain (metres)"), 0.0), (HIGHEST, tr("Highest terrain (metres)"), 300.0),
-        ):  # fmt: skip
-            text = tr("Height above the ellipsoid. Points lie anywhere between the lowest and the highest.")
-            self.addReal(name, label, default, text)
+        text = tr("Height above the ellipsoid. Points lie anywhere between the lowest and the highest.")
+        self.addReal(LOWEST, tr("Lowest terrain (metres)"), 0.0, text)
+        self.addReal(HIGHEST, tr("Highest terrain (metres)"), 300.0, text)
         self.addImage()
         self.addFile(IMAGE_RPC, tr("RPC of the image"), tr(
             "An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner."
@@ -95,14 +93,14 @@ class PlanPoints(SensorAlgorithm):
         request, scene = self._planned(run)
         plan = PointPlan(run.word(SPREAD), run.real(CORNER_SHARE), run.real(SIGMA), run.real(SIGMA_PX))
         draws = partial(expected_accuracies, progress=run.progress, cancelled=run.is_cancelled)
-        found = list(draws(request, scene, plan, counts, run.whole(SEED)))
-        for row in found:
+        rows = list(draws(request, scene, plan, counts, run.whole(SEED)))
+        for row in rows:
             if row.image_usual is not None and row.image_most is not None:
                 run.tell(messages.PLAN_TOLD(count=row.count, usual=row.image_usual, most=row.image_most))
             if row.reason is not None:
                 run.tell(messages.PLAN_DRAWS_FAILED(count=row.count, failed=row.failed, why=row.reason))
         sink, output = run.sink(OUTPUT, column_fields(PLANS))
-        run.write(sink, column_features(PLANS, [(request.name, row) for row in found]))
+        run.write(sink, column_features(PLANS, rows))
         return {OUTPUT: output}
 
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:

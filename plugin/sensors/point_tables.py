@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from osgeo import osr
@@ -26,7 +27,7 @@ from ..imagery.gdal_calls import gdal_silenced
 from ..imagery.gdal_paths import FEATURES, open_dataset
 from ..imagery.records import Column
 from ..toolkit.layers import features, layer_path, system_wkt
-from ..toolkit.table_fields import Attributes, attributes, column_fields, column_values, feature, number, text
+from ..toolkit.table_fields import Attributes, attributes, feature, number, table_fields, text
 from .measure import messages
 from .measure.adjustment import Adjustment, Comparison, JudgedModel
 from .measure.point_planning import ExpectedAccuracy
@@ -35,7 +36,7 @@ from .measure.rpc import PIXEL_CENTRE
 
 
 def heights_wkt(layer: QgsVectorLayer) -> str:
-    """What says what a layer's heights are, or empty: QGIS forgets it, so the code and the file are asked."""
+    """The system that says what a layer's heights are, or empty: QGIS forgets it, so code and file are asked."""
     system, code = osr.SpatialReference(), str(layer.crs().authid())
     with gdal_silenced(), suppress(RuntimeError):
         system.SetFromUserInput(code)
@@ -46,9 +47,9 @@ def heights_wkt(layer: QgsVectorLayer) -> str:
     name = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName")
     with gdal_silenced(), suppress(RuntimeError):
         part = None if file is None else file.GetLayerByName(name) if name else file.GetLayer(0)
-        found = None if part is None else part.GetSpatialRef()
-        if found is not None and _has_heights(found):
-            return str(found.ExportToWkt(["FORMAT=WKT2_2018"]))
+        stored = None if part is None else part.GetSpatialRef()
+        if stored is not None and _has_heights(stored):
+            return str(stored.ExportToWkt(["FORMAT=WKT2_2018"]))
     return ""
 
 
@@ -81,28 +82,32 @@ def layer_points(
                 continue  # folders and endings do not count, as with orthority
         name = text(row["id"]) or str(row.feature.id())
         role = text(row["role"]).lower()
-        numbers = _numbers(row, _orthority_place(row["ji"]) if of_orthority else None)
+        point = _numbers(row, _orthority_place(row["ji"]) if of_orthority else None)
         if role not in ("", CONTROL, CHECK):
             notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_ROLE_UNKNOWN(role=role)))
-        elif not all(map(math.isfinite, numbers[:4])):
+        elif not all(map(math.isfinite, point[:4])):
             notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_WITHOUT_PLACE()))
         else:
-            rows.append((name, numbers, role))
+            rows.append((name, point, role))
     if (len(images) > 1 and not image_name) or (images and not rows and not notices):
         raise SensorModelError(messages.POINTS_OF_OTHER_IMAGES(names=", ".join(sorted(images)[:_SHOWN])))
     if not rows:
         raise SensorModelError(messages.NO_POINTS_LEFT(why=notices[0]) if notices else messages.NO_POINTS())
-    ids, found, roles = zip(*rows)
-    values, check = np.array(found), np.array([role == CHECK for role in roles])
+    ids, numbers, roles = zip(*rows)
+    values, check = np.array(numbers), np.array([role == CHECK for role in roles])
     points = control_points(ids, values[:, 0:2], values[:, 2:5], system_wkt(source.sourceCrs()))
     return replace(points, sigma_px=values[:, 5], check=check, heights_wkt=heights), any(roles), notices
 
 
 def _orthority_place(value: object) -> tuple[float, float]:
     """Column and row of orthority's ji, which counts from the middle of the first pixel; NaN where it is none."""
-    found = value if isinstance(value, (list, tuple)) else re.findall(r"[-+.\deE]+", text(value))
-    numbers = [math.nan if (place := number(one)) is None else place + PIXEL_CENTRE for one in found]
-    return (numbers[0], numbers[1]) if len(numbers) == 2 else (math.nan, math.nan)
+    words = value if isinstance(value, (list, tuple)) else re.findall(r"[-+.\deE]+", text(value))
+    place = [_or_nan(number(word)) + PIXEL_CENTRE for word in words]
+    return (place[0], place[1]) if len(place) == 2 else (math.nan, math.nan)
+
+
+def _or_nan(value: float | None) -> float:
+    return math.nan if value is None else value
 
 
 def _numbers(row: Attributes, place: tuple[float, float] | None = None) -> list[float]:
@@ -112,59 +117,55 @@ def _numbers(row: Attributes, place: tuple[float, float] | None = None) -> list[
     if not geometry.isNull() and not geometry.isEmpty() and geometry.type() == QgsWkbTypes.GeometryType.PointGeometry:
         vertex = geometry.vertexAt(0)
         x, y, height = vertex.x(), vertex.y(), vertex.z() if vertex.is3D() else math.nan
-    found = (number(row[name]) for name in ("column", "row", "z", "sigma"))
-    column, line, z, sigma = (math.nan if value is None else value for value in found)
+    column, line, z, sigma = (_or_nan(number(row[name])) for name in ("column", "row", "z", "sigma"))
     column, line = place or (column, line)
     return [column, line, x, y, height if math.isnan(z) else z, sigma]
 
 
-_Judged = tuple[Comparison, JudgedModel]
-_RESIDUALS: tuple[Column[tuple[Adjustment, int]], ...] = (
-    Column("id", "text", lambda one: one[0].points.ids[one[1]]),
-    Column("role", "text", lambda one: CHECK if one[0].points.check[one[1]] else CONTROL),
-    Column("column", "real", lambda one: one[0].points.image[one[1], 0]),
-    Column("row", "real", lambda one: one[0].points.image[one[1], 1]),
-    Column("z", "real", lambda one: _finite(one[0].points.ground[one[1], 2])),
-    Column("residual_column", "real", lambda one: one[0].residuals_px[one[1], 0]),
-    Column("residual_row", "real", lambda one: one[0].residuals_px[one[1], 1]),
-    Column("residual_x", "real", lambda one: one[0].residuals_m[one[1], 0]),
-    Column("residual_y", "real", lambda one: one[0].residuals_m[one[1], 1]),
-    Column("blunder", "integer", lambda one: int(one[0].blunder[one[1]])),
-)
-"""OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
-MODELS: tuple[Column[_Judged], ...] = (
-    Column("model", "text", lambda one: one[1].request.kind.name),
-    Column("order", "integer", lambda one: _order(one[1])),
-    Column("variant", "text", lambda one: None if _order(one[1]) else one[1].request.variant.name or None),
-    Column("mean_x", "real", lambda one: one[1].errors and one[1].errors.rmse_x),
-    Column("mean_y", "real", lambda one: one[1].errors and one[1].errors.rmse_y),
-    Column("max_x", "real", lambda one: one[1].errors and one[1].errors.max_x),
-    Column("max_y", "real", lambda one: one[1].errors and one[1].errors.max_y),
-    Column("control_count", "integer", lambda one: one[1].control_count),
-    Column("check_count", "integer", lambda one: one[1].errors.count if one[1].errors else 0),
-    Column("method", "text", lambda one: one[0].method),
-    Column("control_mean_x", "real", lambda one: one[1].control and one[1].control.rmse_x),
-    Column("control_mean_y", "real", lambda one: one[1].control and one[1].control.rmse_y),
-    Column("condition", "real", lambda one: _finite(one[1].condition)),
-    Column("recommended", "integer", lambda one: int(one[1] is one[0].recommended)),
-    Column("reason", "text", lambda one: one[1].reason),
+class ModelRow(NamedTuple):
+    """A model in a comparison."""
+
+    comparison: Comparison
+    model: JudgedModel
+
+
+_RESIDUAL_FIELDS = (
+    ("id", "text"), ("role", "text"), ("column", "real"), ("row", "real"), ("z", "real"), ("residual_column", "real"),
+    ("residual_row", "real"), ("residual_x", "real"), ("residual_y", "real"), ("blunder", "integer"),
+)  # fmt: skip
+MODELS: tuple[Column[ModelRow], ...] = (
+    Column("model", "text", lambda row: row.model.request.kind.name),
+    Column("order", "integer", lambda row: _order(row.model)),
+    Column("variant", "text", lambda row: None if _order(row.model) else row.model.request.variant.name or None),
+    Column("mean_x", "real", lambda row: row.model.errors and row.model.errors.rmse_x),
+    Column("mean_y", "real", lambda row: row.model.errors and row.model.errors.rmse_y),
+    Column("max_x", "real", lambda row: row.model.errors and row.model.errors.max_x),
+    Column("max_y", "real", lambda row: row.model.errors and row.model.errors.max_y),
+    Column("control_count", "integer", lambda row: row.model.control_count),
+    Column("check_count", "integer", lambda row: row.model.errors.count if row.model.errors else 0),
+    Column("method", "text", lambda row: row.comparison.method),
+    Column("control_mean_x", "real", lambda row: row.model.control and row.model.control.rmse_x),
+    Column("control_mean_y", "real", lambda row: row.model.control and row.model.control.rmse_y),
+    Column("condition", "real", lambda row: _finite(row.model.condition)),
+    Column("recommended", "integer", lambda row: int(row.model is row.comparison.recommended)),
+    Column("reason", "text", lambda row: row.model.reason),
 )
 """OUTPUT of ``comparesensormodels``: one row per model."""
-PLANS: tuple[Column[tuple[str, ExpectedAccuracy]], ...] = (
-    Column("model", "text", lambda one: one[0]),
-    Column("control_count", "integer", lambda one: one[1].count),
-    Column("image_50", "real", lambda one: one[1].image_usual),
-    Column("image_90", "real", lambda one: one[1].image_most),
-    Column("check_50", "real", lambda one: one[1].check_usual),
-    Column("check_90", "real", lambda one: one[1].check_most),
-    Column("failed", "integer", lambda one: one[1].failed),
-    Column("reason", "text", lambda one: one[1].reason),
+PLANS: tuple[Column[ExpectedAccuracy], ...] = (
+    Column("model", "text", lambda plan: plan.model),
+    Column("control_count", "integer", lambda plan: plan.count),
+    Column("image_50", "real", lambda plan: plan.image_usual),
+    Column("image_90", "real", lambda plan: plan.image_most),
+    Column("check_50", "real", lambda plan: plan.check_usual),
+    Column("check_90", "real", lambda plan: plan.check_most),
+    Column("failed", "integer", lambda plan: plan.failed),
+    Column("reason", "text", lambda plan: plan.reason),
 )
 """OUTPUT of ``planpoints``: one row per number of points."""
 
 
-def _order(row: JudgedModel) -> int | None:
-    name = row.request.variant.name
+def _order(model: JudgedModel) -> int | None:
+    name = model.request.variant.name
     return int(name) if name.isdigit() else None
 
 
@@ -173,11 +174,15 @@ def _finite(value: float | None) -> float | None:
 
 
 def residual_fields() -> QgsFields:
-    return column_fields(_RESIDUALS)
+    """OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
+    return table_fields(*_RESIDUAL_FIELDS)
 
 
 def residual_features(done: Adjustment) -> Iterator[QgsFeature]:
-    fields = residual_fields()
-    for index, place in enumerate(done.points.ground[:, :2].tolist()):
-        point = QgsGeometry.fromPointXY(QgsPointXY(*place))
-        yield feature(fields, column_values(_RESIDUALS, (done, index)), point)
+    """A feature of each point, in the order of the points."""
+    points, fields = done.points, residual_fields()
+    numbers = np.column_stack([points.image, points.ground[:, 2], done.residuals_px, done.residuals_m])
+    places = points.ground[:, :2].tolist()
+    for name, check, row, blunder, place in zip(points.ids, points.check, numbers.tolist(), done.blunder, places):
+        values = (name, CHECK if check else CONTROL, *map(_finite, row), int(blunder))
+        yield feature(fields, list(values), QgsGeometry.fromPointXY(QgsPointXY(*place)))

@@ -1,4 +1,4 @@
-"""What the algorithms of sensor models share: their points, images, heights, and those parameters."""
+"""Points, images, heights and their parameters, which the algorithms of sensor models share."""
 from __future__ import annotations
 
 from pathlib import Path
@@ -56,6 +56,15 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         number = common.real(name, label, default, optional=default is None, decimals=None, **limits)
         self.addDescribed(number, purpose, advanced)
 
+    def addChoice(self, name: str, label: str, words: tuple[str, ...], purpose: str, default: str = "",
+                  advanced: bool = False) -> None:  # fmt: skip
+        """A choice among words, the first of them by default."""
+        self.addDescribed(common.choice(name, label, words, default), purpose, advanced)
+
+    def addSystem(self, name: str, label: str, purpose: str, advanced: bool = False) -> None:
+        """A reference system that may be left out."""
+        self.addDescribed(QgsProcessingParameterCrs(name, label, optional=True), purpose, advanced)
+
     def addTable(self, name: str, label: str, purpose: str, kind: QgsProcessing.SourceType = common.TABLE) -> None:
         """A layer that is made."""
         self.addDescribed(common.result(name, label, kind), purpose)
@@ -79,7 +88,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         """A terrain model, what heights refer to (names and labels), and the grid for some of them."""
         self.addDescribed(common.raster(DEM, tr("Terrain model"), optional=True), purpose)
         for name, label in heights:
-            self.addDescribed(common.choice(name, label, limits.HEIGHT_DATUMS), tr(
+            self.addChoice(name, label, limits.HEIGHT_DATUMS, tr(
                 "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a "
                 "warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ "
                 "has the grid, geoid by a grid file of your own. SRTM tiles are egm96."
@@ -89,13 +98,13 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         ), advanced=True)
 
     def addTerrainError(self) -> None:
-        """What the view is judged by."""
+        """The error of terrain heights that the view is judged by."""
         self.addReal(TERRAIN_ERROR, tr("Error of terrain heights (metres)"), 1.0, tr(
             "The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at."
         ), advanced=True, least=0)
 
     def addFittingParameters(self) -> None:
-        """What a fit to points takes beside them and the model."""
+        """The parameters of a fit beside its points and model."""
         self.addImage()
         self.addFile(IMAGE_RPC, tr("RPC of the image"), tr(
             "The vendor's RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom."
@@ -109,8 +118,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addDescribed(common.flag(ROBUST, tr("Look for blunders")), tr(
             "Flags points that contradict the others and fits the model without them."
         ))
-        system = QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True)
-        self.addDescribed(system, tr(
+        self.addSystem(GCPS_CRS, tr("Reference system of a .points file"), tr(
             "For files from before QGIS 3.26, which do not name the reference system of their map coordinates."
         ), advanced=True)
         self.addReal(ORBIT_HEIGHT, tr("Height of the orbit (km)"), None, tr(
@@ -119,7 +127,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         ), advanced=True, least=0, most=40000)
 
     def addViewNumbers(self) -> None:
-        """How obliquely the image was taken."""
+        """The numbers of how obliquely the image was taken."""
         self.addNumbers({
             VIEW_ANGLE: tr("Angle of the view from the vertical, in the middle of the image (degrees)"),
             VIEW_AZIMUTH: tr("Azimuth that the image was taken from (degrees)"),
@@ -152,7 +160,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     def _points(
         self, run: Run, image: OpenRaster | None, rpc: Rational | None, request: ModelRequest | None = None
     ) -> Points:
-        """With roles, and heights where the model (None: any) needs them, held against the image's own ``rpc``."""
+        """The points with roles, and heights where the model (None: any) needs them, held against the image's RPC."""
         from .measure.heights import with_heights
         from .measure.points import check_against_rpc, check_inside, check_plausible, choose_check_points
 
@@ -226,13 +234,13 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
 
 def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None]:
-    """What is told of a view; nothing for a plane model."""
-    found = (None,) * 3 if view is None else (view.angle, view.azimuth, view.shift_m(run.real(TERRAIN_ERROR)))
-    return dict(zip((VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT), found))
+    """The numbers of a view; None for a plane model."""
+    numbers = (None,) * 3 if view is None else (view.angle, view.azimuth, view.shift_m(run.real(TERRAIN_ERROR)))
+    return dict(zip((VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT), numbers))
 
 
 def height_datums(run: Run, *names: str) -> list[Datum]:
-    """What heights refer to by these parameters, with the grid of GEOID. Raises SettingsError without it, or unused."""
+    """The datums of heights by these parameters, with the grid of GEOID. Raises SettingsError without it, or unused."""
     from ..imagery.rasters import RasterRef
     from .measure.heights import GEOID as BY_GRID
     from .measure.heights import Geoid

@@ -1,4 +1,4 @@
-"""Where the marks of a calibration may be in a photo that nobody looked at: candidates and their arrangement.
+"""Candidates for the marks of a calibration in a photo that nobody looked at, and their arrangement.
 
 Marks are looked for coarse to fine: figures of a few sizes are correlated with the photo at an eighth of the search
 resolution, at a quarter, and so on. Of all candidates those are taken that lie as the calibration says, shifted,
@@ -18,7 +18,7 @@ import numpy as np
 from . import limits
 from .correlation import CorrelatedImage, Peak, peaks
 from .mark_templates import CutOut, MarkKind, MarkShape, Pattern, all_shapes, draw, patterns, wedge_to_middle
-from .measuring_marks import window_around
+from .measuring_marks import window_around, without_slope
 from .photo import MarkFrame, Photo, PhotoView, Place, Scene, SearchArea, block_means
 from .transformations import PlaneModel, fit_transformation
 
@@ -41,25 +41,23 @@ NEARLY_AS_FIT = 0.15  # correlation below the best figure's: among these the one
 class Arrangement:
     """Candidates that lie as the calibration says."""
 
-    frame: MarkFrame
-    """The frame as which they lie."""
-    shape: MarkShape | None
-    """What they look like, in pixels of the photo; None for a user's template."""
-    sign: int
-    """1 where the marks are as the template, -1 where they are its negative."""
-    places: Mapping[str, Place]
-    """The candidates by mark."""
-    values: Mapping[str, float]
-    """Their correlations, positive."""
-    matrix: np.ndarray
-    """(2, 3): mm, as in the frame, to columns and rows."""
-    uncertainty: float = 1.0
-    """How far a place may be off, px: a pixel of the level it was found at."""
+    frame: MarkFrame  # the frame as which they lie
+    shape: MarkShape | None  # what they look like, in pixels of the photo; None for a user's template
+    sign: int  # 1 where the marks are as the template, -1 where they are its negative
+    places: Mapping[str, Place]  # the candidates by mark
+    values: Mapping[str, float]  # their correlations, positive
+    matrix: np.ndarray  # (2, 3): mm, as in the frame, to columns and rows
+    uncertainty: float = 1.0  # how far a place may be off, px: a pixel of the level it was found at
 
     @property
     def score(self) -> float:
         """Grows with the number of marks and their correlation."""
         return float(sum(self.values.values()))
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether it can't be chance: four marks at least, each a good fit."""
+        return len(self.values) >= 4 and self.score / len(self.values) >= SURE_CORRELATION
 
     @property
     def angle(self) -> float:
@@ -73,19 +71,16 @@ class Arrangement:
 
     @property
     def reach(self) -> float:
-        """How far a mark may lie from where the others want it, px."""
+        """The distance that a mark may lie from where the others want it, px."""
         return placing_tolerance(self.frame, self.uncertainty)
 
     def predicted(self, places: np.ndarray) -> list[Place]:
-        """Where places of the frame, (n, 2) mm, lie in the photo."""
+        """Columns and rows in the photo of places of the frame, (n, 2) mm."""
         return [(float(x), float(y)) for x, y in np.column_stack([places, np.ones(len(places))]) @ self.matrix.T]
 
 
 def find_arrangements(
-    scene: Scene,
-    frames: Sequence[MarkFrame],
-    marks: Sequence[MarkShape | CutOut],
-    sign: int | None = None,
+    scene: Scene, frames: Sequence[MarkFrame], marks: Sequence[MarkShape | CutOut], sign: int | None = None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> list[list[Arrangement]]:
     """The arrangements of each kind of marks, the best kind and its best first: one at most for each frame.
@@ -105,42 +100,30 @@ def find_arrangements(
             for mark, ways in zip(marks, best):
                 if cancelled():
                     return []
-                found = _at_level(views, images, frame, mark, signs)
-                if found is not None and (way not in ways or found.score > ways[way].score):
-                    ways[way] = found
-        width = at_level[0][0].factor * frames[0].scales[1] ** -1
-        if width <= TELLING_PIXEL_MM and any(is_sure(found) for ways in best for found in ways.values()):
+                arrangement = _at_level(views, images, frame, mark, signs)
+                if arrangement is not None and (way not in ways or arrangement.score > ways[way].score):
+                    ways[way] = arrangement
+        width = at_level[0][0].factor / frames[0].scales[1]
+        if width <= TELLING_PIXEL_MM and any(arrangement.is_sure for ways in best for arrangement in ways.values()):
             break
-    kinds = [sorted(ways.values(), key=_score, reverse=True) for ways in best if ways]
-    return sorted(kinds, key=lambda kind: kind[0].score, reverse=True)
-
-
-def _score(found: Arrangement) -> float:
-    return found.score
-
-
-def is_sure(found: Arrangement) -> bool:
-    """Whether an arrangement can't be chance: four marks at least, each a good fit."""
-    return len(found.values) >= 4 and found.score / len(found.values) >= SURE_CORRELATION
+    kinds = [sorted(ways.values(), key=lambda arrangement: -arrangement.score) for ways in best if ways]
+    return sorted(kinds, key=lambda kind: -kind[0].score)
 
 
 def _at_level(
-    views: Sequence[PhotoView],
-    images: Sequence[CorrelatedImage],
-    frame: MarkFrame,
-    mark: MarkShape | CutOut,
+    views: Sequence[PhotoView], images: Sequence[CorrelatedImage], frame: MarkFrame, mark: MarkShape | CutOut,
     signs: Sequence[int],
 ) -> Arrangement | None:
     factor = views[0].factor
     runs = [patterns(mark, factor, (float(x), float(y))) for x, y in frame.places]
     best: Arrangement | None = None
     for row in zip(*runs):
-        found = [
+        places = [
             _candidates(image.correlate(pattern.pixels), pattern, view, area)
             for image, pattern, view, area in zip(images, row, views, frame.areas)
         ]
         for sign in signs:
-            lists = [[peak for peak in one if sign * peak.value > 0] for one in found]
+            lists = [[peak for peak in peaks_of_mark if sign * peak.value > 0] for peaks_of_mark in places]
             arranged = best_arrangement(frame, lists, placing_tolerance(frame, factor))
             if arranged is not None and (best is None or arranged.score > best.score):
                 shape = row[0].shape
@@ -150,7 +133,7 @@ def _at_level(
 
 
 def placing_tolerance(frame: MarkFrame, factor: float) -> float:
-    """How far a candidate may lie from where the others want it, px: the level's pixels and the film's deformation."""
+    """The distance, px, that a candidate may lie from where the others want it: the level's pixels and the film's."""
     span = float(np.ptp(frame.places, axis=0).max())
     return ARRANGEMENT_LEVEL_PX * factor + limits.FILM_DEFORMATION * span * frame.scales[1]
 
@@ -166,28 +149,31 @@ def _candidates(field: np.ndarray, pattern: Pattern, view: PhotoView, area: Sear
     down = (rows >= area.top - view.factor) & (rows <= area.bottom + view.factor)
     field = np.where(down[:, np.newaxis] & across, field, 0.0)
     distance = max(2, min(pattern.pixels.shape) // 3)
-    found = peaks(field, distance, MIN_CANDIDATE_CORRELATION, CANDIDATES)
     return [
         Peak(view.left + (peak.column + x) * view.factor, view.top + (peak.row + y) * view.factor, peak.value)
-        for peak in found
+        for peak in peaks(field, distance, MIN_CANDIDATE_CORRELATION, CANDIDATES)
     ]
 
 
 def best_arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], reach: float) -> Arrangement | None:
-    """The candidates that fit best together, the more marks the better; None for fewer than three (or all, of two).
+    """The candidates that fit best together, the more marks the better; None for fewer than three (or all, of two). A
+    single mark's best candidate is taken as it is. Every pair of candidates of two marks gives a shift, a rotation and
+    a scale, which say where the others are.
 
-    A single mark's best candidate is taken as it is. Every pair of candidates of two marks gives a shift, a rotation
-    and a scale, which say where the others are.
+    Parameters
+    ----------
+    candidates : the peaks that may be each mark of the frame, columns and rows in the photo
+    reach : how far a candidate may lie from where the pair puts it, px
     """
     count = len(frame.marks)
     if count == 1:
         return _single(frame, candidates[0])
     mm = frame.places[:, 0] + 1j * frame.places[:, 1]
-    px = [np.array([complex(peak.column, peak.row) for peak in one]) for one in candidates]
-    values = [np.array([abs(peak.value) for peak in one]) for one in candidates]
+    px = [np.array([complex(peak.column, peak.row) for peak in of_mark]) for of_mark in candidates]
+    values = [np.array([abs(peak.value) for peak in of_mark]) for of_mark in candidates]
     pairs = sorted(combinations(range(count), 2), key=lambda pair: -abs(mm[pair[0]] - mm[pair[1]]))
     best: tuple[float, dict[int, int]] | None = None
-    for i, j in pairs[: ARRANGEMENT_PAIRS]:
+    for i, j in pairs[:ARRANGEMENT_PAIRS]:
         if not len(px[i]) or not len(px[j]):
             continue
         turn = (px[j][np.newaxis] - px[i][:, np.newaxis]) / (mm[j] - mm[i])
@@ -228,29 +214,26 @@ def _arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], fitting
     return Arrangement(frame, None, 1, places, {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix)
 
 
-def _refined(photo: Photo, found: Arrangement, begin: MarkShape, finest: float) -> tuple[MarkShape, float]:
+def _refined(photo: Photo, arrangement: Arrangement, begin: MarkShape, finest: float) -> tuple[MarkShape, float]:
     """The drawn mark that correlates best with a photo's marks, in pixels of the photo, and its median correlation.
-
-    ``begin`` has a size good to 15 %. A mark wider than ``finest`` px is reduced to about that, which is faster.
-    """
-    half = math.ceil(1.7 * begin.size + 2 * found.uncertainty + 4)
-    sites = found.frame.sites
+    ``begin`` has a size good to 15 %. A mark wider than ``finest`` px is reduced to about that, which is faster."""
+    half = math.ceil(1.7 * begin.size + 2 * arrangement.uncertainty + 4)
+    sites = arrangement.frame.sites
     step = max(1, round(begin.size / finest))
     images = {}
-    for mark, place in found.places.items():
-        pixels = _without_plane(window_around(photo, place, half).pixels)
-        images[mark] = CorrelatedImage(found.sign * block_means(pixels, step))
+    for mark, place in arrangement.places.items():
+        pixels = without_slope(window_around(photo, place, half).pixels)
+        images[mark] = CorrelatedImage(arrangement.sign * block_means(pixels, step))
 
     def fitness(shape: MarkShape) -> float:
         best = []
         for mark, image in images.items():
-            values = image.correlate(draw(turned_with_frame(shape, sites[mark], found.angle)))
+            values = image.correlate(draw(turned_with_frame(shape, sites[mark], arrangement.angle)))
             best.append(float(values.max()) if values.size else -1.0)
         return float(np.median(best))
 
     shapes = enumerate(_first_shapes(begin.scaled(1 / step)))
-    tried = sorted(((fitness(one), number, one) for number, one in shapes), reverse=True)
-    best, _, shape = tried[0]
+    best, _, shape = max((fitness(shape), number, shape) for number, shape in shapes)
     for _ in range(REFINING_ROUNDS):
         before = best
         for other in _similar_shapes(shape):
@@ -260,14 +243,6 @@ def _refined(photo: Photo, found: Arrangement, begin: MarkShape, finest: float) 
         if best - before < 1e-3:
             break
     return shape.scaled(step), best
-
-
-def _without_plane(pixels: np.ndarray) -> np.ndarray:
-    """A window less the plane that fits it best."""
-    y, x = np.indices(pixels.shape, dtype=np.float64)
-    terms = np.column_stack([x.ravel(), y.ravel(), np.ones(x.size)])
-    plane = np.linalg.lstsq(terms, pixels.ravel().astype(np.float64), rcond=None)[0]
-    return np.asarray(pixels - (terms @ plane).reshape(x.shape))
 
 
 def turned_with_frame(shape: MarkShape, place: Place, angle: float) -> MarkShape:
@@ -307,10 +282,9 @@ class Candidate:
 
     arrangement: Arrangement
     template: MarkShape | CutOut
-    fitness: float = 1.0
-    """How like the figure its marks are: the median correlation, less where marks are missing."""
+    fitness: float = 1.0  # how like the figure its marks are: the median correlation, less where marks are missing
     others: tuple[Arrangement, ...] = ()
-    """What looks alike and lies as the calibration says when it is turned another way."""
+    """Arrangements of the same figure that lie as the calibration says when it is turned another way."""
 
     @property
     def side(self) -> int:
@@ -319,53 +293,46 @@ class Candidate:
 
     @property
     def weight(self) -> float:
-        """How much the fit tells: the share of the pixels' variance that is left, by how many pixels there are."""
+        """Evidence of the fit: the share of the pixels' variance that it leaves, by the number of pixels."""
         return -math.log(max(1 - self.fitness**2, 1e-6)) * self.side**2
+
+    def is_where(self, other: Candidate) -> bool:
+        """Whether the marks of another candidate lie at the same places."""
+        places, others = self.arrangement.places, other.arrangement.places
+        distances = [math.dist(places[name], others[name]) for name in places if name in others]
+        return bool(distances) and float(np.median(distances)) <= max(self.side, other.side) / 2
 
 
 def candidates(
-    photo: Photo,
-    scene: Scene,
-    frames: Sequence[MarkFrame],
-    template: CutOut | None,
-    shapes: Sequence[MarkShape],
-    sign: int | None,
-    cancelled: Callable[[], bool],
-) -> Iterator[Candidate]:
+    photo: Photo, scene: Scene, frames: Sequence[MarkFrame], template: CutOut | None, shapes: Sequence[MarkShape],
+    sign: int | None, cancelled: Callable[[], bool],
+) -> Iterator[Candidate]:  # fmt: skip
     """Arrangements, the likeliest first: its marks, looked at closely, are most like the figure they have."""
     marks = [template] if template is not None else shapes or all_shapes()
-    found = find_arrangements(scene, frames, marks, sign, cancelled)
+    kinds = find_arrangements(scene, frames, marks, sign, cancelled)
     if template is not None:
-        yield from (Candidate(best, template, others=tuple(others)) for best, *others in found[:1])
+        yield from (Candidate(best, template, others=tuple(others)) for best, *others in kinds[:1])
         return
-    worth = WORTH_A_LOOK * found[0][0].score if found else 0.0
+    worth = WORTH_A_LOOK * kinds[0][0].score if kinds else 0.0
     looked_at = []
-    for arrangement, *others in found[: REFINED_ARRANGEMENTS]:
+    for arrangement, *others in kinds[:REFINED_ARRANGEMENTS]:
         if arrangement.score >= worth and arrangement.shape is not None:
             shape, fitness = _refined(photo, arrangement, arrangement.shape, GLANCING_SIZE_PX)
             fitness *= len(arrangement.values) / len(arrangement.frame.marks)
             looked_at.append(Candidate(arrangement, shape, fitness, tuple(others)))
-    for one in _by_fitness(looked_at):
-        assert isinstance(one.template, MarkShape)
-        shape, _ = _refined(photo, one.arrangement, one.template, REFINING_SIZE_PX)
-        yield replace(one, template=shape)
+    for candidate in _by_fitness(looked_at):
+        assert isinstance(candidate.template, MarkShape)
+        shape, _ = _refined(photo, candidate.arrangement, candidate.template, REFINING_SIZE_PX)
+        yield replace(candidate, template=shape)
 
 
 def _by_fitness(looked_at: Sequence[Candidate]) -> Iterator[Candidate]:
-    """The best fitting first; of figures at the same places a larger one that fits nearly as well goes before it.
-
-    The small figure may be a part of the large one, a dot of a ring with a dot, which explains more of the pixels.
-    """
-    left = sorted(looked_at, key=lambda one: -one.fitness)
-    while left:
-        best = left[0]
+    """The best fitting first; of figures at the same places a larger one that fits nearly as well goes before it. The
+    small figure may be a part of the large one, a dot of a ring with a dot, which explains more of the pixels."""
+    waiting = sorted(looked_at, key=lambda candidate: -candidate.fitness)
+    while waiting:
+        best = waiting[0]
         least = best.fitness - NEARLY_AS_FIT
-        same = [one for one in left if _at_one_place(one, best)]
-        left = [one for one in left if one not in same]
-        yield from sorted(same, key=lambda one: (one.fitness >= least, one.weight), reverse=True)
-
-
-def _at_one_place(one: Candidate, other: Candidate) -> bool:
-    a, b = one.arrangement.places, other.arrangement.places
-    distances = [math.dist(a[name], b[name]) for name in a if name in b]
-    return bool(distances) and float(np.median(distances)) <= max(one.side, other.side) / 2
+        same = [candidate for candidate in waiting if candidate.is_where(best)]
+        waiting = [candidate for candidate in waiting if candidate not in same]
+        yield from sorted(same, key=lambda candidate: (candidate.fitness >= least, candidate.weight), reverse=True)

@@ -31,16 +31,12 @@ PRINCIPAL_POINT, FOCAL_LENGTH, DATA_STRIP = "principal_point", "focal_length", "
 
 @dataclass(frozen=True)
 class CameraCalibration:
-    """What the camera's certificate says. Millimetres, x to the right, y upwards."""
+    """The content of a camera's certificate. Millimetres, x to the right, y upwards."""
 
-    marks: Mapping[str, Point]
-    """The marks by name, in the file's order."""
-    principal_point: Point = (0.0, 0.0)
-    """Where the optical axis meets the film."""
-    focal_length: float | None = None
-    """mm."""
-    data_strip: Point | None = None
-    """Somewhere in the strip of instruments or writing beside the picture."""
+    marks: Mapping[str, Point]  # the marks by name, in the file's order
+    principal_point: Point = (0.0, 0.0)  # where the optical axis meets the film
+    focal_length: float | None = None  # mm
+    data_strip: Point | None = None  # somewhere in the strip of instruments or writing beside the picture
 
     @property
     def points(self) -> np.ndarray:
@@ -76,9 +72,9 @@ def check_calibration(calibration: CameraCalibration, model: PlaneModel) -> None
     span = calibration.span
     if not MIN_FRAME_MM <= span <= MAX_FRAME_MM:
         raise PhotoError(messages.CALIBRATION_UNIT(span=span, least=MIN_FRAME_MM, most=MAX_FRAME_MM))
-    for (one, a), (other, b) in combinations(calibration.marks.items(), 2):
-        if math.dist(a, b) < MIN_MARK_DISTANCE * span:
-            raise PhotoError(messages.MARKS_AT_ONE_PLACE(one=one, other=other))
+    for (mark, place), (other, other_place) in combinations(calibration.marks.items(), 2):
+        if math.dist(place, other_place) < MIN_MARK_DISTANCE * span:
+            raise PhotoError(messages.MARKS_AT_ONE_PLACE(mark=mark, other=other))
     fit_transformation(model, calibration.points, calibration.points)  # refuses marks on a line
 
 

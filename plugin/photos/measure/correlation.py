@@ -16,12 +16,11 @@ SURFACE_REACH_PX = 1  # 3 x 3 correlations for six coefficients; wider ones foll
 
 @dataclass(frozen=True)
 class Peak:
-    """A place where a template fits."""
+    """The place of a template that fits."""
 
     column: float
     row: float
-    value: float
-    """Correlation, negative where the template fits inverted."""
+    value: float  # correlation, negative where the template fits inverted
 
 
 class CorrelatedImage:
@@ -38,11 +37,8 @@ class CorrelatedImage:
         self._floor = MIN_LOCAL_CONTRAST * (float(np.ptp(self._image)) if self._image.size else 0.0)
 
     def correlate(self, template: np.ndarray) -> np.ndarray:
-        """Correlation at each place where the template lies wholly inside.
-
-        (rows - m + 1, columns - n + 1) for a template (m, n); element (r, c) is for its first pixel on (r, c).
-        Where the image has no contrast it is 0.
-        """
+        """Correlation at each place where the template lies wholly inside: (rows - m + 1, columns - n + 1) for a
+        template (m, n); element (r, c) is for its first pixel on (r, c). Where the image has no contrast it is 0."""
         pattern = np.asarray(template, dtype=np.float64)
         pattern = pattern - pattern.mean()
         rows, columns = self._image.shape[0] - pattern.shape[0] + 1, self._image.shape[1] - pattern.shape[1] + 1
@@ -84,25 +80,22 @@ def peak_pixel(field: np.ndarray) -> tuple[int, int]:
 
 
 def peaks(field: np.ndarray, distance: int, least: float, most: int) -> list[Peak]:
-    """The highest values of either sign, at most ``most`` of each, the best first.
-
-    They are at least ``distance`` px apart and ``least`` high.
-    """
+    """The highest values of either sign, at most ``most`` of each, the best first. They are at least ``distance`` px
+    apart and ``least`` high."""
     rows, columns = np.nonzero(np.abs(field) >= least)
     values = field[rows, columns]
     order = np.argsort(-np.abs(values))
     rows, columns, values = rows[order], columns[order], values[order]
-    found: list[Peak] = []
+    highest: list[Peak] = []
     for sign in (1, -1):
-        own = sign * values > 0
-        y, x, height = rows[own], columns[own], values[own]
-        for _ in range(most):
-            if not len(height):
-                break
-            found.append(Peak(float(x[0]), float(y[0]), float(height[0])))
-            apart = np.maximum(np.abs(y - y[0]), np.abs(x - x[0])) > distance
-            y, x, height = y[apart], x[apart], height[apart]
-    return sorted(found, key=lambda peak: -abs(peak.value))
+        same = sign * values > 0
+        y, x, height = rows[same], columns[same], values[same]
+        for _ in range(min(most, len(height))):
+            if len(height):
+                highest.append(Peak(float(x[0]), float(y[0]), float(height[0])))
+                apart = np.maximum(np.abs(y - y[0]), np.abs(x - x[0])) > distance
+                y, x, height = y[apart], x[apart], height[apart]
+    return sorted(highest, key=lambda peak: -abs(peak.value))
 
 
 class SurfaceError(SeamInspectorError):
@@ -110,10 +103,8 @@ class SurfaceError(SeamInspectorError):
 
 
 def fit_surface(values: np.ndarray) -> np.ndarray:
-    """a0..a5 of a0 + a1 x + a2 y + a3 x2 + a4 xy + a5 y2 by least squares.
-
-    ``values`` is (2 n + 1, 2 n + 1); x runs to the right and y downwards from its middle, px.
-    """
+    """a0..a5 of a0 + a1 x + a2 y + a3 x2 + a4 xy + a5 y2 by least squares. ``values`` is (2 n + 1, 2 n + 1); x runs to
+    the right and y downwards from its middle, px."""
     n = values.shape[0] // 2
     y, x = np.mgrid[-n : n + 1, -n : n + 1].astype(np.float64)
     x, y = x.ravel(), y.ravel()
@@ -122,11 +113,9 @@ def fit_surface(values: np.ndarray) -> np.ndarray:
 
 
 def surface_extremum(coefficients: np.ndarray, reach: float, contrast: float = 1.0) -> tuple[float, float, bool]:
-    """x and y where both derivatives vanish, and whether it is a maximum.
-
-    Raises SurfaceError for a saddle, for a surface flatter than ``MIN_CURVATURE`` of the contrast, and for an
-    extremum further than ``reach`` from the middle along an axis.
-    """
+    """x and y where both derivatives vanish, and whether it is a maximum. Raises SurfaceError for a saddle, for a
+    surface flatter than ``MIN_CURVATURE`` of the contrast, and for an extremum further than ``reach`` from the middle
+    along an axis."""
     _, a1, a2, a3, a4, a5 = coefficients
     determinant = 4 * a3 * a5 - a4 * a4
     small, _ = sorted(np.abs(np.linalg.eigvalsh([[2 * a3, a4], [a4, 2 * a5]])))
@@ -141,10 +130,8 @@ def surface_extremum(coefficients: np.ndarray, reach: float, contrast: float = 1
 
 
 def subpixel_maximum(values: np.ndarray, row: int, column: int, reach: int = SURFACE_REACH_PX) -> tuple[float, float]:
-    """Column and row of the maximum near a pixel of a field, sub-pixel; the field's pixel (r, c) lies at (c, r).
-
-    Raises SurfaceError where there is none.
-    """
+    """Column and row of the maximum near a pixel of a field, sub-pixel; the field's pixel (r, c) lies at (c, r). Raises
+    SurfaceError where there is none."""
     rows, columns = values.shape
     reach = min(reach, row, column, rows - 1 - row, columns - 1 - column)
     if reach < 1:

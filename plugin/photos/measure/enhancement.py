@@ -18,7 +18,7 @@ MAX_FILTER_PX = 101  # a wider one wants another tool
 
 
 class Operation(Enum):
-    """What is done to a photo."""
+    """An operation on a photo."""
 
     NEGATIVE = "negative"
     GREY = "grey"
@@ -29,14 +29,21 @@ class Operation(Enum):
 
 
 EDGES = (Operation.LAPLACE, Operation.SOBEL)  # they have signs or grow
+_APPLIED: dict[Operation, Callable[[np.ndarray, float, float], np.ndarray]] = {
+    Operation.NEGATIVE: lambda pixels, size, largest: largest - pixels,
+    Operation.GREY: lambda pixels, size, largest: pixels * (255 / largest),
+    Operation.MEAN: lambda pixels, size, largest: ndimage.uniform_filter(pixels, (0, int(size), int(size))),
+    Operation.GAUSSIAN: lambda pixels, size, largest: ndimage.gaussian_filter(pixels, (0, size, size)),
+    Operation.LAPLACE: lambda pixels, size, largest: np.stack([ndimage.laplace(band) for band in pixels]),
+    Operation.SOBEL: lambda pixels, size, largest: np.stack([
+        np.hypot(ndimage.sobel(band, 0), ndimage.sobel(band, 1)) for band in pixels
+    ]),
+}
+"""The operations on a strip, (bands, rows, columns) float64, by the size and the largest value of the photo."""
 
 
 def enhance(
-    ref: RasterRef,
-    path: str,
-    operation: Operation,
-    size: float,
-    cancelled: Callable[[], bool] = lambda: False,
+    ref: RasterRef, path: str, operation: Operation, size: float, cancelled: Callable[[], bool] = lambda: False,
     progress: Callable[[float], None] = lambda share: None,
 ) -> None:
     """Write the photo's enhanced copy as a GeoTIFF.
@@ -56,16 +63,18 @@ def enhance(
     largest = photo.largest
     count = 1 if grey else len(photo.raster.band_names)
     with raster_writer(path, photo.raster, WrittenBands(count, kind)) as writer:
-        for strip in photo.strips(margin, grey):
+        for row, pixels, invalid in photo.strips(margin, grey):
             if cancelled():
                 raise CancelledError(imagery_messages.CANCELLED())
-            made = _applied(operation, strip.pixels, size, largest)
-            writer.write(strip.row, _as_type(made[:, margin : margin + strip.rows], kind), strip.invalid)
-            progress((strip.row + strip.rows) / photo.rows)
+            made = _APPLIED[operation](pixels, size, largest)[:, margin : pixels.shape[1] - margin]
+            if kind.kind != "f":
+                made = np.clip(np.rint(made), np.iinfo(kind).min, np.iinfo(kind).max)
+            writer.write(row, made.astype(kind), invalid)
+            progress((row + made.shape[1]) / photo.rows)
 
 
 def _margin(operation: Operation, size: float) -> int:
-    """How far a pixel's surroundings reach, px."""
+    """Width of a pixel's surroundings that count, px."""
     if operation is Operation.MEAN:
         if size < 3 or size % 2 != 1 or size > MAX_FILTER_PX:
             raise SettingsError(messages.FILTER_SIDE(size=size, most=MAX_FILTER_PX))
@@ -75,26 +84,3 @@ def _margin(operation: Operation, size: float) -> int:
             raise SettingsError(messages.FILTER_DEVIATION(size=size, most=MAX_FILTER_PX))
         return int(4 * size + 0.5)
     return 1 if operation in EDGES else 0
-
-
-def _applied(operation: Operation, pixels: np.ndarray, size: float, largest: float) -> np.ndarray:
-    """One strip (bands, rows, columns), float64."""
-    if operation is Operation.NEGATIVE:
-        return largest - pixels
-    if operation is Operation.GREY:
-        return pixels * (255 / largest)
-    if operation is Operation.MEAN:
-        return np.asarray(ndimage.uniform_filter(pixels, (0, int(size), int(size)), mode="reflect"))
-    if operation is Operation.GAUSSIAN:
-        return np.asarray(ndimage.gaussian_filter(pixels, (0, size, size), mode="reflect"))
-    if operation is Operation.LAPLACE:
-        return np.stack([ndimage.laplace(band, mode="reflect") for band in pixels])
-    gradients = [[ndimage.sobel(band, axis=axis, mode="reflect") for band in pixels] for axis in (0, 1)]
-    return np.hypot(*np.array(gradients))
-
-
-def _as_type(values: np.ndarray, kind: np.dtype) -> np.ndarray:
-    if kind.kind == "f":
-        return values.astype(kind)
-    limits = np.iinfo(kind)
-    return np.clip(np.rint(values), limits.min, limits.max).astype(kind)

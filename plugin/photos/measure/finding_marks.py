@@ -1,4 +1,4 @@
-"""Where a photo's marks are: looked for all together, named, and each measured at full resolution."""
+"""The search for a photo's marks: looked for all together, named, and each measured at full resolution."""
 from __future__ import annotations
 
 import math
@@ -17,7 +17,7 @@ from .camera_calibration import CameraCalibration
 from .correlation import correlate, peak_pixel, peaks
 from .mark_templates import CutOut, MarkKind, MarkShape
 from .measuring_marks import MeasuredMark, MeasuringTemplate, measure_mark, window_around
-from .orientation import FoundMarks, GivenPosition, OrientationSettings
+from .orientation import GivenPosition, MarkSearch, OrientationSettings
 from .photo import MarkFrame, Photo, PhotoView, Place, Scene, SearchArea, block_means, whole_photo_views, window_views
 from .scan_orientation import Labelling, OrientationEvidence
 from .transformations import PlaneModel, fit_transformation
@@ -49,24 +49,20 @@ class MarkFinder:
     settings: OrientationSettings
     cancelled: Callable[[], bool]
 
-    def found(self) -> FoundMarks:
-        """Look for the marks around the positions where these tell enough, else in the whole photo.
-
-        Raises PhotoError for positions that contradict the calibration or the photo, and for a photo without contrast.
-        """
+    def search(self) -> MarkSearch:
+        """Look for the marks around the positions where these tell enough, else in the whole photo. Raises PhotoError
+        for positions that contradict the calibration or the photo, and for a photo without contrast."""
         predicted = self._predicted_frame()
         return self._in_whole_photo() if predicted is None else self._around_positions(*predicted)
 
     @cached_property
     def _near(self) -> dict[str, Place]:
-        """Where marks are by the positions."""
-        return {name: one.place for name, one in self.positions.items()}
+        """Places of marks by the positions, px."""
+        return {name: position.place for name, position in self.positions.items()}
 
     def _is_given(self, name: str) -> bool:
         """Whether a mark has a place that is not measured."""
         return name in self.positions and not self.positions[name].measure
-
-    # --- where to look ------------------------------------------------------------------------------------------
 
     def _predicted_frame(self) -> tuple[MarkFrame, float] | None:
         """All marks by the positions, and pixels per mm: three at least that are not on a line, or all; else None."""
@@ -90,15 +86,15 @@ class MarkFinder:
             (SCALE_RANGE[0] * scale, SCALE_RANGE[1] * scale), math.radians(2 * limits.MAX_ROTATION_DEG),
         ), scale
 
-    def _around_positions(self, frame: MarkFrame, scale: float) -> FoundMarks:
+    def _around_positions(self, frame: MarkFrame, scale: float) -> MarkSearch:
         """Search the surroundings of the positions, all of them together."""
         frame = frame.only([k for k, name in enumerate(frame.marks) if not self._is_given(name)])
         self._check_template(scale)
-        found = self._candidates(window_views(self._search_views(frame)), [frame])
-        found_marks = _best((self._measured(one, scale) for one in found), len(frame.marks))
-        return self._one_by_one(frame, scale) if found_marks is None else found_marks
+        tries = self._candidates(window_views(self._search_views(frame)), [frame])
+        search = _best((self._measured(candidate, scale) for candidate in tries), len(frame.marks))
+        return self._one_by_one(frame, scale) if search is None else search
 
-    def _in_whole_photo(self) -> FoundMarks:
+    def _in_whole_photo(self) -> MarkSearch:
         """Search the whole photo; what the positions say chooses between ways to lie."""
         photo = self.photo
         made = scan_orientation.possible_frames(self.calibration, photo.columns, photo.rows)
@@ -107,12 +103,12 @@ class MarkFinder:
         image = photo.reduced(self._factor)
         if np.ptp(image) == 0:
             raise PhotoError(messages.PHOTO_EMPTY(name=photo.ref.name))
-        found = self._candidates(whole_photo_views(image, self._factor), made)
-        found_marks = _best(map(self._named, found), len(made[0].marks))
-        if found_marks is not None and found_marks.results:
-            return found_marks
+        tries = self._candidates(whole_photo_views(image, self._factor), made)
+        search = _best(map(self._named, tries), len(made[0].marks))
+        if search is not None and search.results:
+            return search
         alone = self._one_by_one(self._single_frame(made[0], scale), scale)
-        return alone if found_marks is None else replace(alone, notices=found_marks.notices)
+        return alone if search is None else replace(alone, notices=search.notices)
 
     def _single_frame(self, frame: MarkFrame, scale: float) -> MarkFrame:
         """The marks that have a position, around it; the scale is that of marks that fill the photo."""
@@ -145,14 +141,10 @@ class MarkFinder:
         if side > search:
             raise PhotoError(messages.TEMPLATE_TOO_LARGE(side=side, search=search))
 
-    # --- what is there ------------------------------------------------------------------------------------------
-
     @cached_property
-    def _own_place(self) -> Place | None:
-        """Place of the mark the user's template was cut out of: None without one, or where it is from another photo.
-
-        It fits there as nothing else does, so it is used there first.
-        """
+    def _template_place(self) -> Place | None:
+        """Place of the mark the user's template was cut out of: None without one, or where it is from another photo. It
+        fits there as nothing else does, so it is used there first."""
         template = self.settings.template
         if template is None:
             return None
@@ -178,92 +170,88 @@ class MarkFinder:
         return max(1, math.ceil(max(self.photo.columns, self.photo.rows) / SEARCH_SIDE_PX))
 
     def _candidates(self, scene: Scene, frames: Sequence[MarkFrame]) -> Iterator[Candidate]:
-        """Candidates by the user's template or drawn marks; by these too where that has found its own mark only."""
+        """Candidates by the user's template, else by drawn marks; by these too where the template is of this photo."""
         shapes, sign = self.settings.shapes, self.settings.sign
         yield from candidates(self.photo, scene, frames, self.settings.template, shapes, sign, self.cancelled)
-        if self._own_place is not None:
-            for one in candidates(self.photo, scene, frames, None, shapes, sign, self.cancelled):
-                if len(one.arrangement.frame.marks) == 1 or self._has_own_mark(one):
-                    yield one
+        if self._template_place is None:
+            return
+        for candidate in candidates(self.photo, scene, frames, None, shapes, sign, self.cancelled):
+            drawn = candidate.arrangement
+            places = drawn.predicted(drawn.frame.places)
+            if len(places) == 1 or any(within(self._template_place, place, drawn.reach + 2) for place in places):
+                yield candidate
 
-    def _has_own_mark(self, candidate: Candidate) -> bool:
-        found = candidate.arrangement
-        return any(within(self._own_place, place, found.reach + 2) for place in found.predicted(found.frame.places))
-
-    def _named(self, candidate: Candidate) -> FoundMarks:
+    def _named(self, candidate: Candidate) -> MarkSearch:
         """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
         measured = [(candidate.arrangement, self._measured(candidate, candidate.arrangement.scale))]
-        for other in candidate.others if measured[0][1].found >= limits.MIN_SUPPORT else ():
+        for other in candidate.others if measured[0][1].count >= limits.MIN_SUPPORT else ():
             marks = self._measured(replace(candidate, arrangement=other), other.scale)
-            if marks.found >= limits.MIN_SUPPORT:
+            if marks.count >= limits.MIN_SUPPORT:
                 measured.append((other, marks))
         return self._with_names(candidate, measured)
 
-    def _with_names(self, candidate: Candidate, measured: Sequence[tuple[Arrangement, FoundMarks]]) -> FoundMarks:
-        """The marks by their own names, and how the photo lies; no results where none lie at the positions.
-
-        A given place may be wrong: it counts where it agrees with all others, and is judged with the measured ones
-        later. ``measured`` are the likeliest arrangement and, for a calibration that looks different when it is turned,
-        the others that the photo holds marks for too, each with what was measured by the names of its frame.
-        """
-        found = measured[0][0]
+    def _with_names(self, candidate: Candidate, measured: Sequence[tuple[Arrangement, MarkSearch]]) -> MarkSearch:
+        """The marks by their own names, and how the photo lies; no results where none lie at the positions. A given
+        place may be wrong: it counts where it agrees with all others, and is judged with the measured ones later.
+        ``measured`` are the likeliest arrangement and, for a calibration that looks different when it is turned, the
+        others that the photo holds marks for too, each with what was measured by the names of its frame."""
+        best = measured[0][0]
         results, sites_of_frames = _measured_once([marks.results for _, marks in measured])
-        places = {site: one.place for site, one in results.items() if one.place is not None}
+        places = {site: mark.place for site, mark in results.items() if mark.place is not None}
         named, evidence = [
-            replace(one, sites={mark: sites[site] for mark, site in one.sites.items() if site in sites})
+            replace(labelling, sites=dict(labelling.marks_at(sites)))
             for (arrangement, _), sites in zip(measured, sites_of_frames)
-            for one in scan_orientation.labellings(self.calibration, arrangement)
+            for labelling in scan_orientation.labellings(self.calibration, arrangement)
         ], OrientationEvidence.MARKS
-        approximate = {name: one for name, one in self.positions.items() if one.measure}
-        for some in (self.positions, approximate):
-            near = {name: one.place for name, one in some.items()}
-            at_positions = scan_orientation.matching_positions(named, near, found.scale * self.settings.search_mm)
+        approximate = {name: place for name, place in self._near.items() if not self._is_given(name)}
+        for near in (self._near, approximate):
+            at_positions = scan_orientation.matching_positions(named, near, best.scale * self.settings.search_mm)
             if at_positions:
                 named, evidence = at_positions, OrientationEvidence.POSITIONS if near else evidence
                 break
         else:
-            return FoundMarks(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
+            return MarkSearch(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
+        size = self.photo.columns, self.photo.rows
         tests: dict[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]] = {
-            OrientationEvidence.DOTS: lambda some: scan_orientation.matching_dots(
-                some, _dot_counts(self.photo, candidate.template, found, places)
+            OrientationEvidence.DOTS: lambda open_ones: scan_orientation.matching_dots(
+                open_ones, _dot_counts(self.photo, candidate.template, best, places)
             ),
-            OrientationEvidence.MARKS: lambda some: scan_orientation.matching_count(some, places),
-            OrientationEvidence.DATA_STRIP: lambda some: scan_orientation.matching_data_strip(
-                some, self.calibration, found, self.photo.columns, self.photo.rows
+            OrientationEvidence.MARKS: lambda open_ones: scan_orientation.matching_count(open_ones, places),
+            OrientationEvidence.DATA_STRIP: lambda open_ones: scan_orientation.matching_data_strip(
+                open_ones, self.calibration, best.places.values(), size
             ),
-            OrientationEvidence.RESIDUALS: lambda some: scan_orientation.matching_residuals(
-                some, self.calibration, places, self.settings.model
+            OrientationEvidence.RESIDUALS: lambda open_ones: scan_orientation.matching_residuals(
+                open_ones, self.calibration, places, self.settings.model
             ),
         }
         for kind, matching in tests.items():
-            left = matching(named) if len(named) > 1 else []
-            if left and len(left) < len(named):
-                named, evidence = left, kind
+            chosen = matching(named) if len(named) > 1 else []
+            if chosen and len(chosen) < len(named):
+                named, evidence = chosen, kind
         notices: tuple[Message, ...] = ()
         if len(named) > 2 or (len(named) == 2 and evidence is not OrientationEvidence.DATA_STRIP):
             evidence, notices = OrientationEvidence.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
-        plain = min(named, key=lambda one: (one.orientation.mirrored, one.orientation.turned))
-        by_name = {mark: results[site] for mark, site in plain.sites.items() if site in results}
-        return FoundMarks(by_name, candidate.template, plain.orientation, evidence, notices)
+        plain = min(named, key=lambda labelling: (labelling.orientation.mirrored, labelling.orientation.turned))
+        return MarkSearch(dict(plain.marks_at(results)), candidate.template, plain.orientation, evidence, notices)
 
-    def _measured(self, candidate: Candidate, scale: float) -> FoundMarks:
+    def _measured(self, candidate: Candidate, scale: float) -> MarkSearch:
         """Every mark of a frame at full resolution, those that were not among the arrangement's places too."""
-        found = candidate.arrangement
-        sites = found.frame.sites
+        arrangement = candidate.arrangement
+        sites = arrangement.frame.sites
         results = {}
-        for name in sorted(sites, key=lambda one: found.places.get(one, (0, 0))[1]):
-            if name in found.places:
-                near, reach = found.places[name], 2 * found.uncertainty + 2
+        for name in sorted(sites, key=lambda mark: arrangement.places.get(mark, (0, 0))[1]):
+            if name in arrangement.places:
+                near, reach = arrangement.places[name], 2 * arrangement.uncertainty + 2
             else:
-                (near,) = found.predicted(np.array([sites[name]]))
-                reach = found.reach + 2
-            mark, sign = candidate.template, found.sign
+                (near,) = arrangement.predicted(np.array([sites[name]]))
+                reach = arrangement.reach + 2
+            mark, sign = candidate.template, arrangement.sign
             if isinstance(mark, MarkShape):
-                mark = turned_with_frame(mark, sites[name], found.angle)
-            if self.settings.template is not None and within(self._own_place, near, reach + 2):
-                mark, sign, near, reach = self.settings.template, 1, self._own_place or near, 2.0
+                mark = turned_with_frame(mark, sites[name], arrangement.angle)
+            if self.settings.template is not None and within(self._template_place, near, reach + 2):
+                mark, sign, near, reach = self.settings.template, 1, self._template_place or near, 2.0
             results[name] = self._measured_at(MeasuringTemplate(mark, sign), mark, near, reach, scale)
-        return FoundMarks(results, candidate.template)
+        return MarkSearch(results, candidate.template)
 
     def _measured_at(
         self, template: MeasuringTemplate, mark: MarkShape | CutOut, near: Place, reach: float, scale: float
@@ -276,36 +264,35 @@ class MarkFinder:
             window = window_around(self.photo, near, half)
         except PhotoError as error:
             return MeasuredMark(reason=error.message)
-        found = measure_mark(window, near, reach, template, self.settings.min_correlation, self.settings.surface)
-        if found.place is not None and not self.photo.holds(found.place, template.radius):
-            return MeasuredMark(None, found.correlation, messages.MARK_AT_THE_EDGE())
-        return found
+        measured = measure_mark(window, near, reach, template, self.settings.min_correlation, self.settings.surface)
+        if measured.place is not None and not self.photo.holds(measured.place, template.radius):
+            return MeasuredMark(None, measured.correlation, messages.MARK_AT_THE_EDGE())
+        return measured
 
-    def _one_by_one(self, frame: MarkFrame, scale: float) -> FoundMarks:
+    def _one_by_one(self, frame: MarkFrame, scale: float) -> MarkSearch:
         """No arrangement was found: every mark on its own, where it has a position."""
         results: dict[str, MeasuredMark] = {}
         template: MarkShape | CutOut | None = self.settings.template
         for k, name in enumerate(frame.marks):
             single = frame.only([k])
-            found = self._candidates(window_views(self._search_views(single)), [single])
-            tries = islice(found, 1 if template is None else 2)  # with the user's own, then drawn
-            best = _best((self._measured(candidate, scale) for candidate in tries), 1)
+            tries = self._candidates(window_views(self._search_views(single)), [single])
+            likeliest = islice(tries, 1 if template is None else 2)  # with the user's template, then drawn
+            best = _best((self._measured(candidate, scale) for candidate in likeliest), 1)
             if best is None:
                 results[name] = MeasuredMark(reason=messages.MARK_NOT_SEEN())
                 continue
             template = template or best.template
             results.update(best.results)
-        return FoundMarks(results, template)
+        return MarkSearch(results, template)
 
 
-def _best(searches: Iterable[FoundMarks], marks: int) -> FoundMarks | None:
+def _best(searches: Iterable[MarkSearch], marks: int) -> MarkSearch | None:
     """The first with enough marks to support each other; where none has, the first of all, which says why."""
-    first: FoundMarks | None = None
-    for one in searches:
-        if one.found >= min(limits.MIN_SUPPORT, marks):
-            return one
-        if first is None:
-            first = one
+    first: MarkSearch | None = None
+    for search in searches:
+        if search.count >= min(limits.MIN_SUPPORT, marks):
+            return search
+        first = first or search
     return first
 
 
@@ -316,28 +303,28 @@ def _around(place: Place, reach: float) -> SearchArea:
 def _measured_once(
     frames: Sequence[Mapping[str, MeasuredMark]]
 ) -> tuple[dict[str, MeasuredMark], list[dict[str, str]]]:
-    """What was measured by site, though several frames may have a mark there, and the site of each frame's marks."""
+    """The measured marks by site, though several frames may have a mark there, and the site of each frame's marks."""
     results: dict[str, MeasuredMark] = {}
     sites: list[dict[str, str]] = []
     for number, marks in enumerate(frames):
         sites.append({})
-        for mark, one in marks.items():
-            known = (site for site, other in results.items() if within(one.place, other.place, limits.ONE_PLACE_PX))
-            site = next(known, f"{number} {mark}")
-            sites[-1][mark] = site
-            results.setdefault(site, one)
+        for name, mark in marks.items():
+            known = (site for site, other in results.items() if within(mark.place, other.place, limits.ONE_PLACE_PX))
+            site = next(known, f"{number} {name}")
+            sites[-1][name] = site
+            results.setdefault(site, mark)
     return results, sites
 
 
 def _dot_counts(
-    photo: Photo, template: MarkShape | CutOut, found: Arrangement, places: Mapping[str, Place]
+    photo: Photo, template: MarkShape | CutOut, arrangement: Arrangement, places: Mapping[str, Place]
 ) -> dict[str, int]:
-    """How many dots stand beside the mark at each site, where there are any."""
+    """The number of dots beside the mark at each site, where there are any."""
     radius = template.size / 2 if isinstance(template, MarkShape) else min(template.pixels.shape) / 4
     counts = {}
     for site, place in places.items():
         window = window_around(photo, place, math.ceil(2.6 * radius))
-        count = scan_orientation.count_numbering_dots(found.sign * window.pixels, radius, found.angle)
+        count = scan_orientation.count_numbering_dots(arrangement.sign * window.pixels, radius, arrangement.angle)
         if count:
             counts[site] = count
     return counts

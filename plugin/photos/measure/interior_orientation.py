@@ -10,22 +10,22 @@ import numpy as np
 
 from ...imagery.errors import CancelledError, Message, PhotoError
 from ...imagery.messages import CANCELLED
-from . import limits, messages, scan_orientation
+from . import limits, messages
 from .camera_calibration import CameraCalibration, check_calibration
 from .finding_marks import MarkFinder, within
 from .mark_templates import CutOut, MarkKind, MarkShape
 from .measuring_marks import MeasuredMark, window_around
 from .orientation import (
     FittedTransformation,
-    FoundMarks,
     GivenPosition,
     MarkResult,
+    MarkSearch,
     MarkStatus,
     OrientationSettings,
     PhotoOrientation,
 )
 from .photo import Photo, PhotoView, Place
-from .scan_orientation import OrientationEvidence, ScanOrientation
+from .scan_orientation import SCAN_ORIENTATIONS, OrientationEvidence, ScanOrientation
 from .transformations import LEAST_MARKS, PlaneModel, fit_transformation, redundancy
 
 CHANCE = 0.001  # that a photo without an outlier has a mark that stands out
@@ -36,30 +36,28 @@ MIN_PICTURE_PX = 20  # half a side of the picture of a mark
 
 
 def fail_misplaced_marks(marks: Sequence[MarkResult]) -> list[MarkResult]:
-    """Marks that can't be where they are, since the others agree without them.
-
-    A photo is its calibration shifted, turned and scaled, but for a thousandth of deformation: a similarity leaves
-    two marks' worth of redundancy to four marks, enough to tell which one is off. With three it tells only that one is,
-    and marks of which no more than half agree are all in doubt. A place that was given is judged like a measured one.
-    """
+    """Marks that can't be where they are, since the others agree without them. A photo is its calibration shifted,
+    turned and scaled, but for a thousandth of deformation: a similarity leaves two marks' worth of redundancy to four
+    marks, enough to tell which one is off. With three it tells only that one is, and marks of which no more than half
+    agree are all in doubt. A place that was given is judged like a measured one."""
     placed = [mark for mark in marks if mark.place is not None]
-    left, out = placed, dict[str, Message]()
-    while len(left) >= 3:
-        limit, worst = largest_shift(left), _misfit(left)
+    agreeing, out = placed, dict[str, Message]()
+    while len(agreeing) >= 3:
+        limit, worst = largest_shift(agreeing), _misfit(agreeing)
         if worst <= limit:
             break
-        if len(left) == 3 or 2 * (len(left) - 1) <= len(placed):
+        if len(agreeing) == 3 or 2 * (len(agreeing) - 1) <= len(placed):
             reason = messages.MARKS_DISAGREE(worst=_misfit(placed), limit=limit)
             out = {mark.name: reason for mark in placed}
             break
-        suspect = min(left, key=lambda mark: _misfit([other for other in left if other is not mark]))
-        left = [mark for mark in left if mark is not suspect]
+        suspect = min(agreeing, key=lambda mark: _misfit([other for other in agreeing if other is not mark]))
+        agreeing = [mark for mark in agreeing if mark is not suspect]
         out[suspect.name] = _off(suspect, worst, limit)
     return [_failed(mark, out[mark.name]) if mark.name in out else mark for mark in marks]
 
 
 def largest_shift(marks: Sequence[MarkResult]) -> float:
-    """How far a mark may lie from where the others want it, mm: it follows the frame."""
+    """The distance, mm, that a mark may lie from where the others want it: it follows the frame."""
     return limits.FILM_DEFORMATION * float(np.ptp(_pairs(marks)[1], axis=0).max())
 
 
@@ -118,7 +116,7 @@ def fit_marks(
         if shift <= limit:
             notices.append(messages.MARK_STANDS_OUT(mark=mark.name, worst=shift))
             break
-        marks = [_failed(one, _off(one, shift, limit)) if one is mark else one for one in marks]
+        marks = [_failed(other, _off(other, shift, limit)) if other is mark else other for other in marks]
     residuals = 1000 * (made(source) - target)
     rms = np.sqrt(np.mean(residuals**2, axis=0))
     left_over = redundancy(model, len(placed))
@@ -130,16 +128,14 @@ def fit_marks(
 
 
 def _outlier(marks: Sequence[MarkResult], model: PlaneModel, least: float) -> tuple[MarkResult, float] | None:
-    """The mark that stands out most, and how far off (mm, more than ``least``) the others want it; None without one.
-
-    A mark's residual and its distance from where the others alone put it, multiplied, are its share of the sum of
-    squares: against the others' own variance it follows F(2, their redundancy), which has this closed form.
-    """
+    """The mark that stands out most, and how far off (mm, more than ``least``) the others want it; None without one. A
+    mark's residual and its distance from where the others alone put it, multiplied, are its share of the sum of
+    squares: against the others' own variance it follows F(2, their redundancy), which has this closed form."""
     source, target = _pairs(marks)
     residuals = np.hypot(*(fit_transformation(model, source, target)(source) - target).T)
     left_over = redundancy(model, len(marks) - 1)
     critical = left_over / 2 * ((CHANCE / len(marks)) ** (-2 / left_over) - 1)
-    found: tuple[float, MarkResult, float] | None = None
+    outlier: tuple[float, MarkResult, float] | None = None
     for index, mark in enumerate(marks):
         others = np.arange(len(marks)) != index
         try:
@@ -149,50 +145,43 @@ def _outlier(marks: Sequence[MarkResult], model: PlaneModel, least: float) -> tu
         off = np.hypot(*(made(source) - target).T)
         variance = float(np.sum(off[others] ** 2)) / left_over
         ratio = residuals[index] * off[index] / 2 / max(variance, 1e-12)
-        if off[index] > least and ratio > critical and (found is None or ratio > found[0]):
-            found = ratio, mark, float(off[index])
-    return None if found is None else found[1:]
+        if off[index] > least and ratio > critical and (outlier is None or ratio > outlier[0]):
+            outlier = ratio, mark, float(off[index])
+    return None if outlier is None else outlier[1:]
 
 
 def orient_photo(
-    photo: Photo,
-    calibration: CameraCalibration,
-    positions: Mapping[str, GivenPosition],
-    settings: OrientationSettings,
+    photo: Photo, calibration: CameraCalibration, positions: Mapping[str, GivenPosition], settings: OrientationSettings,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> PhotoOrientation:
-    """Measure the marks of a photo and fit the transformation.
-
-    Raises PhotoError where nothing can be measured at all, CancelledError where marks were still looked for.
-    """
+    """Measure the marks of a photo and fit the transformation. Raises PhotoError where nothing can be measured at all,
+    CancelledError where marks were still looked for."""
     check_calibration(calibration, settings.model)
     _check_positions(photo, calibration, positions)
-    given = {name: one.place for name, one in positions.items() if not one.measure}
-    found = FoundMarks(template=settings.template)
+    given = {name: position.place for name, position in positions.items() if not position.measure}
+    search = MarkSearch(template=settings.template)
     if set(given) != set(calibration.marks):
-        found = MarkFinder(photo, calibration, positions, settings, cancelled).found()
+        search = MarkFinder(photo, calibration, positions, settings, cancelled).search()
         if cancelled():
             raise CancelledError(CANCELLED())
-    marks = _without_doubles([_mark(name, place, given, found) for name, place in calibration.marks.items()])
-    marks = fail_misplaced_marks(marks)
-    marks = _supported(marks, positions, found.template)
+    marks = _without_doubles([_mark(name, place, given, search) for name, place in calibration.marks.items()])
+    marks = _supported(fail_misplaced_marks(marks), positions, search.template)
     fitted, marks, left_out = fit_marks(marks, settings.model)
     if fitted is None and not any(mark.place for mark in marks):
         why = next(mark.reason for mark in marks if mark.reason is not None)
         if given:
             raise PhotoError(messages.NO_MARK_TRUSTED(name=photo.ref.name, why=why))
         raise PhotoError(messages.NO_MARK_FOUND(name=photo.ref.name, why=why))
-    way, evidence = found.scan_orientation, found.evidence
+    way, evidence = search.scan_orientation, search.evidence
     if fitted is not None and way is None:
         way, evidence = _nearest_scan_orientation(fitted), OrientationEvidence.POSITIONS
-    notices = (*found.notices, *left_out)
     expected: dict[str, Place] = {}
     for mark in marks:
         if fitted is not None and mark.place is None:
             ((column, row),) = fitted.to_pixels(np.array([mark.calibrated]))
             expected[mark.name] = float(column), float(row)
-    views = _surroundings(photo, marks, expected, found.template)
-    return PhotoOrientation(tuple(marks), fitted, way, evidence, found.template, notices, views, expected)
+    views, notices = _surroundings(photo, marks, expected, search.template), (*search.notices, *left_out)
+    return PhotoOrientation(tuple(marks), fitted, way, evidence, search.template, notices, views, expected)
 
 
 def _check_positions(photo: Photo, calibration: CameraCalibration, positions: Mapping[str, GivenPosition]) -> None:
@@ -205,20 +194,20 @@ def _check_positions(photo: Photo, calibration: CameraCalibration, positions: Ma
             raise PhotoError(messages.POSITION_OUTSIDE(mark=name))
         for place, other in seen.items():
             if math.dist(place, position.place) < 1:
-                raise PhotoError(messages.POSITIONS_AT_ONE_PLACE(one=other, other=name))
+                raise PhotoError(messages.POSITIONS_AT_ONE_PLACE(mark=other, other=name))
         seen[position.place] = name
 
 
-def _mark(name: str, calibrated: Place, given: Mapping[str, Place], found: FoundMarks) -> MarkResult:
+def _mark(name: str, calibrated: Place, given: Mapping[str, Place], search: MarkSearch) -> MarkResult:
     if name in given:
         return MarkResult(name, calibrated, MarkStatus.GIVEN, given[name])
-    one = found.results.get(name, MeasuredMark(reason=messages.MARK_NOT_ARRANGED()))
-    status = MarkStatus.FAILED if one.place is None else MarkStatus.MEASURED
-    return MarkResult(name, calibrated, status, one.place, one.correlation, one.reason)
+    mark = search.results.get(name, MeasuredMark(reason=messages.MARK_NOT_ARRANGED()))
+    status = MarkStatus.FAILED if mark.place is None else MarkStatus.MEASURED
+    return MarkResult(name, calibrated, status, mark.place, mark.correlation, mark.reason)
 
 
 def _without_doubles(marks: Sequence[MarkResult]) -> list[MarkResult]:
-    """Two marks at one place are none."""
+    """The marks, of which those measured at the place of another one fail."""
     made = list(marks)
     for index, mark in enumerate(marks):
         for other in marks:
@@ -231,7 +220,8 @@ def _without_doubles(marks: Sequence[MarkResult]) -> list[MarkResult]:
 def _supported(
     marks: Sequence[MarkResult], positions: Mapping[str, GivenPosition], template: MarkShape | CutOut | None
 ) -> list[MarkResult]:
-    """Marks that nobody pointed at have to confirm each other, one more where pictures hold such figures too."""
+    """The marks, of which those without a position fail where too few confirm each other: one more is needed where
+    pictures hold such figures too."""
     placed = [mark for mark in marks if mark.place is not None]
     count, least = len(placed), limits.MIN_SUPPORT
     if isinstance(template, MarkShape) and template.kind in PLAIN_FIGURES and count:
@@ -253,13 +243,11 @@ def _surroundings(
     size = template.size if isinstance(template, MarkShape) else max(template.pixels.shape) if template else 0.0
     half = math.ceil(max(size, 2 * MIN_PICTURE_PX) * 0.75)
     places = {mark.name: mark.place or expected.get(mark.name) for mark in marks}
-    return {
-        name: window_around(photo, place, half) for name, place in places.items()
-        if place is not None and photo.contains(place)
-    }
+    inside = {name: place for name, place in places.items() if place is not None and photo.contains(place)}
+    return {name: window_around(photo, place, half) for name, place in inside.items()}
 
 
 def _nearest_scan_orientation(fitted: FittedTransformation) -> ScanOrientation:
     """The way to lie that a transformation comes nearest."""
     back = fitted.to_pixels.linear(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))[:, :2]
-    return max(scan_orientation.SCAN_ORIENTATIONS, key=lambda one: float(np.sum(one.matrix * back)))
+    return max(SCAN_ORIENTATIONS, key=lambda orientation: float(np.sum(orientation.matrix * back)))

@@ -1,7 +1,6 @@
 """Limits and defaults that several files here share, each with its source."""
 from __future__ import annotations
 
-# Interior orientation
 MOST_SCANNED_PX = 100_000  # along a side: 300 mm of film at 3 um, finer than any photogrammetric scanner
 DEFAULT_SEARCH_MM = 8.0  # the sheet of film lies on the scanner by hand
 DEFAULT_MIN_CORRELATION = 0.5  # usual in image matching: half of the standard deviation explained
@@ -11,6 +10,3 @@ FILM_DEFORMATION = 0.001  # of the frame: film and scanner against a similarity,
 MAX_ROTATION_DEG = 6.0  # of a photo in the scanner
 ONE_PLACE_PX = 3.0  # two marks nearer than that are one that was found twice
 MIN_SUPPORT = 3  # marks that have to agree where no position is given: two lie right for any scale and rotation
-
-# Two measurements compared
-DEFAULT_MEAN_DISTANCE_PX = 0.25  # of two operators in Mikrut and Chwastek 2007, tables 1 and 2, and so their demand

@@ -23,17 +23,14 @@ MarkKey = tuple[str, str]
 class ComparedMark:
     """A mark as one operator or program measured it."""
 
-    photo: str
-    """Empty where the layer does not say."""
+    photo: str  # empty where the layer does not say
     mark: str
-    place: tuple[float, float]
-    """Column and row, px."""
-    calibrated: tuple[float, float] | None = None
-    """mm, where the layer has it."""
+    place: tuple[float, float]  # column and row, px
+    calibrated: tuple[float, float] | None = None  # mm, where the layer has it
 
     @property
     def photo_key(self) -> str:
-        """What the photo is known by: its name without a folder and a picture's ending."""
+        """The photo's name without a folder and a picture's ending."""
         name = re.split(r"[\\/]", self.photo)[-1]
         stem, _, ending = name.rpartition(".")
         return stem if stem and ending.lower() in PICTURE_ENDINGS else name
@@ -60,32 +57,36 @@ class DifferenceStatistics:
 
     count: int
     mean: float
-    standard_deviation: float
-    """Standard deviation of the sample (n - 1); NaN for a single mark."""
+    standard_deviation: float  # standard deviation of the sample (n - 1); NaN for a single mark
     maximum: float
     minimum: float
 
+    @property
+    def lengths(self) -> tuple[float, float, float, float]:
+        """Mean, standard deviation, maximum and minimum."""
+        return self.mean, self.standard_deviation, self.maximum, self.minimum
+
     def scaled(self, factor: float) -> DifferenceStatistics:
         """These statistics in a unit of another size: lengths times ``factor``."""
-        lengths = (self.mean, self.standard_deviation, self.maximum, self.minimum)
-        return DifferenceStatistics(self.count, *(length * factor for length in lengths))
+        return DifferenceStatistics(self.count, *(length * factor for length in self.lengths))
 
 
 def mark_differences(
     first: Sequence[ComparedMark], second: Sequence[ComparedMark]
 ) -> tuple[list[MarkDifference], list[str]]:
-    """The marks that both have, in the first one's order, and those that one of them has only, with their photos.
-
-    Marks are joined by photo and mark where both say the photo, else by mark. Raises PhotoError for a mark that a
-    measurement has twice and where nothing is in both.
-    """
-    by_photo = any(one.photo for one in first) and any(one.photo for one in second)
+    """The marks that both have, in the first one's order, and those that one of them has only, with their photos. Marks
+    are joined by photo and mark where both say the photo, else by mark. Raises PhotoError for a mark that a measurement
+    has twice and where nothing is in both."""
+    by_photo = any(mark.photo for mark in first) and any(mark.photo for mark in second)
     ours, theirs = _by_key(first, by_photo), _by_key(second, by_photo)
-    both = [(one, theirs[key].place) for key, one in ours.items() if key in theirs]
-    if not both:
+    differences = []
+    for key, mark in ours.items():
+        if key in theirs:
+            x, y = theirs[key].place
+            differences.append(MarkDifference(mark.photo, mark.mark, x - mark.place[0], y - mark.place[1]))
+    if not differences:
         raise PhotoError(messages.NOTHING_IN_COMMON(first=_some_names(ours), second=_some_names(theirs)))
     alone = [*(key for key in ours if key not in theirs), *(key for key in theirs if key not in ours)]
-    differences = [MarkDifference(one.photo, one.mark, x - one.place[0], y - one.place[1]) for one, (x, y) in both]
     return differences, [" ".join(filter(None, key)) for key in alone]
 
 
@@ -96,20 +97,20 @@ def _some_names(marks: Mapping[MarkKey, ComparedMark]) -> str:
 
 def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> dict[MarkKey, ComparedMark]:
     made: dict[MarkKey, ComparedMark] = {}
-    for one in marks:
-        key = one.photo_key if by_photo else "", one.mark
+    for mark in marks:
+        key = mark.photo_key if by_photo else "", mark.mark
         if key in made:
-            where = f" ({one.photo_key})" if by_photo else ""
-            raise PhotoError(messages.COMPARED_TWICE(mark=one.mark, where=where))
-        if not all(abs(part) < MOST_SCANNED_PX for part in one.place):
-            raise PhotoError(messages.COMPARED_NOWHERE(mark=one.mark, column=one.place[0], row=one.place[1]))
-        made[key] = one
+            where = f" ({mark.photo_key})" if by_photo else ""
+            raise PhotoError(messages.COMPARED_TWICE(mark=mark.mark, where=where))
+        if not all(abs(part) < MOST_SCANNED_PX for part in mark.place):
+            raise PhotoError(messages.COMPARED_NOWHERE(mark=mark.mark, column=mark.place[0], row=mark.place[1]))
+        made[key] = mark
     return made
 
 
-def distance_statistics(found: Sequence[MarkDifference]) -> DifferenceStatistics:
+def distance_statistics(differences: Sequence[MarkDifference]) -> DifferenceStatistics:
     """Statistics of the distances, px."""
-    distances = np.array([one.distance for one in found])
+    distances = np.array([difference.distance for difference in differences])
     spread = float(distances.std(ddof=1)) if len(distances) > 1 else math.nan
     mean, largest, smallest = (float(value) for value in (distances.mean(), distances.max(), distances.min()))
     return DifferenceStatistics(len(distances), mean, spread, largest, smallest)
@@ -118,14 +119,14 @@ def distance_statistics(found: Sequence[MarkDifference]) -> DifferenceStatistics
 def pixel_size(marks: Sequence[ComparedMark]) -> float | None:
     """um per pixel from the calibrated coordinates beside the measured ones; None where they do not tell."""
     photos: dict[str, list[ComparedMark]] = {}
-    for one in marks:
-        if one.calibrated is not None:
-            photos.setdefault(one.photo, []).append(one)
+    for mark in marks:
+        if mark.calibrated is not None:
+            photos.setdefault(mark.photo, []).append(mark)
     sizes = []
     for group in photos.values():
         if len(group) < 2:
             continue
-        source, target = np.array([one.place for one in group]), np.array([one.calibrated for one in group])
+        source, target = np.array([mark.place for mark in group]), np.array([mark.calibrated for mark in group])
         try:
             matrix = fit_transformation(PlaneModel.SIMILARITY, source, target).matrix
         except PhotoError:

@@ -1,4 +1,4 @@
-"""What a fiducial mark looks like: marks drawn from a few numbers, and marks cut out by the user.
+"""Templates of fiducial marks: marks drawn from a few numbers, and marks cut out by the user.
 
 A drawn mark is anti-aliased as a scanner blurs it: every edge is a Gaussian's integral. It can therefore be drawn at
 any sub-pixel place, and its own centre is exact.
@@ -41,18 +41,12 @@ class MarkShape:
     """A mark to be drawn, light on dark. Lengths in pixels."""
 
     kind: MarkKind
-    size: float
-    """Diameter of the ring or dot, length of a cross or of a pair of wedges."""
-    diagonal: bool = False
-    """Arms, or the wedges, at 45 degrees."""
-    interrupted: bool = False
-    """The cross is open in the middle."""
-    width: float = 0.1
-    """Line width as a share of the size; of a ring with dot the dot's diameter is twice that."""
-    reach: float = 1.0
-    """How far the arms of a ring with cross go, ring radii."""
-    softness: float = 0.5
-    """Standard deviation of the blur, px."""
+    size: float  # diameter of the ring or dot, length of a cross or of a pair of wedges
+    diagonal: bool = False  # arms, or the wedges, at 45 degrees
+    interrupted: bool = False  # the cross is open in the middle
+    width: float = 0.1  # line width as a share of the size; of a ring with dot the dot's diameter is twice that
+    reach: float = 1.0  # how far the arms of a ring with cross go, ring radii
+    softness: float = 0.5  # standard deviation of the blur, px
     angle: float = 0.0
     """Rotation in degrees, clockwise on the screen. Wedges at 0 lie left and right of the mark, their tips on it."""
 
@@ -75,11 +69,9 @@ class MarkShape:
 
 @lru_cache(maxsize=64)
 def draw(shape: MarkShape, offset: tuple[float, float] = (0.0, 0.0), margin: int | None = None) -> np.ndarray:
-    """The mark, (2 m + 1, 2 m + 1) float64 from 0 (ground) to 1.
-
-    Its centre lies ``offset`` (columns, rows) px beside the centre of the middle pixel. The same drawing is wanted for
-    every mark of a photo: it is kept a while, and read-only.
-    """
+    """The mark, (2 m + 1, 2 m + 1) float64 from 0 (ground) to 1. Its centre lies ``offset`` (columns, rows) px beside
+    the centre of the middle pixel. The same drawing is wanted for every mark of a photo: it is kept a while, and
+    read-only."""
     half = shape.margin if margin is None else margin
     axis = np.arange(-half, half + 1, dtype=np.float64)
     x, y = axis[np.newaxis] - offset[0], axis[:, np.newaxis] - offset[1]
@@ -145,10 +137,8 @@ def all_shapes() -> tuple[MarkShape, ...]:
 
 
 def chosen_shapes(kind: str | None, diagonal: bool | None, interrupted: bool | None) -> tuple[MarkShape, ...]:
-    """Those of all shapes that are as asked for; None asks for nothing.
-
-    What has no arms has no direction, and what has no cross no open middle.
-    """
+    """The shapes that are as asked for; None asks for nothing. What has no arms has no direction, and what has
+    no cross no open middle."""
     made = []
     for shape in all_shapes():
         armed = shape.kind in (MarkKind.CROSS, MarkKind.RING_WITH_CROSS)
@@ -168,18 +158,14 @@ def chosen_shapes(kind: str | None, diagonal: bool | None, interrupted: bool | N
 class CutOut:
     """A mark cut out of a photo by the user."""
 
-    pixels: np.ndarray
-    """(rows, columns) float64."""
-    centre: tuple[float, float]
-    """Column and row of the mark in it, pixel centres at .5."""
+    pixels: np.ndarray  # (rows, columns) float64
+    centre: tuple[float, float]  # column and row of the mark in it, pixel centres at .5
 
 
 def cut_out(pixels: np.ndarray) -> CutOut:
-    """A user's template (rows, columns) with its centre.
-
-    The centre is the one of symmetry where the template looks alike when it is turned by 180 degrees, else the middle.
-    Raises PhotoError for a template that holds nothing or is too small.
-    """
+    """A user's template (rows, columns) with its centre. The centre is the one of symmetry where the template looks
+    alike when it is turned by 180 degrees, else the middle. Raises PhotoError for a template that holds nothing or is
+    too small."""
     rows, columns = pixels.shape
     if min(rows, columns) < limits.MIN_TEMPLATE_PX:
         raise PhotoError(messages.TEMPLATE_TOO_SMALL(width=columns, height=rows, fewest=limits.MIN_TEMPLATE_PX))
@@ -206,18 +192,14 @@ class Pattern:
     """One template at one level: its pixels, and where its centre lies in them."""
 
     pixels: np.ndarray
-    centre: Place
-    """Column and row, pixel centres at .5."""
-    shape: MarkShape | None
-    """None for a user's template; in pixels of the level."""
+    centre: Place  # column and row, pixel centres at .5
+    shape: MarkShape | None  # none for a user's template; in pixels of the level
 
 
 def patterns(mark: MarkShape | CutOut, factor: float, place: Place) -> Iterator[Pattern]:
-    """The templates of a mark for pixels that are ``factor`` of the photo's wide, at a place in the frame, mm.
-
-    A drawn mark has the sizes of one octave, and wedges lie in line with the middle of the frame; a cut-out is reduced,
-    and there is none where too little of it is left.
-    """
+    """The templates of a mark for pixels that are ``factor`` of the photo's wide, at a place in the frame, mm. A drawn
+    mark has the sizes of one octave, and wedges lie in line with the middle of the frame; a cut-out is reduced, and
+    there is none where too little of it is left."""
     if isinstance(mark, CutOut):
         step = int(factor)
         if min(mark.pixels.shape) // step >= limits.MIN_TEMPLATE_PX:

@@ -27,7 +27,7 @@ SMOOTHING_PX = 0.5  # standard deviation of the blur against grain before a mark
 
 
 class SurfaceBasis(Enum):
-    """What the second-degree surface is laid through."""
+    """The values that the second-degree surface is laid through."""
 
     CORRELATION = "correlation"
     BRIGHTNESS = "brightness"
@@ -44,14 +44,12 @@ def window_around(photo: Photo, place: Place, half: int) -> PhotoView:
 
 @dataclass(frozen=True)
 class MeasuredMark:
-    """What became of one mark."""
+    """A mark as measured, or why it could not be."""
 
-    place: Place | None = None
-    """Column and row, px, pixel centres at .5; None where it could not be measured."""
+    place: Place | None = None  # column and row, px, pixel centres at .5; None where it could not be measured
     correlation: float | None = None
     """With the template at its very place, 1 at most; of a mark that failed the best one, where there was any."""
-    reason: Message | None = None
-    """Why it could not be measured."""
+    reason: Message | None = None  # why it could not be measured
 
 
 class MeasuringTemplate:
@@ -81,11 +79,15 @@ class MeasuringTemplate:
 def measure_mark(
     window: PhotoView, near: Place, reach: float, template: MeasuringTemplate, least: float, surface: SurfaceBasis
 ) -> MeasuredMark:
-    """The mark's place: the correlation's best pixel within reach (px) of where it should be, then the extremum.
+    """The mark's place: the pixel of the best correlation, then the extremum of the surface around it. With the surface
+    over the correlation the template is moved to the sub-pixel place and correlated again until it stays there, so that
+    the extremum is at the middle of the pixels it is computed from, where it has no bias. No second place in the whole
+    window may fit nearly as well.
 
-    With the surface over the correlation the template is moved to the sub-pixel place and correlated again until
-    it stays there; so the extremum is at the middle of the pixels it is computed from, where it has no bias. No
-    second place in the whole window may fit nearly as well.
+    Parameters
+    ----------
+    near, reach : where the mark should be (column and row in the photo) and how far from there it may be, px
+    least : smallest correlation of a mark that is measured
     """
     field = correlate(window.pixels, template.at((0.0, 0.0)))
     if field.size == 0:
@@ -138,10 +140,8 @@ def _second_best(field: np.ndarray, row: int, column: int, size: float) -> float
 def _settled_place(
     pixels: np.ndarray, template: MeasuringTemplate, start: tuple[int, int]
 ) -> tuple[float, float, float, np.ndarray]:
-    """Column and row in the window, px, the correlation there, and the pixels less the ground's slope.
-
-    A slope of the ground pulls the correlation to one side; a plane, fitted together with the template, takes it off.
-    """
+    """Column and row in the window, px, the correlation there, and the pixels less the ground's slope. A slope of the
+    ground pulls the correlation to one side; a plane, fitted together with the template, takes it off."""
     place = start[1] + template.centre[0], start[0] + template.centre[1]
     offset = (0.0, 0.0)
     reach = HALF_REACH_PX
@@ -150,7 +150,7 @@ def _settled_place(
     for _ in range(SETTLING_ROUNDS):
         pattern = template.at(offset)
         middle = round(place[1] - offset[1] - template.centre[1]), round(place[0] - offset[0] - template.centre[0])
-        level = _without_slope(pixels, pattern, middle)
+        level = without_slope(pixels, pattern, middle)
         top, left = max(middle[0] - reach, 0), max(middle[1] - reach, 0)
         area = level[top : middle[0] + pattern.shape[0] + reach, left : middle[1] + pattern.shape[1] + reach]
         field = correlate(area, pattern)
@@ -164,8 +164,12 @@ def _settled_place(
     return place[0], place[1], best, level
 
 
-def _without_slope(pixels: np.ndarray, pattern: np.ndarray, corner: tuple[int, int]) -> np.ndarray:
-    """A window less the plane that, together with the pattern at a place, fits it best."""
+def without_slope(
+    pixels: np.ndarray, pattern: np.ndarray | None = None, corner: tuple[int, int] = (0, 0)
+) -> np.ndarray:
+    """A window less the slope of the plane that fits it best, where there is a pattern at ``corner`` together with it
+    and below it alone."""
+    pattern = np.zeros(pixels.shape) if pattern is None else pattern
     rows, columns = pattern.shape
     top, left = max(corner[0], 0), max(corner[1], 0)
     under = pixels[top : corner[0] + rows, left : corner[1] + columns]
@@ -178,7 +182,7 @@ def _without_slope(pixels: np.ndarray, pattern: np.ndarray, corner: tuple[int, i
 
 
 def _fraction(position: float) -> float:
-    """How far a position lies beside the nearest pixel centre."""
+    """The distance of a position from the nearest pixel centre, px, with its sign."""
     return position - 0.5 - round(position - 0.5)
 
 
@@ -194,10 +198,9 @@ def _brightness_extremum(pixels: np.ndarray, x: float, y: float) -> tuple[float,
 
 
 def _halves_doubt(pixels: np.ndarray, template: MeasuringTemplate, place: Place) -> Message | None:
-    """Why a place can't be trusted: each half of the template, alone, has to find the mark at the same place.
-
-    Dirt, a scratch or the edge of the frame pulls at one half; a place that is no mark has halves that wander off.
-    """
+    """The reason why a place can't be trusted, or None: each half of the template, alone, has to find the mark at the
+    same place. Dirt, a scratch or the edge of the frame pulls at one half; a place that is no mark has halves that
+    wander off."""
     if not template.halves_tell:
         return None
     whole = template.at((_fraction(place[0]), _fraction(place[1])))

@@ -1,4 +1,4 @@
-"""What an interior orientation is asked for and what comes of it."""
+"""The request and the result of an interior orientation."""
 from __future__ import annotations
 
 import math
@@ -17,20 +17,14 @@ from .transformations import PlaneModel, Transformation
 
 @dataclass(frozen=True)
 class FittedTransformation:
-    """A transformation and what it leaves."""
+    """A transformation and its residuals."""
 
-    to_mm: Transformation
-    """Columns and rows to photo coordinates, mm."""
-    to_pixels: Transformation
-    """Back, fitted the same way's inverse."""
-    marks: int
-    """How many took part."""
-    redundancy: int
-    """Degrees of freedom left over; with 0 the residuals are 0 and tell nothing."""
-    rms_x: float
-    """Root mean square of the residuals in x, um."""
-    rms_y: float
-    """Root mean square of the residuals in y, um."""
+    to_mm: Transformation  # columns and rows to photo coordinates, mm
+    to_pixels: Transformation  # back, fitted the same way's inverse
+    marks: int  # how many took part
+    redundancy: int  # degrees of freedom left over; with 0 the residuals are 0 and tell nothing
+    rms_x: float  # root mean square of the residuals in x, um
+    rms_y: float  # root mean square of the residuals in y, um
 
     @property
     def rms(self) -> float:
@@ -39,7 +33,7 @@ class FittedTransformation:
 
 
 class MarkStatus(Enum):
-    """How a mark came to its place."""
+    """The origin of a mark's place."""
 
     MEASURED = "measured"
     GIVEN = "given"
@@ -48,49 +42,43 @@ class MarkStatus(Enum):
 
 @dataclass(frozen=True)
 class OrientationSettings:
-    """How a photo is measured."""
+    """The settings by which a photo is measured."""
 
     template: CutOut | None = None
     """The user's own; else marks are drawn."""
     shapes: tuple[MarkShape, ...] = ()
-    """Which marks are drawn, their sizes of no meaning; none for all there are."""
+    """The marks that are drawn, their sizes of no meaning; none for all there are."""
     sign: int | None = None
     """1 for marks lighter than their ground (or like the template), -1 for darker ones; None for either."""
     search_mm: float = limits.DEFAULT_SEARCH_MM
-    """How far around a position a mark is looked for, mm."""
+    """Distance around a position within which its mark is looked for, mm."""
     min_correlation: float = limits.DEFAULT_MIN_CORRELATION
     """Smallest correlation of a measured mark."""
     surface: SurfaceBasis = SurfaceBasis.CORRELATION
-    """What the surface is laid through that places a mark to a fraction of a pixel."""
+    """The values of the surface that places a mark to a fraction of a pixel."""
     model: PlaneModel = PlaneModel.AFFINE
     """The transformation from the scan to the calibration."""
 
 
 @dataclass(frozen=True)
 class GivenPosition:
-    """Where the user says that a mark is."""
+    """The user's position of a mark."""
 
-    place: Place
-    """Column and row, px, pixel centres at .5."""
-    measure: bool = True
-    """Whether it is approximate and to be measured; else it is taken as it is."""
+    place: Place  # column and row, px, pixel centres at .5
+    measure: bool = True  # whether it is approximate and to be measured; else it is taken as it is
 
 
 @dataclass(frozen=True)
 class MarkResult:
-    """What became of a mark of the calibration."""
+    """A mark of the calibration, as measured or failed."""
 
     name: str
-    calibrated: Place
-    """mm."""
+    calibrated: Place  # mm
     status: MarkStatus
-    place: Place | None
-    """Column and row, px, pixel centres at .5; None where it failed."""
+    place: Place | None  # column and row, px, pixel centres at .5; None where it failed
     correlation: float | None = None
-    reason: Message | None = None
-    """Why it failed."""
-    residual: Place | None = None
-    """Transformed less calibrated, um in x and y; None without a transformation."""
+    reason: Message | None = None  # why it failed
+    residual: Place | None = None  # transformed less calibrated, um in x and y; None without a transformation
 
 
 @dataclass(frozen=True)
@@ -102,39 +90,35 @@ class PhotoOrientation:
     fitted: FittedTransformation | None
     """The transformation; None where too few marks were found."""
     scan_orientation: ScanOrientation | None
-    """How the photo lies in the scan; None where it is not known."""
+    """The way the photo lies in the scan; None where it is not known."""
     evidence: OrientationEvidence | None
-    """What decided that."""
+    """The evidence for that."""
     template: MarkShape | CutOut | None
-    """What the marks were measured with."""
+    """The template that the marks were measured with."""
     notices: tuple[Message, ...] = ()
-    """What the user should know."""
+    """Warnings and remarks for the user."""
     views: Mapping[str, PhotoView] = field(default_factory=dict)
     """The surroundings of each mark, for pictures; of a failed one where it should be."""
     expected: Mapping[str, Place] = field(default_factory=dict)
-    """Where the transformation puts the marks that failed, px."""
+    """Places of the marks that failed, by the transformation, px."""
 
     def count(self, status: MarkStatus) -> int:
-        """How many marks have a status."""
+        """Number of marks of a status."""
         return sum(mark.status is status for mark in self.marks)
 
 
 @dataclass(frozen=True)
-class FoundMarks:
-    """What became of the marks that were looked for."""
+class MarkSearch:
+    """The marks that were looked for, as measured or failed."""
 
     results: Mapping[str, MeasuredMark] = field(default_factory=dict)
     """Measured marks by the calibration's names; marks with a given place are not among them."""
-    template: MarkShape | CutOut | None = None
-    """What they were measured with."""
-    scan_orientation: ScanOrientation | None = None
-    """How the photo lies, where the search told."""
-    evidence: OrientationEvidence | None = None
-    """What told."""
-    notices: tuple[Message, ...] = ()
-    """What the user should know."""
+    template: MarkShape | CutOut | None = None  # what they were measured with
+    scan_orientation: ScanOrientation | None = None  # how the photo lies, where the search told
+    evidence: OrientationEvidence | None = None  # what told
+    notices: tuple[Message, ...] = ()  # what the user should know
 
     @property
-    def found(self) -> int:
-        """How many were measured."""
-        return sum(one.place is not None for one in self.results.values())
+    def count(self) -> int:
+        """Number of marks that were measured."""
+        return sum(mark.place is not None for mark in self.results.values())

@@ -68,11 +68,9 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientat
     }
 
 
-def world_file(photo: Photo, made: PhotoOrientation) -> str:
-    """The six lines of a world file that puts a photo's pixels in millimetres.
-
-    A projective transformation is replaced by the affine one that comes nearest at the photo's marks.
-    """
+def world_file(made: PhotoOrientation) -> str:
+    """The six lines of a world file that puts a photo's pixels in millimetres. A projective transformation is replaced
+    by the affine one that comes nearest at the photo's marks."""
     assert made.fitted is not None
     places = np.array([mark.place for mark in made.marks if mark.place is not None])
     a, b, c, d, e, f = made.fitted.to_mm.linear(places).ravel()
@@ -92,18 +90,16 @@ def measures_text(photo: str, marks: Iterable[MarkResult]) -> str:
     SubElement(image, "NameIm").text = photo
     for mark in marks:
         if mark.place is not None:
-            one = SubElement(image, _MARK)
-            SubElement(one, "NamePt").text = mark.name
-            SubElement(one, "PtIm").text = " ".join(f"{value:.6f}" for value in mark.place)
+            measure = SubElement(image, _MARK)
+            SubElement(measure, "NamePt").text = mark.name
+            SubElement(measure, "PtIm").text = " ".join(f"{value:.6f}" for value in mark.place)
     ElementTree.indent(root, " " * 5)
     return '<?xml version="1.0" ?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
 
 
 def read_measures(path: Path) -> list[tuple[str, str, Place]]:
-    """Photo, mark and its column and row, of all photos in a file; none where the XML is about something else.
-
-    Raises PhotoError for a file that can't be read.
-    """
+    """Photo, mark and its column and row, of all photos in a file; none where the XML is about something else. Raises
+    PhotoError for a file that can't be read."""
     try:
         content = document_bytes(path)
         if not looks_like_xml(content):
@@ -118,10 +114,10 @@ def read_measures(path: Path) -> list[tuple[str, str, Place]]:
 def _measures(root: Element, name: str) -> Iterator[tuple[str, str, Place]]:
     for image in root.iter(_PHOTO):
         photo = (image.findtext("NameIm") or "").strip()
-        for one in image.iter(_MARK):
-            mark = (one.findtext("NamePt") or "").strip()
+        for measure in image.iter(_MARK):
+            mark = (measure.findtext("NamePt") or "").strip()
             try:
-                column, row = (float(part) for part in (one.findtext("PtIm") or "").split())
+                column, row = (float(part) for part in (measure.findtext("PtIm") or "").split())
             except ValueError:
                 raise PhotoError(messages.MEASURES_ROW(name=name, mark=mark)) from None
             yield photo, mark, (column, row)

@@ -4,7 +4,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 
@@ -26,26 +25,11 @@ Place = tuple[float, float]
 """Column and row in the photo, px."""
 
 
-class Strip(NamedTuple):
-    """Some rows of a photo with the ones around them."""
-
-    row: int
-    """The first of its own rows."""
-    rows: int
-    """How many are its own."""
-    pixels: np.ndarray
-    """(bands, rows + 2 * margin, columns) float64."""
-    invalid: np.ndarray | None
-    """(rows, columns) of its own invalid pixels; None where all are valid."""
-
-
 class Photo(OpenRaster):
-    """A raster read as grey values.
-
-    Colour becomes luminance, a palette its colours' luminance; of other bands the first counts, alpha never. A value
-    that a photo can have is one though the file calls it nodata: the black of a frame is the ground of its marks.
-    Pixels without any (masked, transparent, NaN, a negative nodata value) hold the mean of the others around.
-    """
+    """A raster read as grey values. Colour becomes luminance, a palette its colours' luminance; of other bands the
+    first counts, alpha never. A value that a photo can have is one though the file calls it nodata: the black of a
+    frame is the ground of its marks. Pixels without any (masked, transparent, NaN, a negative nodata value) hold the
+    mean of the others around."""
 
     def contains(self, place: tuple[float, float]) -> bool:
         """Whether a column and row, pixel centres at .5, lie in the photo."""
@@ -81,11 +65,10 @@ class Photo(OpenRaster):
             made[row : row + count] = strip.reshape(count, factor, columns, factor).mean(axis=(1, 3))
         return made
 
-    def strips(self, margin: int, grey: bool) -> Iterator[Strip]:
-        """The photo from top to bottom, mirrored by ``margin`` px at its upper and lower edge, float64.
-
-        Pixels without a value hold the mean of the others of their strip.
-        """
+    def strips(self, margin: int, grey: bool) -> Iterator[tuple[int, np.ndarray, np.ndarray | None]]:
+        """Strips from top to bottom: the first row, the pixels (bands, rows + 2 margin, columns) float64, and which are
+        invalid (rows, columns), or None. The photo is mirrored at its upper and lower edge; pixels without a value hold
+        the mean of the others of their strip."""
         step = max(1, STRIP_PIXELS // self.columns)
         for row in range(0, self.rows, step):
             count = min(step, self.rows - row)
@@ -100,8 +83,7 @@ class Photo(OpenRaster):
             above, below = margin - (row - top), margin - (bottom - row - count)
             if above or below:
                 pixels = np.pad(pixels, ((0, 0), (above, below), (0, 0)), mode="symmetric")
-            own = None if invalid is None else invalid[row - top : row - top + count]
-            yield Strip(row, count, pixels, own)
+            yield row, pixels, None if invalid is None else invalid[row - top : row - top + count]
 
     @property
     def largest(self) -> float:
@@ -160,14 +142,10 @@ class MarkFrame:
     """The marks of a calibration as they lie in the photo but for shift, scale and a small rotation."""
 
     marks: tuple[str, ...]
-    places: np.ndarray
-    """(n, 2) mm, x to the right and y downwards in the photo."""
-    areas: tuple[SearchArea, ...]
-    """Where each mark is looked for."""
-    scales: tuple[float, float]
-    """Smallest and largest pixels per millimetre."""
-    rotation: float
-    """Largest rotation, radians."""
+    places: np.ndarray  # (n, 2) mm, x to the right and y downwards in the photo
+    areas: tuple[SearchArea, ...]  # where each mark is looked for
+    scales: tuple[float, float]  # smallest and largest pixels per millimetre
+    rotation: float  # largest rotation, radians
 
     def only(self, wanted: Sequence[int]) -> MarkFrame:
         """Some of its marks, by their numbers."""
@@ -198,14 +176,10 @@ def block_means(pixels: np.ndarray, step: int) -> np.ndarray:
 class PhotoView:
     """A piece of the photo, perhaps reduced."""
 
-    pixels: np.ndarray
-    """(rows, columns)."""
-    left: float
-    """Column of its left edge in the photo, px."""
-    top: float
-    """Row of its upper edge in the photo, px."""
-    factor: float = 1
-    """Pixels of the photo that one of its pixels is wide."""
+    pixels: np.ndarray  # (rows, columns)
+    left: float  # column of its left edge in the photo, px
+    top: float  # row of its upper edge in the photo, px
+    factor: float = 1  # pixels of the photo that one of its pixels is wide
 
 
 Scene = Callable[[MarkFrame], Sequence[Sequence[PhotoView]]]

@@ -3,12 +3,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from typing import TypeVar
 
 import numpy as np
 from scipy import ndimage, signal
+from scipy.spatial.distance import cdist
 
 from . import limits
 from .arrangements import Arrangement
@@ -26,8 +28,11 @@ DOTS_BESIDE_RING = (0.9, 1.25, 2.2, 0.35)  # ring radii, UNBC: half the row's le
 DOT_PROMINENCE = 0.25  # of the profile's range: UNBC's four dots 0.4
 
 
+Value = TypeVar("Value")
+
+
 class OrientationEvidence(Enum):
-    """What decided how a photo lies."""
+    """The fact that decided how a photo lies."""
 
     POSITIONS = "positions"
     DOTS = "dots"
@@ -41,12 +46,10 @@ class OrientationEvidence(Enum):
 
 @dataclass(frozen=True)
 class ScanOrientation:
-    """How a photo lies in the scan: one of eight ways."""
+    """The way in which a photo lies in the scan, one of eight."""
 
-    turned: int
-    """Degrees clockwise on the screen: 0, 90, 180 or 270."""
-    mirrored: bool
-    """Left and right changed before it was turned: scanned through its back."""
+    turned: int  # degrees clockwise on the screen: 0, 90, 180 or 270
+    mirrored: bool  # left and right changed before it was turned: scanned through its back
 
     @property
     def matrix(self) -> np.ndarray:
@@ -78,12 +81,11 @@ def centred_marks(calibration: CameraCalibration) -> np.ndarray:
 
 
 def _same_places(a: np.ndarray, b: np.ndarray) -> bool:
-    far = np.hypot(*(a[:, np.newaxis] - b[np.newaxis]).transpose(2, 0, 1)).min(axis=1).max()
-    return bool(far < SAME_PLACE * np.ptp(a, axis=0).max())
+    return bool(cdist(a, b).min(axis=1).max() < SAME_PLACE * np.ptp(a, axis=0).max())
 
 
 def _frame_in_scan(marks: tuple[str, ...], places: np.ndarray, columns: int, rows: int) -> MarkFrame:
-    """Marks lie inside the photo, and their extent fills a large part of it, wherever it is."""
+    """The frame of marks that lie inside the photo and whose extent fills a large part of it, wherever it is."""
     low, extent = places.min(axis=0), np.maximum(np.ptp(places, axis=0), 1e-9)
     largest = min(columns / extent[0], rows / extent[1])
     smallest = MIN_FRAME_SHARE * largest
@@ -99,111 +101,96 @@ class Labelling:
     """Names for the places of an arrangement."""
 
     orientation: ScanOrientation
-    places: Mapping[str, Place]
-    """Where each mark of the calibration should be, px: by the arrangement."""
-    sites: Mapping[str, str]
-    """The place where each mark was looked for (as the frame calls it), by the mark's own name."""
+    places: Mapping[str, Place]  # where each mark of the calibration should be, px: by the arrangement
+    sites: Mapping[str, str]  # the place where each mark was looked for (as the frame calls it), by the mark's name
+
+    def marks_at(self, sites: Mapping[str, Value]) -> list[tuple[str, Value]]:
+        """The marks at some of the sites, each with the site's value."""
+        return [(mark, sites[site]) for mark, site in self.sites.items() if site in sites]
 
 
-def labellings(calibration: CameraCalibration, found: Arrangement) -> list[Labelling]:
+def labellings(calibration: CameraCalibration, arrangement: Arrangement) -> list[Labelling]:
     """All ways to name the places of an arrangement that the calibration allows."""
     made = []
-    names, frame = tuple(calibration.marks), found.frame
+    names, frame = tuple(calibration.marks), arrangement.frame
     for orientation in SCAN_ORIENTATIONS:
         places = centred_marks(calibration) @ orientation.matrix.T
-        if not _same_places(places, frame.places):
-            continue
-        distances = np.hypot(*(places[:, np.newaxis] - frame.places[np.newaxis]).transpose(2, 0, 1))
-        sites = {name: frame.marks[int(row.argmin())] for name, row in zip(names, distances)}
-        made.append(Labelling(orientation, dict(zip(names, found.predicted(places))), sites))
+        if _same_places(places, frame.places):
+            sites = [frame.marks[index] for index in cdist(places, frame.places).argmin(axis=1)]
+            predicted = dict(zip(names, arrangement.predicted(places)))
+            made.append(Labelling(orientation, predicted, dict(zip(names, sites))))
     return made
 
 
 def matching_positions(
     candidates: Sequence[Labelling], positions: Mapping[str, Place], reach: float
 ) -> list[Labelling]:
-    """Those that put every mark within reach (px) of its approximate position."""
-    return [
-        one for one in candidates
-        if all(math.dist(one.places[mark], place) <= reach for mark, place in positions.items() if mark in one.places)
-    ]
+    """The labellings that put every mark within reach (px) of its approximate position."""
+    return [labelling for labelling in candidates if all(
+        math.dist(place, positions[mark]) <= reach for mark, place in labelling.places.items() if mark in positions
+    )]  # fmt: skip
 
 
 def matching_dots(candidates: Sequence[Labelling], dot_counts: Mapping[str, int]) -> list[Labelling]:
-    """Those whose marks' numbers are the dots beside them; none where the dots decide nothing.
-
-    ``dot_counts`` are by the names of the places. A mark's number is what its name ends with. All but one of the counts
-    must agree, three at least (two where the calibration has no more); the one that does not may miss a dot or be no
-    mark's number at all, for a number of another mark speaks for another way to lie.
-    """
-    def agreeing(one: Labelling) -> int:
-        return sum(mark_number(mark) == dot_counts[site] for mark, site in one.sites.items() if site in dot_counts)
+    """The labellings whose marks' numbers are the dots beside them; none where the dots decide nothing. ``dot_counts``
+    are by the names of the places. The number of a mark is at the end of its name. All but one of the counts must
+    agree, three at least (two where the calibration has no more); the one that does not may miss a dot or be no mark's
+    number at all, for a number of another mark speaks for another way to lie."""
+    def agreeing(labelling: Labelling) -> int:
+        return sum(mark_number(mark) == count for mark, count in labelling.marks_at(dot_counts))
 
     if len(dot_counts) < 2 or not candidates:
         return []
-    best = max(agreeing(one) for one in candidates)
-    chosen = [one for one in candidates if agreeing(one) == best]
-    counted = min(sum(site in dot_counts for site in one.sites.values()) for one in chosen)
-    least = max(counted - 1, min(3, min(len(one.sites) for one in chosen)))
+    best = max(map(agreeing, candidates))
+    chosen = [labelling for labelling in candidates if agreeing(labelling) == best]
+    counted = min(len(labelling.marks_at(dot_counts)) for labelling in chosen)
+    least = max(counted - 1, min(3, min(len(labelling.sites) for labelling in chosen)))
     numbers = {mark_number(mark) for mark in candidates[0].sites}
-    return [] if best < least else [
-        one for one in chosen
-        if all(
-            dot_counts[site] not in numbers or abs(dot_counts[site] - (mark_number(mark) or 0)) <= 1
-            for mark, site in one.sites.items() if site in dot_counts
-        )
-    ]
+    return [] if best < least else [labelling for labelling in chosen if all(
+        count not in numbers or abs(count - (mark_number(mark) or 0)) <= 1
+        for mark, count in labelling.marks_at(dot_counts)
+    )]  # fmt: skip
 
 
 def matching_count(candidates: Sequence[Labelling], measured: Mapping[str, Place]) -> list[Labelling]:
-    """Those with the most marks at places where one was measured (``measured``, by the names of the places)."""
-    counts = [sum(site in measured for site in one.sites.values()) for one in candidates]
-    return [one for one, count in zip(candidates, counts) if count == max(counts)]
+    """The labellings with the most marks at places where a mark was ``measured`` (by the names of the places)."""
+    counts = [len(labelling.marks_at(measured)) for labelling in candidates]
+    return [labelling for labelling, count in zip(candidates, counts) if count == max(counts)]
 
 
 def matching_residuals(
     candidates: Sequence[Labelling], calibration: CameraCalibration, measured: Mapping[str, Place], model: PlaneModel
 ) -> list[Labelling]:
-    """The one whose residuals are much smaller than all others'; none where they tell nothing.
-
-    ``measured`` are places by their names.
-    """
+    """The labelling whose residuals are much smaller than all others'; none where they tell nothing. ``measured`` are
+    places by their names."""
     misfits = []
-    for one in candidates:
-        pairs = [(measured[site], calibration.marks[mark]) for mark, site in one.sites.items() if site in measured]
-        if len(pairs) < 3 or redundancy(model, len(pairs)) < 1:
+    for labelling in candidates:
+        marks = labelling.marks_at(measured)
+        if len(marks) < 3 or redundancy(model, len(marks)) < 1:
             return []
-        source, target = np.array([a for a, _ in pairs]), np.array([b for _, b in pairs])
+        source = np.array([place for _, place in marks])
+        target = np.array([calibration.marks[mark] for mark, _ in marks])
         misfits.append(float(np.sqrt(np.mean((fit_transformation(model, source, target)(source) - target) ** 2))))
-    order = np.argsort(misfits)
-    if len(order) < 2 or misfits[order[1]] < MIN_TELLING_MISFIT_MM:
-        return []
-    if misfits[order[0]] >= MAX_RESIDUAL_RATIO * misfits[order[1]]:
-        return []
-    return [candidates[order[0]]]
+    best, second, *_ = (*sorted(misfits), 0.0, 0.0)
+    tells = second >= MIN_TELLING_MISFIT_MM and best < MAX_RESIDUAL_RATIO * second
+    return [candidates[int(np.argmin(misfits))]] if tells else []
 
 
 def matching_data_strip(
-    candidates: Sequence[Labelling], calibration: CameraCalibration, found: Arrangement, columns: int, rows: int
+    candidates: Sequence[Labelling], calibration: CameraCalibration, places: Collection[Place], size: tuple[int, int]
 ) -> list[Labelling]:
-    """Those whose data strip lies where the scan goes furthest beyond the marks; none if that is unclear."""
+    """The labellings whose data strip lies where a scan of ``size`` (columns, rows) goes furthest beyond the marks'
+    ``places``; none if that is unclear."""
     if calibration.data_strip is None:
         return []
-    x, y = np.array(list(found.places.values())).T
-    beyond = [columns - x.max(), rows - y.max(), x.min(), y.min()]  # right, below, left, above
-    order = np.argsort(beyond)
-    if beyond[order[-1]] < MIN_STRIP_RATIO * max(beyond[order[-2]], 1.0):
+    (x, y), (columns, rows) = np.array([*places]).T, size
+    beyond = [columns - x.max(), rows - y.max(), x.min(), y.min()]
+    *_, second, widest = np.argsort(beyond)
+    if beyond[widest] < MIN_STRIP_RATIO * max(beyond[second], 1.0):
         return []
-    side = np.array([(1, 0), (0, 1), (-1, 0), (0, -1)])[order[-1]]
-    middle = calibration.points.mean(axis=0)
-    strip = np.array(calibration.data_strip) - middle
-    return [one for one in candidates if _nearest_side(one.orientation.matrix @ strip) == tuple(side)]
-
-
-def _nearest_side(direction: np.ndarray) -> tuple[int, int]:
-    if abs(direction[0]) >= abs(direction[1]):
-        return (1 if direction[0] > 0 else -1), 0
-    return 0, (1 if direction[1] > 0 else -1)
+    sides = np.array([(1, 0), (0, 1), (-1, 0), (0, -1)])  # right, below, left, above
+    strip = np.array(calibration.data_strip) - calibration.points.mean(axis=0)
+    return [labelling for labelling in candidates if np.argmax(sides @ labelling.orientation.matrix @ strip) == widest]
 
 
 def mark_number(mark: str) -> int | None:
@@ -213,11 +200,9 @@ def mark_number(mark: str) -> int | None:
 
 
 def count_numbering_dots(pixels: np.ndarray, radius: float, angle: float) -> int | None:
-    """How many dots stand in a column (or row) beside a mark; None where there are none to be seen.
-
-    ``pixels`` are around the mark's centre, as light on dark, (2 n + 1, 2 n + 1) with n of 2.4 radii at least;
-    ``angle`` turns the frame back upright, degrees. The dots stand on one of the four sides, outside the ring.
-    """
+    """The number of dots in a column (or row) beside a mark; None where there are none to be seen. ``pixels`` are
+    around the mark's centre, as light on dark, (2 n + 1, 2 n + 1) with n of 2.4 radii at least; ``angle`` turns the
+    frame back upright, degrees. The dots stand on one of the four sides, outside the ring."""
     if abs(angle) > 0.5:
         pixels = ndimage.rotate(pixels, angle, reshape=False, order=1, mode="nearest")
     middle = pixels.shape[0] // 2

@@ -32,8 +32,7 @@ class Transformation:
     """A plane to a plane."""
 
     model: PlaneModel
-    matrix: np.ndarray
-    """(3, 3) homogeneous, its last element 1."""
+    matrix: np.ndarray  # (3, 3) homogeneous, its last element 1
 
     def __call__(self, points: np.ndarray) -> np.ndarray:
         """(n, 2) transformed."""
@@ -61,11 +60,9 @@ def redundancy(model: PlaneModel, marks: int) -> int:
 def fit_transformation(
     model: PlaneModel, source: np.ndarray, target: np.ndarray, mirrored: bool | None = None
 ) -> Transformation:
-    """The transformation of (n, 2) points to (n, 2) points with the least squares of residuals in the target.
-
-    A similarity keeps its sense of rotation or, when ``mirrored``, turns it round; None takes the better one.
-    Raises PhotoError for too few points or for points in one place or on one line.
-    """
+    """The transformation of (n, 2) points to (n, 2) points with the least squares of residuals in the target. A
+    similarity keeps its sense of rotation or, when ``mirrored``, turns it round; None takes the better one. Raises
+    PhotoError for too few points or for points in one place or on one line."""
     if len(source) < LEAST_MARKS[model]:
         least, word = LEAST_MARKS[model], messages.WORDS[model.value]
         raise PhotoError(messages.TOO_FEW_MARKS(model=word, least=least, count=len(source)))
@@ -97,8 +94,8 @@ def _misfit(matrix: np.ndarray, source: np.ndarray, target: np.ndarray) -> float
 def _similarity(source: np.ndarray, target: np.ndarray, mirrored: bool) -> np.ndarray:
     sign = -1.0 if mirrored else 1.0
     x, y = source.T
-    one, none = np.ones_like(x), np.zeros_like(x)
-    rows = np.concatenate([np.stack([x, -sign * y, one, none], 1), np.stack([sign * y, x, none, one], 1)])
+    ones, zeros = np.ones_like(x), np.zeros_like(x)
+    rows = np.concatenate([np.stack([x, -sign * y, ones, zeros], 1), np.stack([sign * y, x, zeros, ones], 1)])
     a, b, c, d = np.linalg.lstsq(rows, np.concatenate([target[:, 0], target[:, 1]]), rcond=None)[0]
     return np.array([[a, -sign * b, c], [b, sign * a, d], [0.0, 0.0, 1.0]])
 

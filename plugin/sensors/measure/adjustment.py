@@ -70,9 +70,8 @@ class Accuracy:
     rmse_y: float | None
     max_x: float | None
     max_y: float | None
-    rmse_column: float | None
-    """px, as the next."""
-    rmse_row: float | None
+    rmse_column: float | None  # px
+    rmse_row: float | None  # px
 
     @property
     def rmse(self) -> float | None:
@@ -85,7 +84,7 @@ class Adjustment:
     """A model fitted to control points and judged on all."""
 
     request: ModelRequest
-    """Which model it is."""
+    """The model that was asked for."""
     points: Points
     """Control and check points."""
     fitted: FittedModel
@@ -141,7 +140,7 @@ def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjus
 
 
 def project(fitted: FittedModel, points: Points) -> np.ndarray:
-    """Where a model sees points: (n, 2) column, row."""
+    """The places (n, 2), column and row, where a model sees points."""
     return _seen(fitted.model, points.wkt, np.where(np.isfinite(points.ground), points.ground, 0.0))
 
 
@@ -154,11 +153,11 @@ def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
     metres = metres_per_unit(points.wkt, float(np.mean(points.ground[:, 1])))
     heights = np.nan_to_num(points.ground[:, 2])
     given, seen = points.ground[:, :2], partial(_seen, fitted.model, points.wkt)
-    found = locate(seen, points.image, heights, given, metres, partly=True)
-    bent = ~np.isfinite(found).all(axis=1)
+    places = locate(seen, points.image, heights, given, metres, partly=True)
+    bent = ~np.isfinite(places).all(axis=1)
     if bent.any():
-        found[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
-    return (found - given) * metres
+        places[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
+    return (places - given) * metres
 
 
 def _relative(points: Points) -> np.ndarray:
@@ -242,9 +241,7 @@ class JudgedModel:
     control_count: int
     condition: float | None
     reason: Message | None = None  # why there are no errors, or why to distrust them
-    misses: np.ndarray = field(default_factory=lambda: np.zeros(0))
-    """(n,) errors of points that a fit has not seen, m on the ground: check points, control points left out in turn;
-    NaN for blunders."""
+    misses: np.ndarray = field(default_factory=lambda: np.zeros(0))  # (n,) m, of points unseen by a fit; NaN: blunders
     unknowns: float = 0.0  # how many the points have determined
 
 
@@ -290,7 +287,8 @@ def _judged(
     try:
         done = adjust(request, given, robust)
         unseen = given.check & ~done.blunder
-        px, metres = (np.where(unseen[:, None], one, np.nan) for one in (done.residuals_px, done.residuals_m))
+        residuals = done.residuals_px, done.residuals_m
+        px, metres = (np.where(unseen[:, None], values, np.nan) for values in residuals)
         with nullcontext() if one_by_one else suppress(SeamInspectorError):  # fewer points may be too few
             _leave_out(request, given, ~given.check & ~done.blunder, px, metres, cancelled)
     except SeamInspectorError as error:
@@ -328,9 +326,10 @@ def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | No
     sound = [(error, row) for error, row in known if flat or row.request.needs_heights] or known
     if not sound:
         return None, messages.NOTHING_TO_RECOMMEND()
-    smallest, best = min(sound, key=lambda one: one[0])
-    near = [(error, row) for error, row in sound if row is best or _is_as_good(row, best)]
-    error, chosen = min(near, key=lambda one: (round(one[1].unknowns), one[1].request.variant.rank, one[0]))
+    smallest, best = min(sound, key=lambda judged: judged[0])
+    near = [(round(row.unknowns), row.request.variant.rank, error, row) for error, row in sound
+            if row is best or _is_as_good(row, best)]  # fmt: skip
+    *_, error, chosen = min(near, key=lambda ranked: ranked[:3])
     why = chosen.request.kind.recommendation()
     return chosen, messages.RECOMMENDED(model=chosen.request.name, rmse=error, best=smallest, why=why)
 

@@ -22,14 +22,14 @@ MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduc
 MAX_PIXELS = 1e9  # of an image's side, a focal length, or from the image to the principal point
 MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
 BROKEN = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, AttributeError, StopIteration)
-"""What a document that is none of these raises when it is taken apart."""
+"""The exceptions of a document that is of none of the known formats, when it is taken apart."""
 _ORTHORITY = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 _BROWN = ("k1", "k2", "k3", "p1", "p2")
 _LENSES = {
     "pinhole": (), "brown": _BROWN, "opencv": (*_BROWN, "k4", "k5", "k6", "s1", "s2", "s3", "s4"),
     "fisheye": ("k1", "k2", "k3", "k4"),
 }  # fmt: skip
-"""Types of lenses and the coefficients of each, as orthority and OpenCV name them."""
+"""Types of lenses and the coefficients of each, named as orthority and OpenCV do."""
 _OPENSFM = {
     "perspective": "brown", "simple_radial": "brown", "radial": "brown", "brown": "brown", "fisheye": "fisheye",
     "fisheye_opencv": "fisheye",
@@ -41,12 +41,11 @@ PIX4D_LINES = 9  # of a photo: three of the camera's matrix, two of its lens, it
 
 @dataclass(frozen=True)
 class FileCamera:
-    """A camera as a file has it."""
+    """The camera of a file, in its own pixels."""
 
-    interior: FrameInterior  # in its own pixels
-    size: np.ndarray  # (2,) its columns and rows
-    mount: np.ndarray
-    """(2, 2) its columns and rows by the axes that its file's rotations turn, x to the right and y upwards."""
+    interior: FrameInterior
+    size: np.ndarray  # (2,) columns and rows
+    mount: np.ndarray  # (2, 2) columns and rows by the axes that the file's rotations turn, x to the right, y upwards
 
 
 @dataclass(frozen=True)
@@ -59,36 +58,33 @@ class Cameras:
     def chosen(self, camera: str) -> FileCamera:
         """Camera by name, of any part of a reconstruction after the slash, or the only one. Raises SensorModelError."""
         names = [camera, camera.partition("/")[2], *(self.cameras if len(self.cameras) == 1 else ())]
-        found = next((name for name in names if name in self.cameras), None)
-        if found is None and self.cameras:
-            known = ", ".join(map(str, self.cameras))
-            raise SensorModelError(messages.CAMERA_UNKNOWN(name=self.name, names=known))
+        known = next((name for name in names if name in self.cameras), None)
+        if known is None and self.cameras:
+            raise SensorModelError(messages.CAMERA_UNKNOWN(name=self.name, names=", ".join(map(str, self.cameras))))
         with np.errstate(all="ignore"):  # what is not finite is refused
-            return self.cameras[str(found)]()
+            return self.cameras[str(known)]()
 
     def of(self, camera: str, size: tuple[int, int]) -> FrameInterior:
-        """One scaled to an image of ``size`` (columns, rows). Raises SensorModelError for what can't be its camera."""
+        """A camera scaled to an image of ``size`` (columns, rows). Raises SensorModelError where they do not fit."""
         try:
-            found = self.chosen(camera)
-            made, own_size = found.interior, found.size
+            chosen = self.chosen(camera)
+            made, sides = chosen.interior, chosen.size
             lens = map(np.atleast_1d, vars(made.lens).values())
-            pixels = np.concatenate([made.focal, made.principal, made.centre, own_size])
+            pixels = np.concatenate([made.focal, made.principal, made.centre, sides])
             sound = (
-                own_size.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
-                and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *own_size) >= 1
+                sides.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
+                and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *sides) >= 1
             )
         except BROKEN:
             sound = False
         if not sound:
             raise SensorModelError(messages.NO_INTERIOR(name=self.name))
-        scale = np.array(size) / own_size
+        scale = np.array(size) / sides
         if abs(scale[0] / scale[1] - 1) > MAX_SHAPE_DIFFERENCE:
-            (width, height), (columns, rows) = (round(float(side)) for side in own_size), size
-            raise SensorModelError(messages.INTERIOR_OF_ANOTHER_SHAPE(
-                name=self.name, width=width, height=height, columns=columns, rows=rows
-            ))
-        if not 1 / MAX_PIXEL_RATIO <= made.focal[0] / made.focal[1] <= MAX_PIXEL_RATIO:
-            ratio = float(made.focal[1] / made.focal[0])
+            shapes = zip(("width", "height", "columns", "rows"), (*np.rint(sides).astype(int).tolist(), *size))
+            raise SensorModelError(messages.INTERIOR_OF_ANOTHER_SHAPE(name=self.name, **dict(shapes)))
+        ratio = float(made.focal[1] / made.focal[0])
+        if not 1 / MAX_PIXEL_RATIO <= ratio <= MAX_PIXEL_RATIO:
             raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=self.name, ratio=ratio))
         return replace(made, focal=made.focal * scale, principal=made.principal * scale, centre=made.centre * scale)
 
@@ -105,11 +101,10 @@ def orientation_file(path: Path) -> Path:
     """The file, or the reconstruction of an OpenDroneMap project. Raises SensorModelError for another folder."""
     if not os.path.isdir(path):
         return path
-    inside = (path / "opensfm" / _RECONSTRUCTION, path / _RECONSTRUCTION)
-    found = next((one for one in inside if one.is_file()), None)
-    if found is None:
-        raise SensorModelError(messages.NO_PROJECT(folder=path))
-    return found
+    for reconstruction in (path / "opensfm" / _RECONSTRUCTION, path / _RECONSTRUCTION):
+        if reconstruction.is_file():
+            return reconstruction
+    raise SensorModelError(messages.NO_PROJECT(folder=path))
 
 
 def document(path: Path) -> Any:
@@ -126,7 +121,7 @@ def document(path: Path) -> Any:
 
 
 def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]:
-    """What makes each camera, by its name."""
+    """The function that makes each camera, by the camera's name."""
     if isinstance(content, Element):
         if content.tag == "BlocksExchange":
             groups = enumerate(content.iter("Photogroup"))
@@ -135,37 +130,33 @@ def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]
             return {sensor.get("id", ""): partial(_metashape_camera, sensor, path) for sensor in content.iter("sensor")}
         return {"": partial(_metashape_camera if content.tag == "calibration" else _micmac_camera, content, path)}
     if isinstance(content, (dict, list)):
-        if isinstance(content, list):  # of each part of a reconstruction
-            cameras = {
-                f"{part}/{name.removeprefix(VERSION)}": one
-                for part, own in enumerate(content) for name, one in own["cameras"].items()
-            }  # fmt: skip
+        if isinstance(content, list):
+            parts = {f"{number}/": part["cameras"] for number, part in enumerate(content)}  # of a reconstruction
         else:
-            cameras = {name.removeprefix(VERSION): one for name, one in content.get("cameras", content).items()}
-        if not all("projection_type" in one for one in cameras.values()):
+            parts = {"": content.get("cameras", content)}
+        cameras = {part + name.removeprefix(VERSION): camera for part in parts for name, camera in parts[part].items()}
+        if not all("projection_type" in camera for camera in cameras.values()):
             raise ValueError
-        return {name: partial(_opensfm_camera, one, path) for name, one in cameras.items()}
+        return {name: partial(_opensfm_camera, camera, path) for name, camera in cameras.items()}
     if "$CAMERA_DEFINITION" in content:
-        return {
-            inpho_value(block, "ID"): partial(_inpho_camera, block, path)
-            for block in inpho_blocks(content, "CAMERA_DEFINITION")
-        }
-    photos = pix4d_photos(content)
-    if photos:
+        blocks = inpho_blocks(content, "CAMERA_DEFINITION")
+        return {inpho_value(block, "ID"): partial(_inpho_camera, block, path) for block in blocks}
+    if photos := pix4d_photos(content):
         return {name: partial(_pix4d_camera, numbers) for name, numbers in photos.items()}
-    return {name: partial(_orthority_camera, one, path) for name, one in _yaml_cameras(content, path).items()}
+    return _orthority_cameras(content, path)
 
 
-def lens_of(kind: str, given: Mapping[str, float]) -> Lens:
-    """One of ``_LENSES`` by its coefficients as OpenCV names them; those that are not given are 0."""
+def lens_of(kind: str, values: Mapping[str, Any]) -> Lens:
+    """A lens of ``_LENSES`` by its coefficients as OpenCV names them; those that are not given are 0."""
+    terms = {name: float(values.get(name) or 0.0) for name in _LENSES[kind]}
 
     def of(*names: str) -> tuple[float, ...]:
-        return tuple(given.get(name, 0.0) for name in names)
+        return tuple(terms.get(name, 0.0) for name in names)
 
-    if not any(given.values()) and kind != "fisheye":
-        return Lens()
     if kind == "fisheye":
         return FisheyeLens(of("k1", "k2", "k3", "k4"))
+    if not any(terms.values()):
+        return Lens()
     first, second = of("p1", "p2")
     return BrownLens(of("k1", "k2", "k3"), (first, second), of("k4", "k5", "k6"), of("s1", "s2", "s3", "s4"))
 
@@ -174,20 +165,19 @@ def _camera(
     size: Sequence[float], focal: Sequence[float], principal: Sequence[float], lens: Lens,
     centre: Sequence[float] | None = None, mount: np.ndarray | None = None,
 ) -> FileCamera:  # fmt: skip
-    """All in pixels; ``principal`` and ``centre`` from the upper left corner of the first one."""
+    """A camera in pixels; ``principal`` and ``centre`` from the upper left corner of the first one."""
     point = np.array(principal, float)
     middle = point if centre is None else np.array(centre, float)
     interior = FrameInterior(np.broadcast_to(np.array(focal, float), 2).copy(), point, lens, middle)
     return FileCamera(interior, np.array(size, float), np.diag([1.0, -1.0]) if mount is None else mount)
 
 
-def _yaml_cameras(content: str, path: Path) -> dict[str, Mapping[str, Any]]:
+def _orthority_cameras(content: str, path: Path) -> Mapping[str, Callable[[], FileCamera]]:
     cameras = yaml_document(content, path.name)
-    if "im_size" in cameras:
-        cameras = {"": cameras}
-    if not all(isinstance(one, dict) and "im_size" in one for one in cameras.values()):
+    cameras = {"": cameras} if "im_size" in cameras else cameras
+    if not all(isinstance(camera, dict) and "im_size" in camera for camera in cameras.values()):
         raise ValueError
-    return cameras
+    return {name: partial(_orthority_camera, camera, path) for name, camera in cameras.items()}
 
 
 def _orthority_camera(values: Mapping[str, Any], path: Path) -> FileCamera:
@@ -200,40 +190,37 @@ def _orthority_camera(values: Mapping[str, Any], path: Path) -> FileCamera:
     # Without a sensor's size the focal length is one of sensor widths.
     focal = np.array(values["focal_len"], float) * (size / np.array(sensor, float) if sensor else size[0])
     offset = np.array([values.get("cx") or 0.0, values.get("cy") or 0.0], float)
-    given = {key: float(values.get(key) or 0.0) for key in _LENSES[kind]}
-    return _camera(size, focal, size / 2 + offset * size.max(), lens_of(kind, given))
+    return _camera(size, focal, size / 2 + offset * size.max(), lens_of(kind, values))
 
 
 def _opensfm_camera(values: Mapping[str, Any], path: Path) -> FileCamera:
-    """Lengths are shares of the longer side, from the middle of the image."""
+    """A camera of OpenSfM, whose lengths are shares of the longer side, from the middle of the image."""
     kind = _OPENSFM.get(str(values["projection_type"]).lower())
     if kind is None:
         raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=values["projection_type"]))
     size = np.array([values["width"], values["height"]], float)
     focal = [values["focal"]] if "focal" in values else [values["focal_x"], values["focal_y"]]
     offset = np.array([values.get("c_x") or 0.0, values.get("c_y") or 0.0], float)
-    given = {key: float(values.get(key) or 0.0) for key in _LENSES[kind]}
-    return _camera(size, np.array(focal, float) * size.max(), size / 2 + offset * size.max(), lens_of(kind, given))
+    return _camera(size, np.array(focal, float) * size.max(), size / 2 + offset * size.max(), lens_of(kind, values))
 
 
 def _metashape_camera(sensor: Element, path: Path) -> FileCamera:
     """A sensor of a project, or a calibration by itself; its p1 and p2 are OpenCV's p2 and p1."""
-    found = [one for one in sensor.iter("calibration") if one.find("f") is not None]
-    calibration = next((one for one in found if one.get("class") == "adjusted"), found[0])
+    calibrations = [element for element in sensor.iter("calibration") if element.find("f") is not None]
+    calibration = next((element for element in calibrations if element.get("class") == "adjusted"), calibrations[0])
     words = ("resolution", "projection", "date")
-    values = {one.tag: float(one.text or 0) for one in calibration if one.tag not in words and not len(one)}
+    values = {term.tag: float(term.text or 0) for term in calibration if term.tag not in words and not len(term)}
     kind = calibration.get("type") or calibration.findtext("projection") or "frame"
     if kind not in ("frame", "equidistant_fisheye") or values.get("b2") or (kind == "frame" and values.get("k4")):
         raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=kind))
     sides = calibration.find("resolution")
     size = [values[name] if sides is None else float(sides.get(name, 0)) for name in ("width", "height")]
     focal = values["f"]
-    theirs = {"p1": "p2", "p2": "p1"}
-    given = {name: values.get(theirs.get(name, name), 0.0) for name in ("k1", "k2", "k3", "k4", "p1", "p2")}
-    if kind != "frame" and (given.pop("p1"), given.pop("p2")) != (0, 0):
+    if kind != "frame" and (values.get("p1") or values.get("p2")):
         raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=f"{kind} p1, p2"))
     principal = [size[0] / 2 + values.get("cx", 0.0), size[1] / 2 + values.get("cy", 0.0)]
-    lens = lens_of("brown" if kind == "frame" else "fisheye", given)
+    terms = {**values, "p1": values.get("p2"), "p2": values.get("p1")}
+    lens = lens_of("brown" if kind == "frame" else "fisheye", terms)
     return _camera(size, [focal + values.get("b1", 0.0), focal], principal, lens)
 
 
@@ -250,9 +237,8 @@ def _block_camera(group: Element, path: Path) -> FileCamera:
     ratio = float(group.findtext("AspectRatio") or 1)
     point = group.find("PrincipalPoint")
     principal = [side / 2 for side in size] if point is None else numbers_of(point, "x", "y")
-    names = {"k1": "K1", "k2": "K2", "k3": "K3", "p1": "P2", "p2": "P1"}
-    given = {ours: float(group.findtext(f"Distortion/{theirs}") or 0) for ours, theirs in names.items()}
-    return _camera(size, [focal, focal * ratio], principal, lens_of("brown", given))
+    terms = {name: group.findtext(f"Distortion/{term}") for name, term in zip(_BROWN, ("K1", "K2", "K3", "P2", "P1"))}
+    return _camera(size, [focal, focal * ratio], principal, lens_of("brown", terms))
 
 
 def _micmac_camera(root: Element, path: Path) -> FileCamera:
@@ -264,8 +250,8 @@ def _micmac_camera(root: Element, path: Path) -> FileCamera:
     for kind in (part for distortion in inner.iterfind("CalibDistortion") for part in distortion):
         if kind.tag == "ModRad" and centre is None:
             centre = numbers_of(kind, "CDist")
-            coefficients = [float(one.text or "") for one in kind.iterfind("CoeffDist")]
-            radial = tuple(one * focal[0] ** (2 * power) for power, one in enumerate(coefficients, 1))
+            coefficients = [float(element.text or "") for element in kind.iterfind("CoeffDist")]
+            radial = tuple(term * focal[0] ** (2 * power) for power, term in enumerate(coefficients, 1))
         elif kind.tag not in ("ModNoDist", "NoDist"):
             raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=kind.tag))
     convention = inner.findtext("KnownConv") or inner.findtext("ConvOri/KnownConv") or "eConvApero_DistM2C"
@@ -297,21 +283,21 @@ def pix4d_photos(content: str) -> dict[str, list[float]]:
 
 def _pix4d_camera(numbers: Sequence[float]) -> FileCamera:
     matrix = np.reshape(numbers[2:11], (3, 3))
-    given = dict(zip(("k1", "k2", "k3", "p1", "p2"), numbers[11:16]))
-    return _camera(numbers[:2], [matrix[0, 0], matrix[1, 1]], matrix[:2, 2], lens_of("brown", given))
+    lens = lens_of("brown", dict(zip(_BROWN, numbers[11:16])))
+    return _camera(numbers[:2], [matrix[0, 0], matrix[1, 1]], matrix[:2, 2], lens)
 
 
 def inpho_blocks(content: str, name: str) -> list[str]:
     """The parts ``$NAME ... $END`` of an Inpho project."""
     ended = re.split(r"^\$END\b", content, flags=re.MULTILINE)[:-1]
-    found = (re.search(rf"^\${name}\b(.*)", part, re.DOTALL | re.MULTILINE) for part in ended)
-    return [one[1] for one in found if one]
+    matches = (re.search(rf"^\${name}\b(.*)", part, re.DOTALL | re.MULTILINE) for part in ended)
+    return [match[1] for match in matches if match]
 
 
 def inpho_value(block: str, name: str) -> str:
-    """What follows ``$NAME :`` up to the next key; empty where there is none."""
-    found = re.search(rf"\${name}\s*:([^$]*)", block)
-    return found[1].strip() if found else ""
+    """The text after ``$NAME :`` up to the next key; empty where there is none."""
+    match = re.search(rf"\${name}\s*:([^$]*)", block)
+    return match[1].strip() if match else ""
 
 
 def _inpho_camera(block: str, path: Path) -> FileCamera:

@@ -1,4 +1,4 @@
-"""Where the cameras of aerial photos were and how they looked, from the files of other programs."""
+"""Exterior orientations of aerial photos from the files of other programs."""
 from __future__ import annotations
 
 import csv
@@ -35,7 +35,7 @@ _ALIASES = {
     "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka", "camera": "camera cameraid sensor",
 }  # fmt: skip
 _NAMES = {alias: name for name, aliases in _ALIASES.items() for alias in aliases.split()}
-"""What columns are called, in small letters and digits and without units, and what they hold."""
+"""Names of columns, in small letters and digits and without units, and what they hold."""
 _PAIRS = r"(?i)(ellipsoid|orthometric|photo|image|file|camera)[ _](height|id|name)"
 _DIGITS = 1e-4  # how far from orthonormal axes in a text may be
 _SHOWN = 5
@@ -46,7 +46,7 @@ _DOWN = np.diag([1.0, -1.0, -1.0])  # from x right, y up, z back to columns, row
 
 @dataclass(frozen=True)
 class FrameExterior:
-    """Where a camera was and how it looked."""
+    """The exterior orientation of a photo."""
 
     position: np.ndarray  # (3,) x, y, height, m
     axes: np.ndarray  # (3, 3), as ``FrameCamera.axes``
@@ -57,7 +57,7 @@ class FrameExterior:
 
 
 Named = list[tuple[str, Callable[[], FrameExterior]]]
-"""What makes the orientation of each photo, with its name."""
+"""The name of each photo with the function that makes its orientation."""
 
 
 @dataclass(frozen=True)
@@ -73,15 +73,16 @@ class Exteriors:
         return [name for name, _ in self.photos]
 
     def of(self, image: str) -> FrameExterior:
-        """That of an image by its file's name, with ending or without. Raises SensorModelError for none or several."""
+        """Orientation of an image by its file's name, with ending or without. Raises SensorModelError unless there is
+        just one."""
         stem = Path(image).stem
-        alike = [one for one in self.photos if self.names == [""] or stem in (one[0], Path(one[0]).stem)]
-        found = [one for one in self.photos if one[0] == image] or alike
-        if len(found) != 1:
+        alike = [make for name, make in self.photos if self.names == [""] or stem in (name, Path(name).stem)]
+        makers = [make for name, make in self.photos if name == image] or alike
+        if len(makers) != 1:
             names = ", ".join(self.names[:_SHOWN])
             raise SensorModelError(messages.IMAGE_NOT_ORIENTED(name=self.name, image=image, names=names))
         try:
-            made = found[0][1]()
+            made = makers[0]()
             sound = np.isfinite(made.position).all() and (made.position.shape, made.axes.shape) == ((3,), (3, 3))
         except BROKEN:
             sound = False
@@ -91,7 +92,7 @@ class Exteriors:
 
 
 def read_exteriors(content: Any, path: Path, angles: str = AUTO) -> Exteriors:
-    """Those of a ``document``; ``angles``: of ``limits.ANGLE_UNITS``. Raises SensorModelError without any."""
+    """Orientations of a ``document``; ``angles``: of ``limits.ANGLE_UNITS``. Raises SensorModelError without any."""
     try:
         return Exteriors(path.name, _photos(content, path, angles))
     except (*BROKEN, csv.Error):
@@ -107,14 +108,13 @@ def _photos(content: Any, path: Path, angles: str) -> Named:
         return [("", partial(_micmac_exterior, content))]
     if isinstance(content, dict) and "features" in content:
         system = str(content.get("world_crs") or "")
-        rows = [one["properties"] for one in content["features"]]
+        rows = [feature["properties"] for feature in content["features"]]
         return [(str(row["filename"]), partial(_orthority_exterior, row, system)) for row in rows]
     if isinstance(content, (dict, list)):
         return _opensfm_photos(content, path)
     if "$PHOTO" in content:
         return _inpho_photos(content, path)
-    pix4d = pix4d_photos(content)
-    if pix4d:
+    if pix4d := pix4d_photos(content):
         offset = _pix4d_offset(path)
         return [(name, partial(_pix4d_exterior, name, numbers, offset)) for name, numbers in pix4d.items()]
     return _patb_photos(content) or _table_photos(content, path, angles)
@@ -137,19 +137,19 @@ def _opensfm_photos(content: Any, path: Path) -> Named:
     it by one in UTM and keeps the exact one beside it; else the offset stands in another folder."""
     exact, offset = path.with_name("reconstruction.topocentric.json"), None
     coordinates = path.parent.parent / "odm_georeferencing" / "coords.txt"
-    told = messages.PLANE_TAKEN(name=path.name)
+    notice = messages.PLANE_TAKEN(name=path.name)
     if exact.is_file() and path.name != exact.name:
-        content, told = document(exact), messages.TOPOCENTRIC_TAKEN(name=path.name, exact=exact.name)
+        content, notice = document(exact), messages.TOPOCENTRIC_TAKEN(name=path.name, exact=exact.name)
     elif coordinates.is_file() and path.name != exact.name:
         system, offset = _odm_offset(coordinates)
-        told = messages.UTM_TAKEN(name=path.name, system=system, offsets=coordinates.name)
+        notice = messages.UTM_TAKEN(name=path.name, system=system, offsets=coordinates.name)
 
     def exterior(shot: dict[str, Any], part: int, origin: list[float]) -> FrameExterior:
         axes = Rotation.from_rotvec(np.array(shot["rotation"], float)).as_matrix().T
         position = -axes @ np.array(shot["translation"], float)
         is_plane = offset is None
         made = _from_plane(origin, position, axes) if is_plane else FrameExterior(position + offset, axes, wkt=system)
-        return replace(made, camera=f"{part}/{str(shot['camera']).removeprefix(VERSION)}", notices=(told,))
+        return replace(made, camera=f"{part}/{str(shot['camera']).removeprefix(VERSION)}", notices=(notice,))
 
     photos: Named = []
     for number, part in enumerate(content if isinstance(content, list) else [content]):
@@ -170,27 +170,26 @@ def _metashape_photos(root: Element) -> Named:
     """The cameras of a project that are aligned, in the chunk's own system, which its transform puts on the Earth."""
     photos: Named = []
     for chunk in root.iter("chunk"):
-        components = {one.get("id"): one.find("transform") for one in chunk.iter("component")}
+        components = {component.get("id"): component.find("transform") for component in chunk.iter("component")}
         for camera in chunk.iter("camera"):
-            own = camera.find("transform")
             placed = components.get(camera.get("component_id"))
             placed = chunk.find("transform") if placed is None else placed
-            if own is not None and own.text and placed is not None:
+            if camera.findtext("transform") and placed is not None:
                 photos.append((camera.get("label", ""), partial(_metashape_exterior, camera, placed)))
     return photos
 
 
 def _metashape_exterior(camera: Element, placed: Element) -> FrameExterior:
-    own, turn = np.reshape(numbers_of(camera, "transform"), (4, 4)), np.reshape(numbers_of(placed, "rotation"), (3, 3))
-    centre = float(placed.findtext("scale") or 1) * turn @ own[:3, 3] + numbers_of(placed, "translation")
+    pose, turn = np.reshape(numbers_of(camera, "transform"), (4, 4)), np.reshape(numbers_of(placed, "rotation"), (3, 3))
+    centre = float(placed.findtext("scale") or 1) * turn @ pose[:3, 3] + numbers_of(placed, "translation")
     if not 0.9 < np.linalg.norm(centre) / WGS84_SEMI_MAJOR_M < 1.1:  # a system of its own, and not the Earth's
         raise ValueError
-    return replace(_from_geocentric(centre, turn @ own[:3, :3]), camera=camera.get("sensor_id", ""))
+    return replace(_from_geocentric(centre, turn @ pose[:3, :3]), camera=camera.get("sensor_id", ""))
 
 
 def _block_photos(root: Element) -> Named:
     """ContextCapture's: the rotation takes the ground to the camera, whose y is up or down as the group says."""
-    systems = {one.findtext("Id"): (one.findtext("Definition") or "").strip() for one in root.iter("SRS")}
+    systems = {system.findtext("Id"): (system.findtext("Definition") or "").strip() for system in root.iter("SRS")}
     photos: Named = []
     groups = [(block, group) for block in root.iter("Block") for group in block.iter("Photogroup")]
     for number, (block, group) in enumerate(groups):
@@ -208,8 +207,8 @@ def _block_exterior(photo: Element, group: Element, camera: str, system: str) ->
     else:
         names = [f"M_{row}{column}" for row in range(3) for column in range(3)]
         from_camera = np.reshape(numbers_of(turn, *names), (3, 3)).T
-    own = {"XRightYDown": np.eye(3), "XRightYUp": _DOWN}
-    axes = from_camera @ own[group.findtext("CameraOrientation") or "XRightYDown"]
+    convention = {"XRightYDown": np.eye(3), "XRightYUp": _DOWN}[group.findtext("CameraOrientation") or "XRightYDown"]
+    axes = from_camera @ convention
     centre = np.array(numbers_of(photo, *(f"Pose/Center/{axis}" for axis in "xyz")))
     plane = re.match(r"ENU:([-\d.]+),([-\d.]+)", system)
     if plane:
@@ -218,15 +217,16 @@ def _block_exterior(photo: Element, group: Element, camera: str, system: str) ->
 
 
 def _inpho_photos(content: str, path: Path) -> Named:
-    """Projects hold the rotation from the ground to the camera."""
+    """The photos of an Inpho project, which holds rotations from the ground to the camera."""
 
     def exterior(block: str) -> FrameExterior:
         values = [float(word) for word in inpho_value(block, "EXT_ORI").partition("\n")[2].split()[:13]]
         camera = inpho_value(block, "CAMERA_ID")
-        mount = read_cameras(content, path).chosen(camera).mount
-        own = np.array([[*mount[0], 0.0], [*mount[1], 0.0], [0.0, 0.0, -1.0]])
-        told = (messages.ROTATION_TAKEN(name=path.name, way="$EXT_ORI"),)
-        return FrameExterior(np.array(values[1:4]), (own @ np.reshape(values[4:], (3, 3))).T, camera, notices=told)
+        mount = np.diag([0.0, 0.0, -1.0])
+        mount[:2, :2] = read_cameras(content, path).chosen(camera).mount
+        notices = (messages.ROTATION_TAKEN(name=path.name, way="$EXT_ORI"),)
+        axes = (mount @ np.reshape(values[4:], (3, 3))).T
+        return FrameExterior(np.array(values[1:4]), axes, camera, notices=notices)
 
     def name(block: str) -> str:
         return re.split(r"[\\/]", inpho_value(block, "PHOTO_FILE"))[-1] or inpho_value(block, "PHOTO_NUM")
@@ -235,11 +235,10 @@ def _inpho_photos(content: str, path: Path) -> Named:
 
 
 def _pix4d_offset(path: Path) -> np.ndarray:
-    """(3,) what positions are less than their coordinates by: of ``..._offset.xyz`` beside it."""
+    """(3,) the offset of positions, in ``..._offset.xyz`` beside the file."""
     beside = path.with_name(path.name.replace("calibrated_camera_parameters.txt", "offset.xyz"))
     is_there = beside != path and beside.is_file()
-    words = beside.read_text(encoding="utf-8", errors="replace").split()[:3] if is_there else (0, 0, 0)
-    return np.array(words, float)
+    return np.array(beside.read_text(encoding="utf-8", errors="replace").split()[:3] if is_there else (0, 0, 0), float)
 
 
 def _pix4d_exterior(name: str, numbers: Sequence[float], offset: np.ndarray) -> FrameExterior:
@@ -260,8 +259,8 @@ def _from_geocentric(position: np.ndarray, axes: np.ndarray) -> FrameExterior:
         system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     longitude, latitude, height = osr.CoordinateTransformation(*systems).TransformPoint(*position.tolist())
     plane = f"+proj=tmerc +lon_0={longitude:.12f} +lat_0={latitude:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
-    own = _local_axes(longitude, latitude) @ axes
-    return FrameExterior(np.array([0.0, 0.0, height]), own, wkt=plane, curvature=EARTH_CURVATURE)
+    local = _local_axes(longitude, latitude) @ axes
+    return FrameExterior(np.array([0.0, 0.0, height]), local, wkt=plane, curvature=EARTH_CURVATURE)
 
 
 def _local_axes(longitude: float, latitude: float) -> np.ndarray:
@@ -281,14 +280,14 @@ def _patb_photos(content: str) -> Named:
         values = _numbers(words)
         if len(first) not in (4, 5) or len(values) != 12:
             return []
-        told = (messages.ROTATION_TAKEN(name=first[0], way="PATB"),)
-        turn = np.reshape(values[3:], (3, 3)) @ _DOWN
-        photos.append((first[0], partial(FrameExterior, np.array(values[:3]), turn, notices=told)))
+        notices = (messages.ROTATION_TAKEN(name=first[0], way="PATB"),)
+        axes = np.reshape(values[3:], (3, 3)) @ _DOWN
+        photos.append((first[0], partial(FrameExterior, np.array(values[:3]), axes, notices=notices)))
     return photos
 
 
 def _numbers(words: Iterable[str]) -> list[float]:
-    """With decimal points or commas; empty where one is none."""
+    """The numbers of words with decimal points or commas; empty where a word is no number."""
     try:
         values = [float(word.replace(",", ".")) for word in words]
     except ValueError:
@@ -297,14 +296,13 @@ def _numbers(words: Iterable[str]) -> list[float]:
 
 
 def _table_photos(content: str, path: Path, angles: str) -> Named:
-    """Values parted by semicolons, tabs, commas or blanks, with a header or in the order of ``_FIELDS``."""
+    """Photos of a table parted by semicolons, tabs, commas or blanks, with a header or in the order of ``_FIELDS``."""
     lines = [line for line in content.splitlines() if line.strip()]
     if any(len(line) > _LONGEST_LINE for line in lines):
         raise ValueError
-    headers = ((number, *_header(line)) for number, line in enumerate(lines))
-    start, fields, count = next(
-        ((number + 1, found, count) for number, found, count in headers if found), (0, dict(zip(_FIELDS, range(7))), 0)
-    )
+    headers = ((number, *_header(line)) for number, line in enumerate(lines, 1))
+    headerless = 0, {name: place for place, name in enumerate(_FIELDS)}, 0
+    start, fields, count = next((header for header in headers if header[1]), headerless)
     if "filename" not in fields or (start == 0 and any(re.search("(?i)omega.*kappa", line) for line in lines)):
         raise ValueError  # nor are columns guessed where a header names others
     rows = _rows([line for line in lines[start:] if not line.lstrip().startswith("#")], fields, count)
@@ -316,34 +314,34 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
         notices = (messages.ANGLES_PERHAPS_RADIANS(name=path.name),)
     elif not unit and largest > 180:
         notices = (messages.ANGLES_PERHAPS_GON(name=path.name, angle=largest),)
-    named = re.search(r"(PROJCS|COMPD_CS|PROJCRS)\[.*\]", "\n".join(lines[:start]))  # in a comment, as by Metashape
+    system = re.search(r"(PROJCS|COMPD_CS|PROJCRS)\[.*\]", "\n".join(lines[:start]))  # in a comment, as by Metashape
 
     def exterior(cells: list[str], numbers: list[float]) -> FrameExterior:
         axes = camera_axes(*(np.array(numbers[3:]) * _IN_DEGREES[unit or DEGREES]).tolist())
         camera = cells[fields["camera"]] if "camera" in fields else ""
-        return FrameExterior(np.array(numbers[:3]), axes, camera, named[0] if named else "", notices=notices)
+        return FrameExterior(np.array(numbers[:3]), axes, camera, system[0] if system else "", notices=notices)
 
     return [(row[0][fields["filename"]], partial(exterior, *row)) for row in rows]
 
 
 def _header(line: str) -> tuple[dict[str, int], int]:
-    """Where each column stands, {} for too few; and how many there are where blanks part them: rows have as many."""
+    """The places of columns, {} for too few; and how many there are where blanks part them: rows have as many."""
     line = re.sub(_PAIRS, r"\1\2", re.sub(r"(?i)#\s*event", "event", line)).strip().lstrip("#")
     line = re.sub(r" +([(\[])", r"\1", line)  # a unit is no column of its own
     for parted in (";", "\t", ",", None):
         names = [re.sub(r"\(.*?\)|\[.*?\]|[^a-z0-9]", "", re.sub(_ANGLE_WORDS, "", word.lower()))
                  for word in line.split(parted)]  # fmt: skip
-        found = {_NAMES[name]: place for place, name in reversed(list(enumerate(names))) if name in _NAMES}
-        if set(_FIELDS[1:]) <= set(found):
-            return found, 0 if parted else len(names)
+        places = {_NAMES[name]: place for place, name in reversed(list(enumerate(names))) if name in _NAMES}
+        if set(_FIELDS[1:]) <= set(places):
+            return places, 0 if parted else len(names)
     return {}, 0
 
 
 def _angle_unit(lines: Iterable[str]) -> str:
     """The unit that a header and what stands around it name; empty where they name none, or several."""
     text = " ".join(lines).lower()
-    found = [unit for unit, words in _UNIT_WORDS if re.search(rf"(?<![a-z])(?:{words})(?![a-z])", text)]
-    return found[0] if len(found) == 1 else ""
+    units = [unit for unit, words in _UNIT_WORDS if re.search(rf"(?<![a-z])(?:{words})(?![a-z])", text)]
+    return units[0] if len(units) == 1 else ""
 
 
 def _rows(lines: Sequence[str], fields: dict[str, int], count: int) -> list[tuple[list[str], list[float]]]:
@@ -351,9 +349,8 @@ def _rows(lines: Sequence[str], fields: dict[str, int], count: int) -> list[tupl
     places = [fields[name] for name in _FIELDS[1:]]
     for line in lines[:3]:  # one of units may come first
         for parted in (";", "\t", ",", " "):
-            found = [_row(one, parted, places, count) for one in lines]
             if _row(line, parted, places, count) is not None:
-                return [one for one in found if one is not None]
+                return [row for row in (_row(other, parted, places, count) for other in lines) if row is not None]
     raise ValueError
 
 

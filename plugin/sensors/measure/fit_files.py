@@ -30,7 +30,7 @@ _RISE_M = 100.0  # between the two heights that a line of sight is taken at
 
 @dataclass(frozen=True)
 class ModelFile:
-    """What a model file holds."""
+    """The content of a model file."""
 
     model: SensorModel
     wkt: str  # system of the points it was fitted to; models in longitude and latitude ignore it
@@ -67,7 +67,7 @@ def load_model(path: Path) -> ModelFile:
             raise SensorModelError(messages.MODEL_FILE_VERSION(name=path.name, version=document.get("version")))
         model = _built(registry.KINDS[document["model"]].model_class(), document["parameters"])
         ranges = [document["domain"][field.name] for field in fields(Domain)]
-        domain = Domain(*((float(one[0]), float(one[1])) for one in ranges))
+        domain = Domain(*((float(low), float(high)) for low, high, *_ in ranges))
         with np.errstate(all="ignore"):  # arrays may be of other shapes
             if model.project(np.zeros((_TRIED, 3))).shape != (_TRIED, 2):
                 raise ValueError
@@ -77,7 +77,7 @@ def load_model(path: Path) -> ModelFile:
 
 
 def _built(kind: Any, plain: Any) -> Any:
-    """A value of a type from what JSON keeps of it."""
+    """The value of a type whose fields, numbers and lists were in JSON."""
     if kind is np.ndarray:
         array = np.array(plain, float)
         if not np.isfinite(array).all():
@@ -98,11 +98,11 @@ class ViewDirection:
     largest: float  # the largest angle from the vertical in the image's corners, degrees
 
     def shift_m(self, terrain_error_m: float) -> float:
-        """How far an error in the terrain's heights moves the middle of the orthoimage, m."""
+        """Shift of the orthoimage's middle by an error in the terrain's heights, m."""
         return float(np.tan(np.radians(self.angle)) * abs(terrain_error_m))
 
-    def told(self, terrain_error_m: float) -> Message:
-        """In words, for an error of the terrain's heights."""
+    def notice(self, terrain_error_m: float) -> Message:
+        """The view in words, with what an error of the terrain's heights does."""
         return messages.VIEW_TOLD(
             angle=self.angle, azimuth=self.azimuth, largest=self.largest, error=terrain_error_m,
             shift=self.shift_m(terrain_error_m),
@@ -114,9 +114,11 @@ def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirectio
     if not model.SPATIAL:
         return None
     levels = np.mean(domain.heights) + np.array([-0.5, 0.5]) * _RISE_M
-    grids = (np.column_stack([one := domain.middle_and_corners, np.full(len(one), level)]) for level in levels)
+    places = domain.middle_and_corners
     try:
-        low, high = (located(model, wkt, grid, domain) for grid in grids)
+        low, high = (
+            located(model, wkt, np.column_stack([places, np.full(len(places), level)]), domain) for level in levels
+        )
     except SensorModelError:
         return None
     towards = (high - low)[:, :2] * metres_per_unit(WGS84, float(low[0, 1]))
@@ -127,7 +129,7 @@ def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirectio
 
 @dataclass(frozen=True)
 class FitFiles:
-    """Writes what programs read of a fit. Each raises SettingsError where no file can be."""
+    """The writer of the files of a fit. Each method raises SettingsError where no file can be."""
 
     done: Adjustment
     image: OpenRaster | None
@@ -136,13 +138,12 @@ class FitFiles:
 
     @cached_property
     def domain(self) -> Domain:
-        """Where the model is used: over the image, at the points' heights."""
+        """The domain of the model: the image, at the points' heights."""
         ground = self.done.points.ground
         heights = ground[:, 2][np.isfinite(ground[:, 2])]
         low, high = (float(heights.min()), float(heights.max())) if len(heights) else (0.0, 0.0)
         x, y = ground[:, :2].mean(axis=0).tolist()
-        left, top, right, bottom = self.box
-        return Domain((left, right), (top, bottom), (low, high), (x, y))
+        return Domain(self.box[0::2], self.box[1::2], (low, high), (x, y))
 
     @cached_property
     def _rpc(self) -> RpcOfModel:
@@ -155,7 +156,7 @@ class FitFiles:
         return model.bias(self.domain.middle_and_corners) if isinstance(model, BiasedRpc) else None
 
     def save_model(self, path: Path) -> None:
-        """The model file."""
+        """Write the model file."""
         done, fitted = self.done, self.done.fitted
         facts = {
             "model": done.request.name, "condition": fitted.condition, "iterations": fitted.iterations,
@@ -165,28 +166,28 @@ class FitFiles:
         save_model(ModelFile(fitted.model, done.points.wkt, self.domain, facts), path)
 
     def save_rpc(self, path: Path) -> tuple[Message, bool]:
-        """The RPC; what to tell of it, or why there is none, and whether there is one."""
+        """Write the RPC; what to say of it, or why there is none, and whether there is one."""
         return self._written(lambda: write_rpc(self._rpc.rpc, path))
 
     def save_rpc_image(self, path: Path) -> tuple[Message, bool]:
-        """A copy of the image with the RPC in its tags; what to tell as for ``save_rpc``."""
+        """Write a copy of the image with the RPC in its tags; what to say as for ``save_rpc``."""
         if (image := self.image) is None:
             return messages.RPC_IMAGE_WITHOUT_IMAGE(), False
         return self._written(lambda: write_image_with_rpc(image, self._rpc.rpc, path, self.cancelled))
 
     def save_points(self, path: Path) -> None:
-        """The points with their residuals; check points and blunders are switched off."""
+        """Write the points with their residuals; check points and blunders are switched off."""
         used = ~self.done.points.check & ~self.done.blunder
         transform = self.image.raster.geotransform if self.image is not None else None
         write_point_file(path, self.done.points, used, self.done.residuals_px, transform)
 
     def _written(self, write: Callable[[], None]) -> tuple[Message, bool]:
-        """How closely the RPC follows the model, once it is written."""
+        """Write an RPC, and say how closely it follows the model."""
         try:
             write()
         except (SensorModelError, RasterError) as error:
             return messages.RPC_NOT_WRITTEN(why=error.message), False
-        if self._rpc.exact:
+        if self._rpc.max_px == 0:
             return messages.RPC_EXACT(), True
         low, high = rpc_heights(self.domain)
         return messages.RPC_FITTED(rms=self._rpc.rms_px, largest=self._rpc.max_px, low=low, high=high), True

@@ -23,7 +23,7 @@ _STEPS = 2000
 
 @dataclass(frozen=True)
 class Lens:
-    """One without distortion, and what all have in common."""
+    """A lens without distortion, and what all lenses have in common."""
 
     @cached_property
     def reach(self) -> float:
@@ -34,15 +34,15 @@ class Lens:
         return float(distance[folded[0]]) if folded.size else np.inf
 
     def scale(self, squared: np.ndarray) -> np.ndarray:
-        """How much further out a point is shown, by the square of its distance from the centre."""
+        """Factor by which a point is shown further out, by the square of its distance from the centre."""
         return np.ones_like(squared)
 
     def added(self, x: np.ndarray, y: np.ndarray, squared: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
-        """What is not radial, in focal lengths along columns and rows; None for nothing."""
+        """The part of the distortion that is not radial, in focal lengths along columns and rows; None for nothing."""
         return None
 
     def distorted(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """In focal lengths along columns and rows; NaN for what the lens doesn't show."""
+        """The distorted place, in focal lengths along columns and rows; NaN for what the lens doesn't show."""
         squared = x * x + y * y
         scale = self.scale(squared)
         if np.isfinite(self.reach):
@@ -92,12 +92,12 @@ class FisheyeLens(Lens):
 
 def _polynomial(coefficients: tuple[float, ...], value: np.ndarray) -> np.ndarray:
     """1 + c1 v + c2 v^2 + ..., by Horner's rule."""
-    found = np.zeros_like(value)
+    total = np.zeros_like(value)
     for coefficient in reversed(np.trim_zeros(coefficients, "b")):
-        found += coefficient
-        found *= value
-    found += 1
-    return found
+        total += coefficient
+        total *= value
+    total += 1
+    return total
 
 
 @dataclass(frozen=True)
@@ -111,7 +111,7 @@ class FrameInterior:
 
     def shown(self, across: np.ndarray, down: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column and row of views whose tangents along the camera's columns and rows are given."""
-        principal, centre, focal = (one.tolist() for one in (self.principal, self.centre, self.focal))
+        principal, centre, focal = self.principal.tolist(), self.centre.tolist(), self.focal.tolist()
         x, y = self.lens.distorted(
             across + (principal[0] - centre[0]) / focal[0], down + (principal[1] - centre[1]) / focal[1]
         )
@@ -134,9 +134,7 @@ class FrameCamera(SensorModel):
     interior: FrameInterior
     position: np.ndarray  # (3,) projection centre: x, y, height, m
     axes: np.ndarray  # (3, 3) columns: the camera's axes along columns, along rows and along the view, on the ground
-    curvature: float = 0.0
-    """1/m, of the ground: 0 where x and y are taken as Cartesian, else the Earth's, and x and y are those of a
-    projection about the camera that keeps distances there."""
+    curvature: float = 0.0  # 1/m: the Earth's, with x and y of a projection about the camera; 0: x and y are Cartesian
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         """(n, 3) x, y, height -> (n, 2) column, row."""
@@ -151,8 +149,8 @@ class FrameCamera(SensorModel):
             x, y = (x - self.position[0]) * swelling, (y - self.position[1]) * swelling
             height = height - self.position[2] - self.curvature / 2 * (x * x + y * y)
         else:
-            x, y, height = (one - origin for one, origin in zip((x, y, height), self.position))
-        x, y, height = (np.asarray(one, kind) for one in (x, y, height))
+            x, y, height = x - self.position[0], y - self.position[1], height - self.position[2]
+        x, y, height = (np.asarray(values, kind) for values in (x, y, height))
         east, north, up = self.axes.tolist()
         across, down, depth = (x * east[axis] + y * north[axis] + height * up[axis] for axis in (0, 1, 2))
         depth[depth <= 0] = np.nan

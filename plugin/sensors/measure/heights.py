@@ -65,12 +65,12 @@ class Geoid:
             left, right = 0, source.columns
         grid = first_band(source, PixelWindow(int(left), int(top), int(right) - int(left), int(bottom) - int(top)))
         grid = np.pad(grid, ((0, 0), (0, 1)), mode="wrap") if around else grid
-        found = bilinear(grid, *(inside - [left, top]).T)
-        if not np.isfinite(found).all():
+        heights = bilinear(grid, *(inside - [left, top]).T)
+        if not np.isfinite(heights).all():
             raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
-        if np.abs(found).max(initial=0) > MAX_UNDULATION_M:
+        if np.abs(heights).max(initial=0) > MAX_UNDULATION_M:
             raise RasterError(messages.NO_GEOID(name=self.ref.name))
-        return found
+        return heights
 
 
 def first_band(source: OpenRaster, window: PixelWindow, size: tuple[int, int] | None = None) -> np.ndarray:
@@ -110,7 +110,7 @@ Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class w
 
 
 def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Message, ...]]:
-    """What heights of the system ``wkt`` are to be converted from, empty for nothing, and what to say about it."""
+    """The datum that heights of the system ``wkt`` are converted from, empty for none, and what to say about it."""
     if isinstance(datum, Geoid):
         return datum, ()
     if datum != AUTO:
@@ -122,10 +122,10 @@ def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Mes
 
 
 def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
-    """(n,) of (n, 3) longitude, latitude and height. Raises RasterError without a grid, and names another."""
+    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude and height above ``vertical``. Raises RasterError
+    without a grid, and names another."""
     if isinstance(vertical, Geoid):
-        moved: np.ndarray = geographic[:, 2] + vertical.undulation(geographic)
-        return moved
+        return np.asarray(geographic[:, 2] + vertical.undulation(geographic))
     try:
         return heights_above_ellipsoid(geographic, vertical)
     except RasterError as error:
@@ -141,7 +141,7 @@ def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
 
 
 def heights_converted(added: np.ndarray, wkt: str, datum: Datum, name: str) -> Message:
-    """What to say of heights that were brought to the ellipsoid by adding so much."""
+    """The notice of heights that were brought to the ellipsoid by adding so much."""
     named = datum.ref.name if isinstance(datum, Geoid) else datum if datum in VERTICAL else vertical_part(wkt)
     return messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=float(added.min()), most=float(added.max()))
 
@@ -211,14 +211,14 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
 
 
 def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
-    """Bring heights to the ellipsoid where they stand, by a coarse grid, since the geoid is smooth; that grid, m."""
+    """Bring heights to the ellipsoid in place, by a coarse grid, since the geoid is smooth; that grid, m."""
     step, sides = UNDULATION_STEP_PX, terrain.heights.shape
     knots = [np.unique(np.append(np.arange(0, side, step), side - 1)) for side in sides]
     row, column = np.meshgrid(*knots, indexing="ij")
     pixels = np.column_stack([column.ravel(), row.ravel()]) + 0.5
     places = transform_points(terrain.origin + pixels * terrain.step, terrain.wkt, WGS84)
     coarse = above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
-    down, across = (np.interp(np.arange(side), one, np.arange(len(one))) for side, one in zip(sides, knots))
+    down, across = (np.interp(np.arange(side), at, np.arange(len(at))) for side, at in zip(sides, knots))
     for heights, place in zip(terrain.heights, down):
         heights += bilinear(coarse, across, np.full(len(across), place))
     return coarse

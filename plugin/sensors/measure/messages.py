@@ -1,4 +1,4 @@
-"""What a user can be told of satellite images: of points, sensor models, RPCs, terrain and orthorectification."""
+"""Messages about satellite images: points, sensor models, RPCs, terrain and orthorectification."""
 from __future__ import annotations
 
 from ...imagery.errors import INFO, WARNING, Message
@@ -39,7 +39,7 @@ ROWS_NEGATIVE = Message(
     "The points' rows are negative, as QGIS's georeferencer shows them; give them from the upper edge downwards, all "
     "positive, or the .points file itself.")
 COLUMNS_AND_ROWS_INTERCHANGED = Message(
-    "The points lie in the image only with columns and rows interchanged; interchange the two fields.")
+    "By the image or its RPC the points' columns and rows are interchanged; interchange the two fields.")
 POINTS_OUTSIDE_IMAGE = Message(
     "{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose "
     "their image.")
@@ -50,13 +50,11 @@ POINTS_BEYOND_RPC_HEIGHTS = Message(
 POINTS_BEYOND_IMAGE = Message(
     "{count} points lie outside the image ({names}), where its RPC sees them, too; they are used.", WARNING)
 HEIGHTS_IN_FEET = Message(
-    "By the image's RPC the points' heights are in feet: as metres they miss it by {missed:.3g} px, as feet by "
-    "{left:.3g} px; give metres.")
+    "By the image's RPC the points' heights are in feet: as metres they miss it by {metres:.3g} px, as feet by "
+    "{feet:.3g} px; give metres.")
 RPC_SEES_NO_POINTS = Message(
     "The image's RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, "
     "their reference system and heights, and that it is the RPC of this image.")
-RPC_SEES_INTERCHANGED = Message(
-    "By the image's RPC the points' columns and rows are interchanged; interchange the two fields.")
 RPC_SEES_TURNED = Message(
     "By the image's RPC the points are measured in a mirrored or turned image; count columns and rows from the upper "
     "left corner of the image that the RPC belongs to.")

@@ -36,12 +36,11 @@ _TERRAINS = ("odm_dem/dtm.tif", "odm_dem/dsm.tif")  # of a project: the ground, 
 
 @dataclass(frozen=True)
 class FrameFiles:
-    """What a photo's orientation is read from."""
+    """The files that photos' orientations are read from."""
 
     interior: Path | None  # none: the file of the exterior orientation holds the camera, too
-    exterior: Path  # A file, or an OpenDroneMap project's folder
-    wkt: str
-    """Reference system of the exterior orientation, if it is stated; empty: what its file says, else the image's."""
+    exterior: Path  # a file, or an OpenDroneMap project's folder
+    wkt: str  # reference system of the exterior orientation; empty: what its file says, else the image's
     datum: Datum  # what the projection centre's height refers to: one of ``limits.EXTERIOR_DATUMS``, or a grid
     angles: str = AUTO  # what the angles of a table are in: one of ``limits.ANGLE_UNITS``
 
@@ -101,7 +100,7 @@ def read_block(files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, heigh
 
 
 def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tuple[Message, ...]]:
-    """The horizontal system of the exterior orientation, and what to say of it."""
+    """Horizontal system of the exterior orientation, and what to say of it."""
     wkt = files.wkt or named or image.raster.own_wkt
     if not wkt:
         raise SensorModelError(messages.EXTERIOR_WITHOUT_SYSTEM(name=files.exterior.name))
@@ -137,11 +136,10 @@ def project_terrain(exterior: Path) -> RasterRef:
     path = orientation_file(exterior)
     if not os.path.isfile(path):
         raise SettingsError(imagery_messages.NOT_FOUND(path=path))
-    project = path.parent.parent
-    found = next((project / name for name in _TERRAINS if (project / name).is_file()), None)
-    if found is None:
-        raise SettingsError(messages.NO_DEM())
-    return RasterRef(str(found))
+    for terrain in (path.parent.parent / name for name in _TERRAINS):
+        if terrain.is_file():
+            return RasterRef(str(terrain))
+    raise SettingsError(messages.NO_DEM())
 
 
 @dataclass(frozen=True)
@@ -159,24 +157,25 @@ def block_photos(
     """The photos that are oriented and in a folder, and what to say of others; ``output`` is there then, and nothing in
     it that is ``read`` is replaced. Raises SeamInspectorError where none can be made."""
     try:
-        there = [one for one in sorted(folder.iterdir()) if one.suffix.lower() in PHOTO_ENDINGS]
+        there = [path for path in sorted(folder.iterdir()) if path.suffix.lower() in PHOTO_ENDINGS]
     except OSError:
         there = []
     photos: dict[Path, BlockPhoto] = {}
     missing: list[Message] = []
     for name in exteriors.names:
-        alike = [one for one in there if name.lower() in (one.name.lower(), one.stem.lower())]
-        alike = alike or [one for one in there if Path(name).stem.lower() == one.stem.lower()]
-        path = next((one for one in alike if one.name == name), alike[0] if alike else None)
-        if path is None or path in photos:
+        file, stem = name.lower(), Path(name).stem.lower()
+        alike = [path for path in there if file in (path.name.lower(), path.stem.lower())]
+        alike = alike or [path for path in there if stem == path.stem.lower()]
+        photo = next((path for path in alike if path.name == name), alike[0] if alike else None)
+        if photo is None or photo in photos:
             missing.append(messages.PHOTO_MISSING(name=name, folder=folder))
             continue
-        ortho = output / f"{path.stem}.tif"
-        taken = any(one.ortho == ortho for one in photos.values())
-        photos[path] = BlockPhoto(name, path, output / f"{path.name}.tif" if taken else ortho)
+        ortho = output / f"{photo.stem}.tif"
+        taken = any(other.ortho == ortho for other in photos.values())
+        photos[photo] = BlockPhoto(name, photo, output / f"{photo.name}.tif" if taken else ortho)
     if not photos:
         raise SensorModelError(messages.NO_PHOTOS(folder=folder, name=exteriors.name))
-    made = [(one.ortho.name, DataPlace(str(one.ortho))) for one in photos.values()]
+    made = [(photo.ortho.name, DataPlace(str(photo.ortho))) for photo in photos.values()]
     check_outputs(made, (), map(str, (*there, *read)))
     try:
         output.mkdir(parents=True, exist_ok=True)

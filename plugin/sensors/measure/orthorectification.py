@@ -62,7 +62,7 @@ def uncovered_share(image: OpenRaster, project: Map, terrain: Terrain, footprint
 
 
 def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
-    """What is to be said of meshes beyond those that the paper found to serve; aerial photos may need finer ones."""
+    """Warnings of meshes beyond those that the paper found to serve; aerial photos may need finer ones."""
     middle = terrain.origin[1] + terrain.step[1] * terrain.heights.shape[0] / 2
     shorter, longer = sorted(np.abs(np.multiply(terrain.step, metres_per_unit(terrain.wkt, middle))).tolist())
     if terrain.name and longer > COARSEST_MESH_M:  # a constant height has no name
@@ -74,20 +74,20 @@ def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
 
 @dataclass(frozen=True)
 class OrthoRequest:
-    """What to rectify and how."""
+    """An image to rectify, and how."""
 
     image: RasterRef
-    """What is rectified."""
+    """The image."""
     model: SensorModel
     """In the image's own pixels."""
     wkt: str
     """System of the points that the model was fitted to."""
     domain: Domain
-    """Where the model is used."""
+    """The part of image and ground that the model is used in."""
     dem: RasterRef | None
     """Terrain heights; None with a constant ``height``."""
     datum: Datum
-    """What the heights of ``dem`` refer to."""
+    """Datum of the heights of ``dem``."""
     height: float | None
     """Constant height above the ellipsoid, m, instead of ``dem``."""
     output: Path
@@ -127,12 +127,12 @@ class Ortho:
     uncovered: float
     """Share of the image without terrain heights."""
     notices: tuple[Message, ...]
-    """What the user should know."""
+    """Warnings and remarks for the user."""
 
 
 @dataclass(frozen=True)
 class _Plan:
-    """All that the warper needs."""
+    """The image, its model and the ground below it, ready to be warped."""
 
     image: OpenRaster
     rpc: RpcOfModel | None  # what GDAL sees it by; None for a photo, which is seen by its camera
@@ -182,13 +182,13 @@ def _orthorectified(
 
 
 def rpc_domain(rpc: Rational, image: Raster) -> Domain:
-    """Where an image's own RPC is used: over the image, at the heights it was made for."""
+    """The domain of an image's own RPC: the image, at the heights it was made for."""
     (x, y, height), half = rpc.ground.offset.tolist(), float(rpc.ground.scale[2])
     return Domain((0, image.columns), (0, image.rows), (height - half, height + half), (x, y))
 
 
 def _seen_by(request: OrthoRequest, domain: Domain) -> tuple[SensorModel, str, Domain, RpcOfModel | None]:
-    """What sees the image, its system, where it is used, and that as RPC, which no photo has."""
+    """The model that sees the image, its system and domain, and the RPC that it is, which no photo has."""
     if isinstance(request.model, FrameCamera):
         return request.model, request.wkt, domain, None
     rpc = rpc_of(request.model, request.wkt, domain)
@@ -218,10 +218,10 @@ def _plan(request: OrthoRequest) -> _Plan:
     heights = np.full(len(places), float(np.nanmean(terrain.heights)))
     for _ in range(limits.MAX_NEWTON_ITERATIONS):
         ground = on_ground(heights)
-        found = terrain.at(ground)
-        missing = ~np.isfinite(found)
-        change = np.abs(found - heights)[~missing].max(initial=0)
-        heights = np.where(missing, heights, found)
+        terrain_heights = terrain.at(ground)
+        missing = ~np.isfinite(terrain_heights)
+        change = np.abs(terrain_heights - heights)[~missing].max(initial=0)
+        heights = np.where(missing, heights, terrain_heights)
         if change < 0.01:
             break
     if missing.all():

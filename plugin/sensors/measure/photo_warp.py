@@ -48,7 +48,7 @@ KERNELS: dict[str, tuple[float, Callable[[np.ndarray, float], np.ndarray]]] = {
     "lanczos": (3.0, lambda distance, wide: np.sinc(distance / wide) * np.sinc(distance / wide / 3)),
     "average": (1.0, lambda distance, wide: np.clip(wide / 2 + 0.5 - distance, 0, 1)),
 }
-"""How far pixels have a weight, in pixels or steps, whichever are wider; and how much, by their distance from the place
+"""Reach of a kernel in pixels or steps, whichever are wider; and the weight of a pixel by its distance from the place
 and by the wider of a pixel and a step, px."""
 
 
@@ -56,13 +56,12 @@ and by the wider of a pixel and a step, px."""
 class Resampler:
     """A kernel for a step between places, widened where places are further apart than pixels."""
 
-    tables: tuple[np.ndarray, np.ndarray]
-    """(taps, phases + 1) float32 weights along columns and rows, the sum of each phase 1."""
+    tables: tuple[np.ndarray, np.ndarray]  # (taps, phases + 1) float32 along columns and rows, the sum of a phase 1
     nearest: bool  # whether the pixel that a place lies in is all
 
     @classmethod
     def of(cls, name: str, step_px: tuple[float, float]) -> Resampler:
-        """``name``: one of ``KERNELS``; ``step_px``: between neighbouring places, along columns and rows."""
+        """The kernel ``name`` of ``KERNELS`` for places ``step_px`` apart along columns and rows."""
         radius, weight = KERNELS[name]
         tables = []
         for step in step_px:
@@ -85,11 +84,11 @@ class Resampler:
         the pixel that a place lies in is ``valid`` (rows, columns). ``bands`` reach ``margin_px`` beyond the places."""
         width = bands.shape[2]
         column, row = columns.astype(np.int64), rows.astype(np.int64)
-        own = row * width + column
+        pixel = row * width + column
         valid = None if valid is not None and valid.all() else valid
-        sound = np.ones(len(columns), bool) if valid is None else valid.ravel().take(own)
+        sound = np.ones(len(columns), bool) if valid is None else valid.ravel().take(pixel)
         if self.nearest:
-            return bands.reshape(len(bands), -1).take(own, axis=1), sound
+            return bands.reshape(len(bands), -1).take(pixel, axis=1), sound
         left, top = np.floor(columns - 0.5), np.floor(rows - 0.5)
         phases = [((place - 0.5 - first) * _PHASES + 0.5).astype(np.int32)
                   for place, first in ((columns, left), (rows, top))]
@@ -99,16 +98,16 @@ class Resampler:
         if valid is not None:
             planes.append(valid)
         pixels = [np.ascontiguousarray(plane, np.result_type(bands, np.float32)).ravel() for plane in planes]
-        found = np.zeros((len(planes), len(columns)), pixels[0].dtype)
+        values = np.zeros((len(planes), len(columns)), pixels[0].dtype)
         for start in range(0, len(columns), _AT_ONCE):
-            some = slice(start, start + _AT_ONCE)
-            weights = [[line.take(phase[some]) for line in table] for table, phase in zip(self.tables, phases)]
-            for plane, sums in zip(pixels, found):
-                _add_convolved(sums[some], plane, width, first[some], *weights)
+            part = slice(start, start + _AT_ONCE)
+            weights = [[line.take(phase[part]) for line in table] for table, phase in zip(self.tables, phases)]
+            for plane, sums in zip(pixels, values):
+                _add_convolved(sums[part], plane, width, first[part], *weights)
         if valid is None:
-            return found, sound
-        sound &= found[-1] > _SMALLEST_WEIGHT
-        return found[:-1] / np.where(sound, found[-1], 1), sound
+            return values, sound
+        sound &= values[-1] > _SMALLEST_WEIGHT
+        return values[:-1] / np.where(sound, values[-1], 1), sound
 
 
 def _add_convolved(
@@ -242,7 +241,8 @@ class PhotoWarp:
         return all(at.max() >= -bend and at.min() <= side + bend for (at, side), bend in zip(sides, bends))
 
     def _seen(self, part: PixelWindow, height: np.ndarray, count: int = 0) -> tuple[np.ndarray, np.ndarray]:
-        """(rows, columns), or ``count`` places a side: where the photo shows places at their ``height``, or NaN."""
+        """Columns and rows of the photo, (rows, columns) or ``count`` a side each, that show places at their ``height``
+        (m); NaN where none does."""
         columns, rows = (
             np.linspace(first, first + size, count) if count else first + np.arange(size) + 0.5
             for first, size in ((part.column, part.width), (part.row, part.height))
@@ -255,12 +255,12 @@ class PhotoWarp:
         places = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
         coarse = transform_points(places, self.grid.wkt, self.wkt).T.reshape(2, len(knots[1]), len(knots[0]))
         sides = zip((columns, rows), knots)  # between which it is linear
-        across, down = (np.stack([np.interp(side, at, one) for one in np.eye(len(at))]) for side, at in sides)
+        across, down = (np.stack([np.interp(side, at, knot) for knot in np.eye(len(at))]) for side, at in sides)
         x, y = down.T @ coarse @ across
         return self.camera.seen(x, y, height, np.float32)
 
     def _step_px(self) -> tuple[float, float]:
-        """How far apart the photo shows neighbouring pixels of the orthoimage, along its columns and rows, px."""
+        """Distance in the photo between neighbouring pixels of the orthoimage, along its columns and rows, px."""
         grid, steps, heights, ground = self.grid, np.linspace(0.1, 0.9, 9), self._heights(), []
         columns, rows = (side.ravel() for side in np.meshgrid(steps * grid.columns, steps * grid.rows))
         height = [self._height_of(heights, PixelWindow(int(x), int(y), 1, 1))[0, 0] for x, y in zip(columns, rows)]

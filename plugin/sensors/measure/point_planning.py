@@ -1,4 +1,4 @@
-"""What accuracy to expect from control points that are not measured yet: a planning figure, by simulation."""
+"""The accuracy to expect from control points that are not measured yet: a planning figure, by simulation."""
 from __future__ import annotations
 
 from collections.abc import Iterator
@@ -33,8 +33,7 @@ class PlannedScene:
     model: SensorModel  # from longitude, latitude and height to the image: taken for true
     size: tuple[float, float]  # columns and rows
     middle: tuple[float, float]  # longitude and latitude of a place in it, degrees
-    heights: tuple[float, float]
-    """Lowest and highest terrain, m above the ellipsoid; points lie anywhere between, each by itself."""
+    heights: tuple[float, float]  # lowest and highest terrain, m above the ellipsoid; points lie anywhere between
 
     def drawn(self, random: np.random.Generator) -> SensorModel:
         """The true model of one draw: the attitude of a nominal scene drifts as the priors say."""
@@ -47,7 +46,7 @@ class PlannedScene:
 
 @dataclass(frozen=True)
 class PointPlan:
-    """How points are going to be measured."""
+    """The way in which points are going to be measured."""
 
     spread: str  # ``grid`` (one in each cell of a grid over the image), ``random`` or ``corner``
     corner_share: float  # of the image's area that holds all points, for ``corner``
@@ -59,10 +58,10 @@ class PointPlan:
 class ExpectedAccuracy:
     """The outcome for a number of points. Errors are root mean squares in m, of both coordinates together."""
 
+    model: str
     count: int
     failed: int  # draws that no model could be fitted to; they count as the largest errors
-    image_usual: float | None
-    """Over the whole image, against the truth: half of the draws have at most this; None where they failed."""
+    image_usual: float | None  # of the whole image: half of the draws have at most this; None where they failed
     image_most: float | None  # 90 % of the draws have at most this
     check_usual: float | None  # at check points that are measured as well as the control points
     check_most: float | None
@@ -79,7 +78,14 @@ def scene_of_rpc(rpc: Rational, size: tuple[float, float] | None, heights: tuple
 def nominal_scene(
     orbit_height_m: float, view_angle: float, pixel_m: float, side_m: float, heights: tuple[float, float]
 ) -> PlannedScene:
-    """A square image of a line scanner, tilted across its orbit; ``pixel_m`` is what a pixel covers on the ground."""
+    """A square image of a line scanner, tilted across its orbit.
+
+    Parameters
+    ----------
+    orbit_height_m, side_m, pixel_m : the orbit above the ellipsoid, the image's side and a pixel on the ground, m
+    view_angle : from the vertical, degrees
+    heights : lowest and highest terrain, m above the ellipsoid
+    """
     count = side_m / pixel_m
     metres = metres_per_unit(WGS84, _NOMINAL_PLACE[1])
     x, y, up = np.meshgrid(*[np.linspace(-side_m / 2, side_m / 2, 3)] * 2, np.linspace(0, side_m / 10, 2))
@@ -97,9 +103,8 @@ def _pitching(still: Pushbroom, ground: np.ndarray, image: np.ndarray) -> Pushbr
     """The camera follows the ground below: it pitches at the rate that gives lines their width."""
     trial = replace(still, unknowns=np.eye(len(SIGMAS))[_PITCH_RATE])
     ends = [int(np.argmin(image[:, 1])), int(np.argmax(image[:, 1]))]
-    wanted, before, after = (np.ptp(rows[ends]) for rows in (
-        image[:, 1], still.project(ground)[:, 1], trial.project(ground)[:, 1]
-    ))  # fmt: skip
+    rows = image[:, 1], still.project(ground)[:, 1], trial.project(ground)[:, 1]
+    wanted, before, after = (np.ptp(row[ends]) for row in rows)
     # The width of a line, not the number of lines, is linear in the rate.
     return replace(still, unknowns=trial.unknowns * (1 / wanted - 1 / before) / (1 / after - 1 / before))
 
@@ -108,7 +113,7 @@ def expected_accuracies(
     request: ModelRequest, scene: PlannedScene, plan: PointPlan, counts: tuple[int, ...], seed: int, draws: int = DRAWS,
     progress: Callable[[float], None] = lambda share: None, cancelled: Callable[[], bool] = lambda: False,
 ) -> Iterator[ExpectedAccuracy]:
-    """For each number of points, whatever others are asked for. Raises SettingsError for too few."""
+    """The outcome for each number of points, whatever others are asked for. Raises SettingsError for too few."""
     fewest = request.variant.fewest
     if min(counts) < fewest:
         raise SettingsError(messages.TOO_FEW_POINTS(model=request.name, count=min(counts), fewest=fewest))
@@ -124,14 +129,14 @@ def expected_accuracies(
                 reason = reason or error.message
             progress((number + (draw + 1) / draws) / len(counts))
         failed = int(np.count_nonzero(~np.isfinite(errors).all(axis=1)))
-        usual, most, check_usual, check_most = (_at_most(one, share) for one in errors.T for share in (_USUAL, _MOST))
-        yield ExpectedAccuracy(count, failed, usual, most, check_usual, check_most, reason)
+        usual, most, check_usual, check_most = (_at_most(part, share) for part in errors.T for share in (_USUAL, _MOST))
+        yield ExpectedAccuracy(request.name, count, failed, usual, most, check_usual, check_most, reason)
 
 
 def _errors(
     request: ModelRequest, scene: PlannedScene, plan: PointPlan, count: int, random: np.random.Generator
 ) -> tuple[float, float]:
-    """One draw: m, over the whole image and at check points as they are measured; infinite where that is no number."""
+    """Errors of a draw, m: over the whole image and at check points as measured; infinite where that is no number."""
     truth = scene.drawn(random)
     size = np.array(scene.size)
     checks = _CHECK_CELLS**2
@@ -149,8 +154,8 @@ def _errors(
     )
     done = adjust(request, points)
     groups = slice(count + checks, None), slice(count, count + checks)
-    found = [accuracy(done.residuals_px, done.residuals_m, group).rmse for group in groups]
-    over_image, at_checks = (value if value is not None and np.isfinite(value) else np.inf for value in found)
+    errors = [accuracy(done.residuals_px, done.residuals_m, group).rmse for group in groups]
+    over_image, at_checks = (error if error is not None and np.isfinite(error) else np.inf for error in errors)
     return over_image, at_checks
 
 
@@ -162,7 +167,7 @@ def _spread(plan: PointPlan, count: int, random: np.random.Generator) -> np.ndar
 
 
 def _in_cells(count: int, random: np.random.Generator) -> np.ndarray:
-    """(n, 2) anywhere in the cells of a square grid; points beyond a square number share cells by chance."""
+    """(n, 2) places in the cells of a square grid; points beyond a square number share cells by chance."""
     side = max(int(np.sqrt(count)), 2)  # two or three points lie in different quarters
     rounds = -(-count // side**2)
     cells = np.concatenate([random.permutation(side**2) for _ in range(rounds)])[:count]
@@ -170,6 +175,6 @@ def _in_cells(count: int, random: np.random.Generator) -> np.ndarray:
 
 
 def _at_most(errors: np.ndarray, share: float) -> float | None:
-    """What this share of the draws does not exceed; None where too many failed."""
-    found = float(np.sort(errors)[int(np.ceil(share * len(errors))) - 1])
-    return found if np.isfinite(found) else None
+    """The error that this share of the draws does not exceed; None where too many failed."""
+    error = float(np.sort(errors)[int(np.ceil(share * len(errors))) - 1])
+    return error if np.isfinite(error) else None

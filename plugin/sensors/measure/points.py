@@ -110,18 +110,18 @@ def choose_check_points(points: Points, share: float) -> Points:
 
 def image_points(image: OpenRaster) -> Points:
     """The points of an image, all for control; heights that are all 0 are none. Raises SensorModelError without any."""
-    found = image.dataset.GetGCPs() or ()
-    if not found:
+    gcps = image.dataset.GetGCPs() or ()
+    if not gcps:
         raise SensorModelError(messages.NO_POINTS_IN_IMAGE(name=image.ref.name))
     wkt = image.dataset.GetGCPProjection() or image.ref.wkt
     if not wkt:
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=image.ref.name))
-    numbers = np.array([(one.GCPPixel, one.GCPLine, one.GCPX, one.GCPY, one.GCPZ) for one in found], float)
+    numbers = np.array([(gcp.GCPPixel, gcp.GCPLine, gcp.GCPX, gcp.GCPY, gcp.GCPZ) for gcp in gcps], float)
     if not np.isfinite(numbers).all():
         raise SensorModelError(messages.IMAGE_POINTS_BROKEN(name=image.ref.name))
     if not numbers[:, 4].any():
         numbers[:, 4] = np.nan
-    names = [one.Id or str(number) for number, one in enumerate(found, 1)]
+    names = [gcp.Id or str(number) for number, gcp in enumerate(gcps, 1)]
     return control_points(names, numbers[:, :2], numbers[:, 2:], wkt)
 
 
@@ -136,7 +136,7 @@ def file_points(path: Path, wkt: str, geotransform: Sequence[float] | None) -> t
     if -1 in indices:
         raise SensorModelError(messages.NO_POINTS_FILE(name=path.name))
     enable = header.index("enable") if "enable" in header else -1
-    found = {}
+    points = {}
     for count, (number, line) in enumerate(rows[1:], 1):
         try:
             parts = next(csv.reader([line]))
@@ -146,16 +146,16 @@ def file_points(path: Path, wkt: str, geotransform: Sequence[float] | None) -> t
         except (ValueError, IndexError, csv.Error):
             raise SensorModelError(messages.POINTS_LINE_UNREADABLE(name=path.name, line=number)) from None
         if enable < 0 or len(parts) <= enable or parts[enable].strip().lower() not in ("0", "false", ""):
-            found[str(count)] = values
-    if not found:
+            points[str(count)] = values
+    if not points:
         raise SensorModelError(messages.NO_POINTS())
     if not named and not wkt:
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=path.name))
-    numbers = np.array([*found.values()])
+    numbers = np.array([*points.values()])
     image = _transformed(numbers[:, :2], gdal.InvGeoTransform(_source_transform(geotransform)))
-    disabled = len(rows) - 1 - len(found)
+    disabled = len(rows) - 1 - len(points)
     notices = [messages.POINTS_DISABLED(count=disabled)] if disabled else []
-    return control_points([*found], image, numbers[:, 2:], named or wkt), notices
+    return control_points([*points], image, numbers[:, 2:], named or wkt), notices
 
 
 def write_point_file(
@@ -179,11 +179,10 @@ def _source_transform(geotransform: Sequence[float] | None) -> Sequence[float]:
 
 
 def _transformed(places: np.ndarray, transform: Sequence[float]) -> np.ndarray:
-    """(n, 2) by a geotransform."""
-    left, across, skew_x, top, skew_y, down = transform
-    x, y = places.T
+    """(n, 2) places by a geotransform."""
+    matrix = np.reshape(transform, (2, 3))
     with np.errstate(invalid="ignore", over="ignore"):  # what has no place is told where points are looked at
-        return np.column_stack([left + across * x + skew_x * y, top + skew_y * x + down * y])
+        return np.asarray(matrix[:, 0] + places @ matrix[:, 1:].T)
 
 
 def check_plausible(points: Points) -> None:
@@ -203,7 +202,7 @@ def check_plausible(points: Points) -> None:
 
 
 def check_inside(points: Points, size: tuple[int, int], rpc: Rational | None) -> list[Message]:
-    """What to say of points outside an image of ``size`` that its RPC, but for a shift, sees there too: it is a part.
+    """Notices of points outside an image of ``size`` that its RPC, but for a shift, sees there too: it is a part.
     Raises SensorModelError for others: rows counted upwards, columns and rows interchanged, or out of the image."""
     inside = _inside(points.image, size)
     if inside.all():
@@ -232,7 +231,7 @@ def _inside(image: np.ndarray, size: tuple[int, int]) -> np.ndarray:
 
 
 def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
-    """What to say of points whose heights (above the ellipsoid) the image's own RPC is not made for. Raises
+    """Notices of points whose heights (above the ellipsoid) the image's own RPC is not made for. Raises
     SensorModelError for places it sees far off, for a mirrored or turned image, and for heights in feet."""
     points = points.only(np.isfinite(points.ground).all(axis=1))
     if not len(points):
@@ -247,24 +246,25 @@ def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
         raise SensorModelError(messages.RPC_SEES_NO_POINTS(distance=float(np.median(beyond))))
     _check_turned((points.image - rpc.image.offset)[~far], (seen - rpc.image.offset)[~far])
     in_metres, in_feet = ((points.image - places)[~far] for places in (seen, _seen(points, rpc, FOOT_M)))
-    notices = _feet_told(in_metres, in_feet) if len(in_metres) >= _FEWEST_IN_FEET else []
+    notices = _feet_notices(in_metres, in_feet) if len(in_metres) >= _FEWEST_IN_FEET else []
     return notices + _beyond_rpc_heights(points, rpc, _scatter(in_metres))
 
 
-def _feet_told(in_metres: np.ndarray, in_feet: np.ndarray) -> list[Message]:
-    """What to say of misses (n, 2) px that are much smaller in feet. Raises SensorModelError for more than a shift."""
+def _feet_notices(in_metres: np.ndarray, in_feet: np.ndarray) -> list[Message]:
+    """Notices of misses (n, 2) px that are much smaller in feet. Raises SensorModelError for more than a shift."""
     for share, leaves in IN_FEET_LEAVES:
-        missed, left = (_scatter(misses, share) for misses in (in_metres, in_feet))
-        if missed > IN_FEET_PX and left < leaves * missed:
-            raise SensorModelError(messages.HEIGHTS_IN_FEET(missed=missed, left=left))
-    missed, left = (float(np.median(np.linalg.norm(misses, axis=1))) for misses in (in_metres, in_feet))
-    if missed > FLAT_FEET_PX and left < FLAT_FEET_LEAVES * missed:
-        return [messages.HEIGHTS_IN_FEET(missed=missed, left=left).as_warning()]
+        metres, feet = (_scatter(misses, share) for misses in (in_metres, in_feet))
+        if metres > IN_FEET_PX and feet < leaves * metres:
+            raise SensorModelError(messages.HEIGHTS_IN_FEET(metres=metres, feet=feet))
+    metres, feet = (float(np.median(np.linalg.norm(misses, axis=1))) for misses in (in_metres, in_feet))
+    if metres > FLAT_FEET_PX and feet < FLAT_FEET_LEAVES * metres:
+        return [messages.HEIGHTS_IN_FEET(metres=metres, feet=feet).as_warning()]
     return []
 
 
 def _seen(points: Points, rpc: Rational, unit: float = 1.0) -> np.ndarray:
-    """(n, 2) where an RPC sees points whose heights are in a ``unit`` of so many metres; its own middle without one."""
+    """(n, 2) px, the places where an RPC sees points whose heights are in a ``unit`` of so many metres; the middle of
+    its own heights where a point has none."""
     heights = np.where(np.isfinite(points.ground[:, 2]), points.ground[:, 2] * unit, rpc.ground.offset[2])
     ground = np.column_stack([points.ground[:, :2], heights])
     return np.asarray(rpc.project(reprojected(ground, points.wkt, WGS84)))
@@ -293,11 +293,12 @@ def _check_turned(image: np.ndarray, seen: np.ndarray) -> None:
         for signs in ([1, 1], [-1, 1], [1, -1], [-1, -1]):
             if _scatter(image[:, axes] * signs - seen) < TURNED_LEAVES * as_given:
                 plain = axes == [1, 0] and signs == [1, 1]
-                raise SensorModelError(messages.RPC_SEES_INTERCHANGED() if plain else messages.RPC_SEES_TURNED())
+                why = messages.COLUMNS_AND_ROWS_INTERCHANGED if plain else messages.RPC_SEES_TURNED
+                raise SensorModelError(why())
 
 
 def _scatter(misses: np.ndarray, share: float = 0.5) -> float:
-    """How far from their median a share of misses (n, 2) lies at most: a shift and single blunders play no part."""
+    """The distance from their median within which a share of misses (n, 2) lies: a shift and blunders play no part."""
     return float(np.quantile(np.linalg.norm(misses - np.median(misses, axis=0), axis=1), share))
 
 
@@ -307,7 +308,7 @@ ImageBox = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class ControlCoverage:
-    """What part of an image control points cover."""
+    """The part of an image that control points cover."""
 
     extrapolated: float  # share of the image outside the points' outline
     spread: float  # their shorter extent over the longer one: near 0 on a line
@@ -315,7 +316,7 @@ class ControlCoverage:
 
 
 def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
-    """What part of an image (n, 2) control points cover."""
+    """The part of an image that (n, 2) control points cover."""
     places = ogr.Geometry(ogr.wkbMultiPoint)
     for x, y in control.tolist():
         place = ogr.Geometry(ogr.wkbPoint)
@@ -333,7 +334,7 @@ def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
 
 
 def coverage_warnings(coverage: ControlCoverage) -> list[Message]:
-    """What is to be said of points that cover too little."""
+    """Warnings of points that cover too little."""
     if coverage.spread < MIN_SPREAD:
         return [messages.CONTROL_ON_A_LINE(share=coverage.extrapolated)]
     if coverage.extrapolated > MAX_EXTRAPOLATED:

@@ -1,9 +1,7 @@
 """Polynomials and their quotients, of plane and space, and the DLT; terms in the order of RPC00B."""
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Callable, ClassVar
 
 import numpy as np
@@ -30,32 +28,16 @@ _TOO_ALIKE = 1e-6  # of a term's length that the chosen ones do not explain
 _Choice = Callable[[np.ndarray, np.ndarray], list[int]]
 
 
-def terms_3d(scaled: np.ndarray, order: int) -> np.ndarray:
-    """(n, 3) -> (n, 4 | 10 | 20), the constant first."""
-    return _terms(scaled, _factors(order, 3))
-
-
-def terms_2d(scaled: np.ndarray, order: int) -> np.ndarray:
-    """(n, 2 or more) -> (n, 3 | 6 | 10), the constant first; only x and y count."""
-    return _terms(scaled, _factors(order, 2))
-
-
-@cache
-def _factors(order: int, axes: int) -> tuple[tuple[int, ...], ...]:
-    """Term by term the axes whose coordinates are multiplied, each as often as its power says."""
-    return tuple(
-        tuple(axis for axis, power in enumerate(powers) for _ in range(power))
-        for powers in EXPONENTS_3D if sum(powers) <= order and not any(powers[axes:])
-    )
-
-
 @np.errstate(over="ignore", invalid="ignore")  # what is not finite is told by the fit, or where the model is inverted
-def _terms(scaled: np.ndarray, factors: Sequence[tuple[int, ...]]) -> np.ndarray:
-    columns = [np.ones(len(scaled)) for _ in factors]
-    for column, axes in zip(columns, factors):
-        for axis in axes:
-            column *= scaled[:, axis]
-    return np.column_stack(columns)
+def polynomial_terms(scaled: np.ndarray, order: int, axes: int = 3) -> np.ndarray:
+    """Products of (n, ``axes`` or more) coordinates up to an order: (n, 4 | 10 | 20), (n, 3 | 6 | 10) in a plane."""
+    exponents = [powers for powers in EXPONENTS_3D if sum(powers) <= order and not any(powers[axes:])]
+    terms = np.ones((len(exponents), len(scaled)))
+    for term, powers in zip(terms, exponents):
+        for axis, power in enumerate(powers):
+            for _ in range(power):
+                term *= scaled[:, axis]
+    return np.ascontiguousarray(terms.T)
 
 
 @dataclass(frozen=True)
@@ -69,7 +51,7 @@ class Rational(SensorModel):
     denominators: np.ndarray  # (terms, 2), the first of each 1
 
     def project(self, ground: np.ndarray) -> np.ndarray:
-        terms = terms_3d(self.ground.to(ground), self.order)
+        terms = polynomial_terms(self.ground.to(ground), self.order)
         with np.errstate(all="ignore"):
             return self.image.back((terms @ self.numerators) / (terms @ self.denominators))
 
@@ -89,8 +71,7 @@ class Dlt(SensorModel):
 
     ground: Scaling
     image: Scaling
-    coefficients: np.ndarray
-    """(12,) a1..a12 of the scaled coordinates; a12, of the product of column and row, is 0 unless asked for."""
+    coefficients: np.ndarray  # (12,) a1..a12 of the scaled coordinates; a12, of column times row, is 0 unless asked for
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         return self.as_rational().project(ground)
@@ -116,7 +97,7 @@ def fit_rational(
     deviation; ``choose`` tells which columns of a design matrix are taken. Source: Tao and Hu, A comprehensive study of
     the rational function model, 2001 (without their ridge)."""
     scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
-    terms, scaled = terms_3d(scale_g.to(ground), order), scale_i.to(image)
+    terms, scaled = polynomial_terms(scale_g.to(ground), order), scale_i.to(image)
     count = terms.shape[1]
     numerators, denominators = np.zeros((count, 2)), np.zeros((count, 2))
     condition, iterations, converged, unknowns = 1.0, 1, True, 0
@@ -143,34 +124,35 @@ def fit_rational(
 
 
 def _significant_terms(design: np.ndarray, wanted: np.ndarray) -> list[int]:
-    """Which columns of a design matrix (n, k) are taken, the linear ones first, by orthogonal forward selection: as far
-    as the points allow, and back to the last significant one, since the first of several may look like chance."""
+    """The columns of a design matrix (n, k) that are taken, the linear ones first, by orthogonal forward selection: as
+    far as the points allow, and back to the last significant one, since the first of several may look like chance."""
     chosen, kept = list(range(LINEAR)), LINEAR
     basis = np.linalg.qr(design[:, chosen])[0]
-    rest, left = design - basis @ (basis.T @ design), wanted - basis @ (basis.T @ wanted)
+    rest, unexplained = design - basis @ (basis.T @ design), wanted - basis @ (basis.T @ wanted)
     lengths = norm(design, axis=0)
     steps = max(min(len(wanted) - SPARE, design.shape[1]) - LINEAR, 0)
     for _ in range(steps):
         size = norm(rest, axis=0)
         size[chosen] = 0
         offered = size > _TOO_ALIKE * lengths
-        if not offered.any() or float(left @ left) <= (_EXACT * norm(wanted)) ** 2:
+        if not offered.any() or float(unexplained @ unexplained) <= (_EXACT * norm(wanted)) ** 2:
             break
-        gain = np.where(offered, (left @ rest) ** 2 / np.where(offered, size, 1) ** 2, 0.0)
+        gain = np.where(offered, (unexplained @ rest) ** 2 / np.where(offered, size, 1) ** 2, 0.0)
         best = int(np.argmax(gain))
         direction = rest[:, best] / size[best]
         chosen.append(best)
-        left, rest = left - direction * (direction @ left), rest - np.outer(direction, direction @ rest)
+        unexplained = unexplained - direction * (direction @ unexplained)
+        rest = rest - np.outer(direction, direction @ rest)
         spare = len(wanted) - len(chosen)
         chance = FALSE_ALARM / (np.count_nonzero(offered) * steps)
         # F with 1 and so many degrees of freedom is the square of Student's t.
-        if gain[best] > critical_t(1 - chance, spare) ** 2 * (left @ left) / spare:
+        if gain[best] > critical_t(1 - chance, spare) ** 2 * (unexplained @ unexplained) / spare:
             kept = len(chosen)
     return chosen[:kept]
 
 
-def terms_told(model: Rational) -> str:
-    """Which terms a model of chosen terms has, such as ``column: 1 x y z xz / 1 x; row: 1 x y z / 1``."""
+def term_names(model: Rational) -> str:
+    """The terms that a model of chosen terms has, such as ``column: 1 x y z xz / 1 x; row: 1 x y z / 1``."""
     names = ["".join(letter * power for letter, power in zip("xyz", powers)) or "1" for powers in EXPONENTS_3D]
 
     def kept(part: np.ndarray) -> str:
@@ -188,12 +170,11 @@ def off_poles(denominator: np.ndarray) -> np.ndarray:
 def fit_dlt(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, with_xy: bool) -> FittedModel:
     """Fit the direct linear transformation by iterated least squares; the arguments of ``fit_rational``."""
     scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
-    terms, scaled = terms_3d(scale_g.to(ground), 1), scale_i.to(image)
+    terms, scaled = polynomial_terms(scale_g.to(ground), 1), scale_i.to(image)
     x, y = scaled[:, :1], scaled[:, 1:]
-    nothing = np.zeros_like(terms)
     product = np.vstack([np.zeros_like(x), x * y]) if with_xy else np.empty((2 * len(x), 0))
     shared = -np.vstack([x, y]) * np.tile(terms[:, 1:], (2, 1))
-    whole = np.hstack([np.vstack([terms, nothing]), np.vstack([nothing, terms]), shared])
+    whole = np.hstack([np.kron(np.eye(2), terms), shared])
     wanted, both = np.concatenate([x, y])[:, 0], np.tile(weights, 2)
     denominator, bend, last, change = np.ones(len(x)), np.ones(len(x)), np.full((len(x), 2), np.inf), np.inf
     iteration = 0
@@ -224,7 +205,7 @@ class Polynomial3D(SensorModel):
     coefficients: np.ndarray  # (terms, 2) of the scaled column and row, in the order of RPC00B
 
     def project(self, ground: np.ndarray) -> np.ndarray:
-        return self.image.back(terms_3d(self.ground.to(ground), self.order) @ self.coefficients)
+        return self.image.back(polynomial_terms(self.ground.to(ground), self.order) @ self.coefficients)
 
     def as_rational(self) -> Rational:
         ones = np.zeros_like(self.coefficients)
@@ -253,13 +234,13 @@ class Polynomial2D(SensorModel):
         return self.image.back(newton(self._polynomial, scaled, start))
 
     def _polynomial(self, scaled: np.ndarray) -> np.ndarray:
-        return terms_2d(scaled, self.order) @ self.coefficients
+        return polynomial_terms(scaled, self.order, 2) @ self.coefficients
 
 
 def fit_polynomial_3d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
     """Fit by linear least squares: ``ground`` (n, 3), ``image`` (n, 2) px, ``weights`` (n,) 1 / standard deviation."""
     scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
-    design = terms_3d(scale_g.to(ground), order) * weights[:, None]
+    design = polynomial_terms(scale_g.to(ground), order) * weights[:, None]
     solution = least_squares(design, scale_i.to(image) * weights[:, None])
     model = Polynomial3D(order, scale_g, scale_i, solution.values)
     return FittedModel(model, solution.condition, 1, True, solution.values.size)
@@ -272,7 +253,7 @@ def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray
     scaled_g, scaled_i = scale_g.to(ground[:, :2]), scale_i.to(image)
     fits = []
     for to_ground, known, target in ((True, scaled_i, scaled_g), (False, scaled_g, scaled_i)):
-        solution = least_squares(terms_2d(known, order) * weights[:, None], target * weights[:, None])
+        solution = least_squares(polynomial_terms(known, order, 2) * weights[:, None], target * weights[:, None])
         model = Polynomial2D(order, scale_g, scale_i, solution.values, to_ground)
         misfit = (model.project(ground) - image) * weights[:, None]
         fitted = FittedModel(model, solution.condition, 1, True, solution.values.size)

@@ -63,11 +63,9 @@ class Orbit:
     position: np.ndarray  # (3,) of the projection centre at the central line
     motion: np.ndarray  # (3,) per line
     camera: np.ndarray  # (3, 3) rows: along the detectors, along the track, along the view
-    track: np.ndarray
-    """(3, 3) rows: along the orbit, across it, back along the view; the directions of the position's unknowns."""
+    track: np.ndarray  # (3, 3) rows: along the orbit, across it, back along the view, as the position's unknowns
     distance: float  # to the ground along the view, m
-    focal_px: float
-    """Focal length in detector widths; it grows with the distance, so that a pixel keeps its size on the ground."""
+    focal_px: float  # in detector widths; it grows with the distance, so that a pixel keeps its size on the ground
     centre: np.ndarray  # (2,) principal column, and the row that time starts from
     half_lines: float  # lines from the centre to the ends: time runs from -1 to 1
     principal_sigma_px: float  # prior standard deviation of the principal column
@@ -99,7 +97,7 @@ class Pushbroom(SensorModel):
         raise SensorModelError(messages.LINE_NOT_FOUND())
 
     def in_line(self, places: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Where geocentric points (n, 3) are seen from given lines (n,): column, and distance from the line, px."""
+        """Column of geocentric points (n, 3) as seen from given lines (n,), and their distance from the line, px."""
         orbit, moved = self.orbit, self.unknowns * SIGMAS
         lines = rows - orbit.centre[1]
         time = lines / orbit.half_lines
@@ -212,6 +210,8 @@ def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tupl
         return np.column_stack([columns + drift * rows - image[:, 0], rows]).ravel()
 
     residuals = stepped(columns, slip)
-    changed = (replace(model, unknowns=one) for one in model.unknowns + PUSHBROOM_DIFFERENCE * np.eye(len(SIGMAS)))
-    moved = np.column_stack([stepped(*one.in_line(places, image[:, 1])) for one in changed])
+    moved = np.column_stack([
+        stepped(*replace(model, unknowns=unknowns).in_line(places, image[:, 1]))
+        for unknowns in model.unknowns + PUSHBROOM_DIFFERENCE * np.eye(len(SIGMAS))
+    ])
     return residuals, (moved - residuals[:, None]) / PUSHBROOM_DIFFERENCE

@@ -25,9 +25,7 @@ class Variant:
     name: str  # empty for a model's plain form
     unknowns: int  # how many the points have to fix; of a model with priors those that the priors leave open
     fewest: int  # the fewest control points
-    rank: int
-    """Place in the preference of Kurczynski and Wolniewicz, the smallest first: parametric, the vendor's RPC corrected,
-    quotients by their order, polynomials for small areas, those of the plane where it is flat."""
+    rank: int  # the smallest is preferred: parametric, RPC corrected, quotients by order, polynomials, those of a plane
     with_priors: int | None = None  # all unknowns, where priors hold some of them
 
 
@@ -39,14 +37,13 @@ class ModelKind:
     variants: tuple[Variant, ...]
     code: tuple[str, str, str]
     """Module, class (what a model file holds), and the fit: it takes ground (n, 3), image (n, 2) and weights (n,) of
-    points, and the options."""
+    points, and the ``options``, which are the order unless said otherwise."""
     recommendation: Message  # why it is the one to take
     options: Callable[[ModelRequest, Points], Sequence[object]] = lambda request, points: (int(request.variant.name),)
-    """What the fit takes beside points: the order, unless said otherwise."""
     corrects_rpc: bool = False  # whether it starts from the vendor's RPC and its unknowns are a correction in the image
 
     def model_class(self) -> type[SensorModel]:
-        """Imported when it is asked for, as is the fit."""
+        """The class, imported when it is asked for, as is the fit."""
         return getattr(import_module(self.code[0], __package__), self.code[1])
 
     def fit(self, request: ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
@@ -59,22 +56,19 @@ class ModelKind:
         size: tuple[float, float] | None = None, rpc: Rational | None = None,
     ) -> ModelRequest:
         """The variant that one of the words names, the first one where none does."""
-        variant = next((one for one in self.variants if one.name in words), self.variants[0])
-        return ModelRequest(self, variant, orbit_height_m, size, rpc)
+        chosen = next((variant for variant in self.variants if variant.name in words), self.variants[0])
+        return ModelRequest(self, chosen, orbit_height_m, size, rpc)
 
 
 @dataclass(frozen=True)
 class ModelRequest:
-    """Which model to fit, and what it may need besides points."""
+    """A model to fit, and what it may need besides points."""
 
     kind: ModelKind
     variant: Variant
-    orbit_height_m: float
-    """Nominal."""
-    size: tuple[float, float] | None
-    """The image's columns and rows; None where the image is not given."""
-    rpc: Rational | None
-    """The image's own."""
+    orbit_height_m: float  # nominal
+    size: tuple[float, float] | None  # the image's columns and rows; None where the image is not given
+    rpc: Rational | None  # the image's own
 
     @property
     def name(self) -> str:
@@ -130,7 +124,7 @@ def sensor_model(
     name: str, variant: str = "", orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000,
     size: tuple[float, float] | None = None, rpc: Rational | None = None,
 ) -> ModelRequest:
-    """What ``adjust`` takes for a sensor model. ``name``: ``polynomial_2d``, ``polynomial_3d``, ``rational``,
+    """A sensor model for ``adjust`` to fit. ``name``: ``polynomial_2d``, ``polynomial_3d``, ``rational``,
     ``rational_terms``, ``dlt``, ``pushbroom`` or ``rpc_bias``. ``variant``: an order such as ``2``, or a correction
     such as ``shift``; the first one where empty. A pushbroom takes the nominal ``orbit_height_m`` and the image's
     ``size`` (columns, rows), ``rpc_bias`` the image's own ``rpc``. Raises KeyError for another name."""

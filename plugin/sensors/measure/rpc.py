@@ -27,11 +27,10 @@ from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content
 
 RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
 MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
-_Used = tuple[int, ...]
-_TRIALS: dict[str, tuple[tuple[_Used, _Used], ...]] = {
+_TRIALS: dict[str, tuple[tuple[tuple[int, ...], tuple[int, ...]], ...]] = {
     "shift": (((0,), (0,)),), "shift_drift": (((0, 2), (0,)), ((0,), (0, 2))), "affine": (((0, 1, 2), (0, 1, 2)),),
 }  # fmt: skip
-"""Which of constant, column and row the corrections of column and row use; of several the one that fits best."""
+"""The terms (constant, column, row) of the corrections of column and row; of several trials the best fit is taken."""
 _OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
 _COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
 RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
@@ -48,14 +47,14 @@ def open_image(ref: RasterRef) -> OpenRaster:
 
 
 def satellite_name(image: OpenRaster) -> str:
-    """What the metadata call the satellite; may be empty."""
+    """The satellite's name in the metadata; may be empty."""
     about = {**(image.dataset.GetMetadata() or {}), **(image.dataset.GetMetadata("IMAGERY") or {})}
     return next((str(about[key]) for key in ("SATELLITEID", "NITF_ISORCE") if key in about), "")
 
 
 @dataclass(frozen=True)
 class Domain:
-    """Where a model is used."""
+    """The part of image and ground that a model is used in."""
 
     columns: tuple[float, float]
     """First and last, px."""
@@ -80,12 +79,7 @@ class RpcOfModel:
 
     rpc: Rational
     rms_px: float  # against the model, on places between those it was fitted to; 0 for a model that is an RPC already
-    max_px: float
-
-    @property
-    def exact(self) -> bool:
-        """Whether it is the model itself."""
-        return self.max_px == 0
+    max_px: float  # 0 likewise
 
 
 def rpc_of(model: SensorModel, wkt: str, domain: Domain) -> RpcOfModel:
@@ -126,8 +120,8 @@ def located(model: SensorModel, wkt: str, grid: np.ndarray, domain: Domain) -> n
     """(n, 3) longitude, latitude, height of (n, 3) column, row, height. Raises SensorModelError if not invertible."""
     system = model.ground_system(wkt)
     middle = transform_points(np.array([domain.middle]), wkt, system)
-    found = model.places(grid[:, :2], grid[:, 2], middle, metres_per_unit(system, float(middle[0, 1])))
-    return np.column_stack([transform_points(found, system, WGS84), grid[:, 2]])
+    places = model.places(grid[:, :2], grid[:, 2], middle, metres_per_unit(system, float(middle[0, 1])))
+    return np.column_stack([transform_points(places, system, WGS84), grid[:, 2]])
 
 
 @dataclass(frozen=True)
@@ -157,7 +151,8 @@ class BiasedRpc(SensorModel):
 def fit_bias(
     ground: np.ndarray, image: np.ndarray, weights: np.ndarray, form: str, rpc: Rational | None
 ) -> FittedModel:
-    """``shift_drift`` lets the column or the row grow with the line. Raises SettingsError without an RPC."""
+    """Fit the correction of an RPC in the image, of a ``form`` of ``_TRIALS``: ``shift_drift`` lets the column or the
+    row grow with the line. Raises SettingsError without an RPC."""
     if rpc is None:
         raise SettingsError(messages.NO_RPC())
     seen = rpc.project(ground)
@@ -172,7 +167,7 @@ def fit_bias(
             condition = max(condition, solution.condition)
         misfit = float(np.sum(((missing - linear @ correction) * weights[:, None]) ** 2))
         fits.append((misfit, FittedModel(BiasedRpc(rpc, correction), condition, 1, True, sum(map(len, used)))))
-    return min(fits, key=lambda one: one[0])[1]
+    return min(fits, key=lambda fit: fit[0])[1]
 
 
 def _linear(scaling: Scaling, image: np.ndarray) -> np.ndarray:
@@ -236,14 +231,14 @@ def read_rpc(path: Path) -> Rational:
         return from_metadata(_orthority_items(text, path.name), path.name)
     if "BEGIN_GROUP" in text:
         return from_metadata(_rpb_items(text), path.name)
-    found = re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE)
-    items = {name.upper(): value for name, value in found}
+    lines = re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE)
+    items = {name.upper(): value for name, value in lines}
     first, pattern = (0, "{}_COEFF_{:02d}") if "LINE_NUM_COEFF_00" in items else (1, "{}_COEFF_{}")
     return from_metadata({**items, **_coefficients(items, pattern, first)}, path.name)
 
 
 def _alos_items(text: str) -> dict[str, str]:
-    """Columns of a line of ALOS PRISM and AVNIR-2; the widths are those of GDAL's reader."""
+    """The columns of a line of ALOS PRISM and AVNIR-2; the widths are those of GDAL's reader."""
     names = [f"{name}_{kind}" for kind in ("OFF", "SCALE") for name in _OFFSETS]
     ends = np.cumsum([*ALOS_WIDTHS, *ALOS_WIDTHS]).tolist()
     items = {name: text[start:end].strip() for name, start, end in zip(names, [0, *ends], ends)}
@@ -254,7 +249,7 @@ def _alos_items(text: str) -> dict[str, str]:
 def _orthority_items(text: str, name: str) -> dict[str, str]:
     """Items of a file for one image: GDAL's in small letters."""
     try:
-        (rpc,) = (one["rpc"].items() for one in yaml_document(text, name).values())
+        (rpc,) = (image["rpc"].items() for image in yaml_document(text, name).values())
         return {key.upper(): " ".join(map(str, value if isinstance(value, list) else [value])) for key, value in rpc}
     except (ValueError, TypeError, KeyError, AttributeError):
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
@@ -276,7 +271,7 @@ def _dimap_items(content: bytes, name: str) -> dict[str, str]:
     except ParseError:
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
     parts = (root.iterfind(f".//{part}//*") for part in ("Inverse_Model", "RFM_Validity"))
-    model, validity = ({one.tag: (one.text or "").strip() for one in part} for part in parts)
+    model, validity = ({element.tag: (element.text or "").strip() for element in part} for part in parts)
     return {**validity, **_coefficients(model, "{}_COEFF_{}", 1)}
 
 

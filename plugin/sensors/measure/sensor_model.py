@@ -1,4 +1,4 @@
-"""What all sensor models are made of: the ground's reference system, the model, least squares and the inverse."""
+"""The parts of all sensor models: the ground's reference system, the model, least squares and the inverse."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ def file_content(path: Path) -> bytes:
 
 
 def yaml_document(text: str, name: str) -> Any:
-    """What a YAML text says; None for one that is none, or too long. Raises SensorModelError without PyYAML."""
+    """The content of a YAML text; None where it is none, or too long. Raises SensorModelError without PyYAML."""
     try:
         import yaml
 
@@ -53,8 +53,7 @@ def bounding_box(places: np.ndarray) -> Extent:
 class SensorModel:
     """From the ground to the image. A model file holds the fields of the class."""
 
-    GEOGRAPHIC: ClassVar[bool] = False
-    """Whether the ground is longitude and latitude (WGS 84) instead of the points' own reference system."""
+    GEOGRAPHIC: ClassVar[bool] = False  # whether the ground is longitude and latitude (WGS 84), not the points' system
     SPATIAL: ClassVar[bool] = True  # whether heights play a part; without them there is no RPC
 
     @classmethod
@@ -74,7 +73,7 @@ class SensorModel:
         return locate(self.project, image, heights, middle, metres)
 
     def as_rational(self) -> SensorModel | None:
-        """The very same function as ``Rational``, which is an RPC's form; None where it has not that form."""
+        """This function as a ``Rational``, which is an RPC's form; None where it does not have that form."""
         return None
 
 
@@ -83,14 +82,10 @@ class FittedModel:
     """A model as fitted."""
 
     model: SensorModel
-    condition: float
-    """Condition number of the last design matrix, its columns scaled to length 1."""
-    iterations: int
-    """How many it took; 1 for a linear model."""
-    converged: bool
-    """Whether the last iteration changed the image coordinates by less than the limit."""
-    unknowns: float
-    """How many the points have determined: all of a free model, less where priors hold some."""
+    condition: float  # condition number of the last design matrix, its columns scaled to length 1
+    iterations: int  # 1 for a linear model
+    converged: bool  # whether the last iteration changed the image coordinates by less than the limit
+    unknowns: float  # how many the points have determined: all of a free model, less where priors hold some
 
 
 @dataclass(frozen=True)
@@ -143,21 +138,21 @@ Map = Callable[[np.ndarray], np.ndarray]
 def newton(function: Map, wanted: np.ndarray, start: np.ndarray, step: float = 1e-4, steps: int = 0) -> np.ndarray:
     """Solve ``function(x) = wanted`` for (n, 2) x near ``start``; NaN where it does not converge. ``step``: of
     derivatives, in x. With ``steps`` only so many are taken, and what they reach is the answer."""
-    found = np.array(start, float)
-    last = np.full(len(found), np.inf)
+    roots = np.array(start, float)
+    last = np.full(len(roots), np.inf)
     for _ in range(steps or limits.MAX_NEWTON_ITERATIONS):
-        misfit = wanted - function(found)
-        (a, c), (b, d) = ((function(found + one) - function(found - one)).T / (2 * step) for one in np.eye(2) * step)
+        misfit = wanted - function(roots)
+        (a, c), (b, d) = ((function(roots + axis) - function(roots - axis)).T / (2 * step) for axis in np.eye(2) * step)
         x, y = misfit.T
         with np.errstate(all="ignore"):  # of a plane of two equations, [[a, b], [c, d]]
             change = np.column_stack([d * x - b * y, a * y - c * x]) / (a * d - b * c)[:, None]
-        found = found + change
+        roots = roots + change
         last = np.abs(change).max(axis=1)
         if not np.any(last > step * 1e-6):
             break
     if not steps:
-        found[~(last <= step)] = np.nan
-    return found
+        roots[~(last <= step)] = np.nan
+    return roots
 
 
 def locate(

@@ -63,8 +63,8 @@ def test_peaks_are_the_highest_and_apart() -> None:
     field = np.zeros((40, 40))
     for row, column, value in ((5, 5, 0.9), (6, 6, 0.8), (20, 30, -0.7), (30, 10, 0.5), (35, 35, 0.2)):
         field[row, column] = value
-    found = [(peak.row, peak.column, peak.value) for peak in peaks(field, 3, 0.4, 5)]
-    assert found == [(5, 5, 0.9), (20, 30, -0.7), (30, 10, 0.5)]
+    highest = [(peak.row, peak.column, peak.value) for peak in peaks(field, 3, 0.4, 5)]
+    assert highest == [(5, 5, 0.9), (20, 30, -0.7), (30, 10, 0.5)]
 
 
 coefficients = st.tuples(*[st.floats(-1, 1)] * 3, *[st.floats(0.05, 2)] * 2, st.floats(-0.9, 0.9), st.booleans())
@@ -133,9 +133,9 @@ def test_a_drawn_mark_is_symmetric(shape: MarkShape) -> None:
 
 def test_shapes_are_chosen_by_words() -> None:
     assert chosen_shapes(None, None, None) == all_shapes()
-    assert {(one.kind, one.diagonal) for one in chosen_shapes("cross", True, None)} == {(MarkKind.CROSS, True)}
-    assert [one.interrupted for one in chosen_shapes("ring with cross", None, True)] == [True, True]
-    assert [one.kind for one in chosen_shapes("dot", True, True)] == [MarkKind.DOT]
+    assert {(shape.kind, shape.diagonal) for shape in chosen_shapes("cross", True, None)} == {(MarkKind.CROSS, True)}
+    assert [shape.interrupted for shape in chosen_shapes("ring with cross", None, True)] == [True, True]
+    assert [shape.kind for shape in chosen_shapes("dot", True, True)] == [MarkKind.DOT]
 
 
 def window(pixels: np.ndarray) -> PhotoView:
@@ -146,19 +146,19 @@ def window(pixels: np.ndarray) -> PhotoView:
 def test_a_mark_is_measured_where_it_is(surface: SurfaceBasis, offset: tuple[float, float]) -> None:
     shape = MarkShape(MarkKind.RING_WITH_DOT, 20, softness=1.0)
     pixels = 30 + 50 * draw(shape, offset, margin=40) + 0.2 * np.arange(81)
-    found = measure_mark(window(pixels), (140.5, 240.5), 5, MeasuringTemplate(shape, 1), 0.5, surface)
-    assert found.place is not None
+    mark = measure_mark(window(pixels), (140.5, 240.5), 5, MeasuringTemplate(shape, 1), 0.5, surface)
+    assert mark.place is not None
     tolerance = 0.01 if surface is SurfaceBasis.CORRELATION else 0.2
-    assert found.place == pytest.approx((140.5 + offset[0], 240.5 + offset[1]), abs=tolerance)
+    assert mark.place == pytest.approx((140.5 + offset[0], 240.5 + offset[1]), abs=tolerance)
 
 
 def test_two_alike_or_none_or_half_a_mark_is_a_failure() -> None:
     shape = MarkShape(MarkKind.RING_WITH_CROSS, 20, softness=0.8)
-    template, one = MeasuringTemplate(shape, 1), draw(shape, margin=50)
-    two = one + np.roll(one, 30, axis=1)
-    noise = 0.05 * texture(one.shape, 0, 1)
-    halved = one.copy()
-    halved[:, 51:] = np.roll(one, 4, axis=0)[:, 51:]  # a torn film
+    template, drawn = MeasuringTemplate(shape, 1), draw(shape, margin=50)
+    two = drawn + np.roll(drawn, 30, axis=1)
+    noise = 0.05 * texture(drawn.shape, 0, 1)
+    halved = drawn.copy()
+    halved[:, 51:] = np.roll(drawn, 4, axis=0)[:, 51:]  # a torn film
 
     def reason(pixels: np.ndarray) -> str:
         made = measure_mark(window(pixels), (150.5, 250.5), 8, template, 0.5, SurfaceBasis.CORRELATION)
@@ -168,7 +168,7 @@ def test_two_alike_or_none_or_half_a_mark_is_a_failure() -> None:
     assert "two places look nearly alike" in reason(two + noise)
     assert "correlation is" in reason(noise)
     assert "differ by" in reason(halved + noise)
-    small = measure_mark(window(one[:9, :9]), (104.5, 204.5), 2, template, 0.5, SurfaceBasis.CORRELATION)
+    small = measure_mark(window(drawn[:9, :9]), (104.5, 204.5), 2, template, 0.5, SurfaceBasis.CORRELATION)
     assert small.place is None
     assert "larger than" in str(small.reason)
 

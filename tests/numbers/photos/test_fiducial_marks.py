@@ -75,7 +75,7 @@ def frame_of(number: int, strong: bool) -> tuple[Look, Mapping[str, Place], Fram
 @pytest.mark.parametrize("strong", [False, True], ids=["little grain", "strong grain"])
 def test_every_kind_of_mark_is_measured(tmp_path: Path, strong: bool) -> None:
     """Nobody says where the marks are, nor, with little grain, what they look like; none is more than a pixel off."""
-    found: list[float] = []
+    distances: list[float] = []
     for number in range(9):
         look, camera, frame = frame_of(number, strong)
         known = OrientationSettings(shapes=chosen_shapes(look.kind, look.diagonal, None)) if strong else None
@@ -84,13 +84,13 @@ def test_every_kind_of_mark_is_measured(tmp_path: Path, strong: bool) -> None:
         off = [min(math.dist(mark.place, place) for place in truth) for mark in made.marks if mark.place is not None]
         assert max(off) < 1, look
         assert len(off) >= 3, look
-        found += off
-    assert len(found) >= 34
-    assert np.mean(found) <= (0.15 if strong else 0.05)
+        distances += off
+    assert len(distances) >= 34
+    assert np.mean(distances) <= (0.15 if strong else 0.05)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda way: f"{way.turned}{'m' * way.mirrored}")
 def test_the_numbers_tell_how_a_photo_lies(tmp_path: Path, orientation: ScanOrientation) -> None:
     frame = make_frame(Look(dots=True, diagonal=True, interrupted=True, contrast=40), side=640, seed=11, rotation=-0.8)
     pixels, places = laid(frame, orientation)
@@ -113,7 +113,7 @@ def laid(frame: Frame, orientation: ScanOrientation) -> tuple[np.ndarray, Mappin
     return np.ascontiguousarray(pixels), places
 
 
-@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda way: f"{way.turned}{'m' * way.mirrored}")
 def test_positions_tell_how_a_photo_lies(tmp_path: Path, orientation: ScanOrientation) -> None:
     pixels, places = laid(Frame(np.zeros((500, 500), np.uint8), make_frame(Look(), side=500).places), orientation)
     given = {name: GivenPosition(place, measure=False) for name, place in places.items()}
@@ -353,20 +353,20 @@ def test_a_marks_own_symmetry_confirms_its_place(unbc: Path, unbc_orientation: P
 
     def unlike(place: np.ndarray) -> float:
         column, row = place - 0.5
-        one, other = (
+        upright, turned = (
             ndimage.map_coordinates(grey, [row + sign * y, column + sign * x], order=3, prefilter=False)
             for sign in (1, -1)
         )
-        return -float(np.corrcoef(one, other)[0, 1])
+        return -float(np.corrcoef(upright, turned)[0, 1])
 
     distances = []
     for mark in unbc_orientation.marks:
         assert mark.place is not None
         simplex = np.array(mark.place) + [(0, 0), (0.5, 0), (0, 0.5)]
         options = {"xatol": 1e-3, "initial_simplex": simplex}
-        found = optimize.minimize(unlike, mark.place, method="Nelder-Mead", options=options)
-        assert -found.fun > 0.97
-        distances.append(math.dist(found.x, mark.place))
+        best = optimize.minimize(unlike, mark.place, method="Nelder-Mead", options=options)
+        assert -best.fun > 0.97
+        distances.append(math.dist(best.x, mark.place))
     assert max(distances) < 0.1
 
 

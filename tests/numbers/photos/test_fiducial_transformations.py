@@ -133,17 +133,17 @@ def test_an_outlier_among_eight_is_found_by_the_model() -> None:
     assert clean.redundancy == 10
 
 
-@pytest.mark.parametrize(("others", "moved", "found", "named"), [
+@pytest.mark.parametrize(("others", "moved", "out", "named"), [
     (1, 2, set(), False),  # px of 0.04 mm: as far as the others
     (0, 1, set(), False),  # no farther than film and scanner leave on good photos
     (0, 3, set(), True), (0, 5, set(), True),  # stands out, but film deforms by a thousandth of 220 mm
     (0, 6, {"7"}, False), (1, 12, {"7"}, False),
 ])
-def test_what_makes_an_outlier(others: float, moved: float, found: set[str], named: bool) -> None:
+def test_what_makes_an_outlier(others: float, moved: float, out: set[str], named: bool) -> None:
     aside = zip(EIGHT, [(1, 0), (0, 1), (-1, 0), (0, -1), (0, 1), (1, 0), (0, 0), (-1, 0)])
     places = {name: (others * x, others * y) for name, (x, y) in aside}
     _, made, notices = fit_marks(fail_misplaced_marks(marks(EIGHT, {**places, "7": (moved, 0)})), PlaneModel.AFFINE)
-    assert failed(made) == found
+    assert failed(made) == out
     assert [str(notice)[:25] for notice in notices] == ["The mark '7' stands out: "] * named
 
 
@@ -223,10 +223,10 @@ def test_comparison_by_hand() -> None:
     first = [ComparedMark("a", "1", (0, 0), (0, 0)), ComparedMark("a", "2", (10, 0), (0.2, 0))]
     first.append(ComparedMark("b", "1", (5, 5)))
     second = [ComparedMark("b", "1", (5, 6)), ComparedMark("a", "1", (3, 4)), ComparedMark("c", "1", (0, 0))]
-    found, alone = mark_differences(first, second)
+    differences, alone = mark_differences(first, second)
     assert alone == ["a 2", "c 1"]
-    assert [(one.photo, one.mark, one.distance) for one in found] == [("a", "1", 5), ("b", "1", 1)]
-    made = distance_statistics(found)
+    assert [(mark.photo, mark.mark, mark.distance) for mark in differences] == [("a", "1", 5), ("b", "1", 1)]
+    made = distance_statistics(differences)
     assert (made.count, made.mean, made.maximum, made.minimum) == (2, 3, 5, 1)
     assert made.standard_deviation == pytest.approx(np.std([5, 1], ddof=1))
     assert pixel_size(first) == pytest.approx(20)

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -45,39 +44,44 @@ def candidates(calibration: CameraCalibration) -> tuple[list[Labelling], Arrange
     matrix = np.array([[SCALE, 0, MARGIN + SCALE * 106], [0, SCALE, MARGIN + SCALE * 106]])
     places = np.column_stack([frame.places, np.ones(len(frame.places))]) @ matrix.T
     by_mark = dict(zip(frame.marks, map(tuple, places)))
-    found = Arrangement(frame, None, 1, by_mark, dict.fromkeys(frame.marks, 1.0), matrix)
-    return labellings(calibration, found), found
+    arrangement = Arrangement(frame, None, 1, by_mark, dict.fromkeys(frame.marks, 1.0), matrix)
+    return labellings(calibration, arrangement), arrangement
 
 
-@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+every_orientation = pytest.mark.parametrize(
+    "orientation", SCAN_ORIENTATIONS, ids=lambda way: f"{way.turned}{'m' * way.mirrored}"
+)
+
+
+@every_orientation
 def test_marks_are_named_as_they_lie(orientation: ScanOrientation) -> None:
-    named = {one.orientation: one for one in candidates(STRIP)[0]}
+    named = {labelling.orientation: labelling for labelling in candidates(STRIP)[0]}
     assert len(named) == 8
     for name, place in in_scan(CAMERA, orientation).items():
         assert named[orientation].places[name] == pytest.approx(place, abs=0.01 * SCALE)
 
 
-@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+@every_orientation
 def test_the_data_strip_lies_where_the_scan_goes_on(orientation: ScanOrientation) -> None:
-    every, found = candidates(STRIP)
+    every, arrangement = candidates(STRIP)
     strip = in_scan({"strip": (0.0, 118.0)}, orientation)["strip"]
     size = 2 * MARGIN + SCALE * 212
     beyond = np.array([max(-strip[0], 0), max(-strip[1], 0), max(strip[0] - size, 0), max(strip[1] - size, 0)])
     more = np.where(beyond > 0, MARGIN, 0)  # on one side only, so that the strip is in the scan
-    moved = {name: (x + more[0], y + more[1]) for name, (x, y) in found.places.items()}
-    farther = replace(found, places=moved)
-    columns, rows = round(size + more[0] + more[2]), round(size + more[1] + more[3])
-    chosen = [one.orientation for one in matching_data_strip(every, STRIP, farther, columns, rows)]
+    moved = [(x + more[0], y + more[1]) for x, y in arrangement.places.values()]
+    whole = round(size + more[0] + more[2]), round(size + more[1] + more[3])
+    chosen = [labelling.orientation for labelling in matching_data_strip(every, STRIP, moved, whole)]
     assert orientation in chosen
     assert len(chosen) == 2  # mirrored about the strip's middle it lies there too
-    assert matching_data_strip(every, STRIP, found, round(size), round(size)) == []  # it goes as far on all sides
+    alike = arrangement.places.values(), (round(size), round(size))  # it goes as far on all sides
+    assert matching_data_strip(every, STRIP, *alike) == []
 
 
-@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+@every_orientation
 def test_residuals_tell_where_marks_are_no_square_and_only_there(orientation: ScanOrientation) -> None:
     uneven = CameraCalibration({**CAMERA, "4": (107.6, 105.3)})
     every, _ = candidates(uneven)
-    site_of = next(one.sites for one in every if one.orientation == orientation)
+    site_of = next(labelling.sites for labelling in every if labelling.orientation == orientation)
     measured = {site_of[name]: place for name, place in in_scan(uneven.marks, orientation).items()}
     (chosen,) = matching_residuals(every, uneven, measured, PlaneModel.AFFINE)
     assert chosen.orientation == orientation

@@ -25,10 +25,9 @@ def test_gdal_puts_every_pixel_where_the_orientation_does(degrees: float, tmp_pa
     to_mm = Transformation(PlaneModel.AFFINE, matrix)
     marks = [SimpleNamespace(place=place) for place in ((0.0, 0.0), (530.0, 0.0), (0.0, 530.0), (530.0, 530.0))]
     made: Any = SimpleNamespace(fitted=SimpleNamespace(to_mm=to_mm), marks=marks)
-    photo: Any = None
     path = write_plain(tmp_path / "photo.png", np.zeros((530, 530), np.uint8))
-    (tmp_path / "photo.pgw").write_text(world_file(photo, made))
+    (tmp_path / "photo.pgw").write_text(world_file(made))
     transform = gdal.Open(path).GetGeoTransform()
     places = np.array([(0.0, 0.0), (0.5, 0.5), (529.25, 17.75), (265.0, 530.0)])
-    found = [gdal.ApplyGeoTransform(transform, column, row) for column, row in places.tolist()]
-    assert np.array(found) == pytest.approx(to_mm(places), abs=1e-9)
+    transformed = [gdal.ApplyGeoTransform(transform, column, row) for column, row in places.tolist()]
+    assert np.array(transformed) == pytest.approx(to_mm(places), abs=1e-9)

@@ -9,7 +9,7 @@ from seam_inspector.plugin.sensors.measure.polynomials import (
     Rational,
     fit_chosen_terms,
     fit_rational,
-    terms_told,
+    term_names,
 )
 
 from tests.numbers.sensors.sensor_scenes import made_rational, places
@@ -37,7 +37,7 @@ def test_fifteen_points_see_a_scene_that_order_two_needs_nineteen_for() -> None:
     assert misses[0] < 2
     assert misses[0] < misses[1] / 20
     assert chosen.unknowns <= 12
-    assert "row: 1 x y z / 1" in terms_told(chosen.model)
+    assert "row: 1 x y z / 1" in term_names(chosen.model)
 
 
 @pytest.mark.slow

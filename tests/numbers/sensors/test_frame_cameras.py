@@ -235,10 +235,10 @@ def test_all_files_of_an_exterior_orientation_say_the_same(folder: Path, image: 
                                      "opk": np.radians([1, -2, 30]).tolist()}}],
     }))
     for name in ("places.csv", "Orientation-photo.tif.xml", "blanks.txt", "semicolons.csv", "places.json"):
-        found = read_exteriors(document(folder / name), folder / name).of(image)
-        assert found.position == pytest.approx(CENTRE), name
-        assert found.axes == pytest.approx(axes), name
-    assert (found.camera, found.wkt) == ("cam", "EPSG:32633")
+        exterior = read_exteriors(document(folder / name), folder / name).of(image)
+        assert exterior.position == pytest.approx(CENTRE), name
+        assert exterior.axes == pytest.approx(axes), name
+    assert (exterior.camera, exterior.wkt) == ("cam", "EPSG:32633")
 
 
 def test_micmac_s_radial_distortion_is_that_of_its_formula(folder: Path) -> None:
@@ -318,5 +318,5 @@ def test_a_system_without_metres_is_refused(folder: Path, system: str, complaint
 @pytest.mark.parametrize(("angles", "doubted"), [("0.01,-0.02,3.12", True), ("1,-2,30", False), ("0.2,0.1,0.3", False)])
 def test_angles_that_look_like_radians_are_told(folder: Path, angles: str, doubted: bool) -> None:
     (folder / "places.csv").write_text(TABLE.replace("1,-2,30", angles))
-    told = [str(notice) for notice in oriented(folder).notices]
-    assert any("radians" in one for one in told) == doubted
+    notices = [str(notice) for notice in oriented(folder).notices]
+    assert any("radians" in notice for notice in notices) == doubted

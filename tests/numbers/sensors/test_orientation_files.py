@@ -58,8 +58,8 @@ def geocentric(places: np.ndarray, system: int = 32633) -> np.ndarray:
     source.ImportFromEPSG(system)
     source = source if system == 4979 else _with_ellipsoidal_heights(source)
     target.ImportFromEPSG(4978)
-    for one in (source, target):
-        one.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    for system in (source, target):
+        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return np.array(osr.CoordinateTransformation(source, target).TransformPoints(places.tolist()))
 
 
@@ -71,7 +71,7 @@ def _with_ellipsoidal_heights(system: osr.SpatialReference) -> osr.SpatialRefere
 def local_axes(geographic: tuple[float, float, float]) -> np.ndarray:
     """(3, 3) rows east, north, up: differences of PROJ's geocentric coordinates."""
     step = 1e-5
-    here = np.array([geographic, *(np.add(geographic, one) for one in np.diag([step, step, 1.0]))])
+    here = np.array([geographic, *(np.add(geographic, change) for change in np.diag([step, step, 1.0]))])
     steps = np.diff(geocentric(here, 4979)[[0, 1, 0, 2, 0, 3]], axis=0)[::2]
     return np.array(steps / np.linalg.norm(steps, axis=1, keepdims=True))
 
@@ -92,10 +92,10 @@ def exterior_of(path: Path, image: str = "IMG_2.jpg", angles: str = "auto") -> F
 
 def seen(exterior: Path, interior: Path | None = None, image: str = "IMG_2.jpg", angles: str = "auto") -> np.ndarray:
     path = orientation_file(exterior)
-    found, interior = exterior_of(path, image, angles), interior or path
-    lens = read_cameras(document(interior), interior).of(found.camera, SIZE)
-    camera = FrameCamera(lens, found.position, found.axes, found.curvature)
-    places = transform_points(GROUND, UTM, found.wkt or UTM)
+    exterior, interior = exterior_of(path, image, angles), interior or path
+    lens = read_cameras(document(interior), interior).of(exterior.camera, SIZE)
+    camera = FrameCamera(lens, exterior.position, exterior.axes, exterior.curvature)
+    places = transform_points(GROUND, UTM, exterior.wkt or UTM)
     return camera.project(np.column_stack([places, GROUND[:, 2]]))
 
 
@@ -166,12 +166,13 @@ def test_a_line_without_end_is_no_table(tmp_path: Path, ending: str) -> None:
 @pytest.mark.parametrize("angles", ["auto", "gon"])
 def test_gon_are_asked_for_where_a_file_does_not_name_them(tmp_path: Path, angles: str) -> None:
     path, turn = tmp_path / "places.csv", (4.0, -7.0, -179.1)
-    path.write_text("filename,x,y,z,omega,phi,kappa\nIMG_2,1,2,3," + ",".join(str(one / 0.9) for one in turn) + "\n")
-    found = exterior_of(path, "IMG_2.jpg", angles)
-    assert bool(found.notices) == (angles == "auto")
-    assert all("reach 199 and are taken as degrees" in str(one) for one in found.notices)
+    gons = ",".join(str(angle / 0.9) for angle in turn)
+    path.write_text(f"filename,x,y,z,omega,phi,kappa\nIMG_2,1,2,3,{gons}\n")
+    exterior = exterior_of(path, "IMG_2.jpg", angles)
+    assert bool(exterior.notices) == (angles == "auto")
+    assert all("reach 199 and are taken as degrees" in str(notice) for notice in exterior.notices)
     if angles == "gon":
-        np.testing.assert_allclose(found.axes, turned(*turn) @ np.diag([1, -1, -1]), atol=1e-12)
+        np.testing.assert_allclose(exterior.axes, turned(*turn) @ np.diag([1, -1, -1]), atol=1e-12)
 
 
 def pix4d(folder: Path) -> Path:
@@ -241,8 +242,8 @@ def test_an_inpho_project(tmp_path: Path, mount: int) -> None:
     """A camera of 5 um that is mounted straight, or turned so that its x is up in the image."""
     affine = {0: "200 0 2011.5 0 -200 1492.5", 90: "0 -200 2011.5 -200 0 1492.5"}[mount]
     # x right, y up of the camera as it is mounted, by those of the image
-    own = np.eye(3) if mount == 0 else np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])
-    rotation = "\n".join(" ".join(f"{one:.15f}" for one in row) for row in own @ PHOTO.T)
+    mounted = np.eye(3) if mount == 0 else np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])
+    rotation = "\n".join(" ".join(f"{element:.15f}" for element in row) for row in mounted @ PHOTO.T)
     path = tmp_path / "flight.prj"
     path.write_text(f"""$PROJECT 6.0.0
 $END
@@ -291,8 +292,8 @@ def opensfm(folder: Path, turn: np.ndarray, place: np.ndarray) -> Path:
 def metashape(folder: Path, turn: np.ndarray, place: np.ndarray) -> Path:
     """A chunk in a system of its own, a tenth as large, turned and shifted."""
     to_earth, shift, scale = cv2.Rodrigues(np.array([0.4, -1.1, 0.7]))[0], place + [70.0, -40, 90], 10.0
-    own = np.eye(4)
-    own[:3, :3], own[:3, 3] = to_earth.T @ turn.T, to_earth.T @ (place - shift) / scale
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = to_earth.T @ turn.T, to_earth.T @ (place - shift) / scale
     path = folder / "cameras.xml"
     path.write_text(f"""<document version="1.5.0"><chunk label="1"><sensors><sensor id="0" type="frame">
 <resolution width="4000" height="3000"/><calibration type="frame" class="adjusted">
@@ -300,7 +301,7 @@ def metashape(folder: Path, turn: np.ndarray, place: np.ndarray) -> Path:
 <p1>{P2}</p1><p2>{P1}</p2></calibration></sensor></sensors><components><component id="0"><transform>
 <rotation>{" ".join(map(str, to_earth.ravel()))}</rotation><translation>{" ".join(map(str, shift))}</translation>
 <scale>{scale}</scale></transform></component></components><cameras>
-<camera id="0" sensor_id="0" component_id="0" label="IMG_2"><transform>{" ".join(map(str, own.ravel()))}</transform>
+<camera id="0" sensor_id="0" component_id="0" label="IMG_2"><transform>{" ".join(map(str, pose.ravel()))}</transform>
 </camera><camera id="1" sensor_id="0" label="IMG_1"/></cameras></chunk></document>""")
     return path
 
@@ -319,8 +320,8 @@ def test_files_in_coordinates_of_space_are_seen_as_from_the_earth_s_middle(
 def test_the_reading_of_a_reconstruction_is_told(tmp_path: Path) -> None:
     """Alone it is in the plane at its reference, in a project in UTM, and exact beside its topocentric form."""
     path = odm(tmp_path) / "opensfm" / "reconstruction.json"
-    (told,) = exterior_of(path).notices
-    assert "is taken as in EPSG:32633 with the offset of coords.txt, where OpenDroneMap puts it" in str(told)
+    (notice,) = exterior_of(path).notices
+    assert "is taken as in EPSG:32633 with the offset of coords.txt, where OpenDroneMap puts it" in str(notice)
     path.with_name("reconstruction.topocentric.json").write_text(path.read_text())
     assert "Photos are placed by reconstruction.topocentric.json" in str(exterior_of(path).notices[0])
     alone = tmp_path / "reconstruction.json"

@@ -89,12 +89,12 @@ def came_from(ortho: Ortho) -> tuple[np.ndarray, np.ndarray]:
 
 
 def vendor_places(places: np.ndarray, system: str, dem: str, model: Rational, raised: float = 0.0) -> np.ndarray:
-    """Where an RPC sees map places over a terrain model, by PROJ and scipy."""
+    """The places where an RPC sees map places over a terrain model, by PROJ and scipy."""
     systems = [osr.SpatialReference(), osr.SpatialReference()]
     systems[0].SetFromUserInput(system)
     systems[1].ImportFromEPSG(4326)
-    for one in systems:
-        one.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    for system in systems:
+        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     geographic = np.array(osr.CoordinateTransformation(*systems).TransformPoints(places.tolist()))[:, :2]
     dataset = gdal.Open(dem)
     left, step, _, top, _, down = dataset.GetGeoTransform()
@@ -108,9 +108,9 @@ def test_every_pixel_comes_from_where_the_model_sees_it(job: Callable[..., Ortho
     dem = terrain_file(tmp_path / "dem.tif")
     shares: list[float] = []
     ortho = job(progress=shares.append, dem=dem)
-    places, found = came_from(ortho)
+    places, seen = came_from(ortho)
     assert len(places) > 0.6 * SIDE**2
-    assert np.abs(found - vendor_places(places, ortho.wkt, dem, small_rpc())).max() < 0.02
+    assert np.abs(seen - vendor_places(places, ortho.wkt, dem, small_rpc())).max() < 0.02
     assert ortho.max_px < 1e-3
     assert ortho.notices == ()
     assert shares[-1] == pytest.approx(1)
@@ -127,9 +127,9 @@ def test_heights_above_sea_level_are_brought_to_the_ellipsoid(job: Callable[...,
     assert undulation.max() < 55  # the geoid in southern France
     for dem, datum in ((plain, "egm96"), (named, "auto")):
         ortho = job(dem=dem, datum=datum)
-        places, found = came_from(ortho)
+        places, seen = came_from(ortho)
         expected = vendor_places(places, ortho.wkt, plain, small_rpc(), float(undulation.mean()))
-        assert np.abs(found - expected).max() < 0.05
+        assert np.abs(seen - expected).max() < 0.05
         assert "converted to the ellipsoid" in str(ortho.notices[0])
     assert "does not say what its heights refer to" in str(job(dem=plain, datum="auto").notices[0])
     with pytest.raises(RasterError, match=r"PROJ has no grid .*AHD"):
@@ -138,9 +138,9 @@ def test_heights_above_sea_level_are_brought_to_the_ellipsoid(job: Callable[...,
 
 def test_a_constant_height_is_a_plane(job: Callable[..., Ortho], tmp_path: Path) -> None:
     ortho = job(height=650.0, target_wkt="EPSG:4326", pixel_size=3e-6)
-    places, found = came_from(ortho)
+    places, seen = came_from(ortho)
     expected = small_rpc().project(np.column_stack([places, np.full(len(places), 650.0)]))
-    assert np.abs(found - expected).max() < 0.02
+    assert np.abs(seen - expected).max() < 0.02
 
 
 def test_crop_size_format_and_extent(job: Callable[..., Ortho], tmp_path: Path) -> None:
@@ -169,9 +169,9 @@ def test_a_parametric_model_goes_through_an_rpc(job: Callable[..., Ortho], tmp_p
     image = describe(RasterRef(str(tmp_path / "image.tif")))
     domain = replace(rpc_domain(small_rpc(), image), heights=(500.0, 700.0))
     ortho = job(model=model, domain=domain, height=height, target_wkt="EPSG:4326")
-    places, found = came_from(ortho)
+    places, seen = came_from(ortho)
     expected = model.project(np.column_stack([places, np.full(len(places), height)]))
-    assert np.abs(found - expected).max() < 0.02
+    assert np.abs(seen - expected).max() < 0.02
     assert ortho.max_px < 1e-3
 
 

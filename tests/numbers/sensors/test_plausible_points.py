@@ -45,7 +45,7 @@ def test_ordinary_points_pass_with_and_without_heights_and_a_little_beyond_the_i
     ({"ground": points().ground * [1e-7, 1e-7, 1]}, "pixel measures"),
     ({"ground": points().ground * [1, 1, 3000]}, "which no place on earth is"),
     ({"image": points().image * [1, -1]}, "rows are negative"),
-    ({"image": points().image[:, ::-1]}, "columns and rows interchanged"),
+    ({"image": points().image[:, ::-1]}, "columns and rows are interchanged"),
     ({"image": points().image + [9000, 0]}, "20 points lie outside the image of 4000 x 3000 pixels"),
 ])  # fmt: skip
 def test_what_can_t_be_is_said(changed: dict[str, object], complaint: str) -> None:
@@ -110,14 +110,14 @@ def test_what_the_image_s_own_rpc_rules_out_is_said(changed: dict[str, np.ndarra
         check_against_rpc(seen_points(**changed), RPC)
 
 
-@pytest.mark.parametrize(("factors", "told"), [
+@pytest.mark.parametrize(("factors", "words"), [
     ([1, 1, 0], "25 points .* are -999 to -999 m high, and the image's RPC holds for 0 to 1200 m"),
     ([1, 1, 1.9], "they miss the RPC by .* px"),
 ])  # fmt: skip
-def test_heights_that_an_rpc_is_not_made_for_are_said(factors: list[float], told: str) -> None:
+def test_heights_that_an_rpc_is_not_made_for_are_said(factors: list[float], words: str) -> None:
     heights = seen_points().ground * factors - [0, 0, 999 if factors[2] == 0 else 0]
     (notice,) = check_against_rpc(seen_points(ground=heights), RPC)
-    assert re.search(told, str(notice))
+    assert re.search(words, str(notice))
     assert notice.level == WARNING
 
 

@@ -36,12 +36,12 @@ def expected(
 
 def leverages(count: int, draws: int) -> np.ndarray:
     """(draws,) mean leverage over an image of points anywhere in it, for a plane through them."""
-    random, found = np.random.default_rng(0), []
+    random, variances = np.random.default_rng(0), []
     everywhere = np.column_stack([np.ones(400), random.uniform(0, 1, (400, 2))])
     for _ in range(draws):
         design = np.column_stack([np.ones(count), random.uniform(0, 1, (count, 2))])
-        found.append(np.mean(np.sum(everywhere @ np.linalg.inv(design.T @ design) * everywhere, axis=1)))
-    return np.array(found)
+        variances.append(np.mean(np.sum(everywhere @ np.linalg.inv(design.T @ design) * everywhere, axis=1)))
+    return np.array(variances)
 
 
 @pytest.mark.slow
@@ -49,11 +49,11 @@ def leverages(count: int, draws: int) -> np.ndarray:
 def test_a_plane_is_what_theory_says(count: int) -> None:
     """Two coordinates, each sigma times the root of 1 + the mean leverage at check points, without the 1 in truth."""
     scene = scene_of_rpc(made_rational(1, 2, 0.0), (COLUMNS, ROWS), (600.0, 600.0))
-    [found] = expected(registry.POLYNOMIAL_2D, scene, replace(PLAN, spread="random"), count, draws=120)
+    [row] = expected(registry.POLYNOMIAL_2D, scene, replace(PLAN, spread="random"), count, draws=120)
     leverage = float(np.median(leverages(count, 3000)))
-    assert found.failed == 0
-    assert found.check_usual == pytest.approx(np.sqrt(2) * 0.5 * np.sqrt(1 + leverage), rel=0.07)
-    assert found.image_usual == pytest.approx(np.sqrt(2) * 0.5 * np.sqrt(leverage), rel=0.15)
+    assert row.failed == 0
+    assert row.check_usual == pytest.approx(np.sqrt(2) * 0.5 * np.sqrt(1 + leverage), rel=0.07)
+    assert row.image_usual == pytest.approx(np.sqrt(2) * 0.5 * np.sqrt(leverage), rel=0.15)
 
 
 @pytest.mark.slow
@@ -61,15 +61,15 @@ def test_a_plane_is_what_theory_says(count: int) -> None:
 def test_a_shift_is_as_good_as_the_mean_of_its_points(count: int) -> None:
     scene = scene_of_rpc(made_rational(3, 2), (COLUMNS, ROWS), (0.0, 1200.0))
     flat = replace(PLAN, sigma_m=0.0, sigma_px=0.5)
-    [found] = expected(registry.RPC_BIAS, scene, flat, count, form="shift", draws=120)
+    [row] = expected(registry.RPC_BIAS, scene, flat, count, form="shift", draws=120)
     places = np.array([MIDDLE, MIDDLE + [1e-4, 0, 0], MIDDLE + [0, 1e-4, 0]])
     seen = scene.model.project(places)
     metres = 1e-4 * np.array([111319.5 * np.cos(np.radians(MIDDLE[1])), 111130.0])
     slopes = np.linalg.inv(((seen[1:] - seen[0]) / metres[:, None]).T)  # m per px
     # A chi-square of two degrees, about: its median, and its 90 % quantile.
     usual, most = (np.linalg.norm(slopes) * 0.5 / np.sqrt(count) * np.sqrt(part) for part in (np.log(2), np.log(10)))
-    assert found.image_usual == pytest.approx(usual, rel=0.2)
-    assert found.image_most == pytest.approx(most, rel=0.2)
+    assert row.image_usual == pytest.approx(usual, rel=0.2)
+    assert row.image_most == pytest.approx(most, rel=0.2)
 
 
 def test_on_pleiades_the_medians_are_those_of_the_documentation(data_folder: Path) -> None:
@@ -82,10 +82,10 @@ def test_on_pleiades_the_medians_are_those_of_the_documentation(data_folder: Pat
     documented = {"pushbroom": 3.0, "rational": 14, "dlt": 30, "polynomial_3d": 45, "polynomial_2d": 685}
     medians = []
     for name, px in documented.items():
-        [found] = expected(registry.KINDS[name], scene, PLAN, 10, draws=20 if name == "pushbroom" else 50)
-        assert found.image_usual is not None
-        assert 1 / 1.7 < found.image_usual / (0.5 * px) < 1.7, name
-        medians.append(found.image_usual)
+        [row] = expected(registry.KINDS[name], scene, PLAN, 10, draws=20 if name == "pushbroom" else 50)
+        assert row.image_usual is not None
+        assert 1 / 1.7 < row.image_usual / (0.5 * px) < 1.7, name
+        medians.append(row.image_usual)
     assert medians == sorted(medians)
 
 
@@ -116,9 +116,9 @@ def test_the_nominal_scanner_is_tilted_and_covers_what_is_asked_for() -> None:
 
 
 def test_the_same_seed_gives_the_same_figures_whatever_else_is_asked_for() -> None:
-    one, other = (expected(registry.DLT, NOMINAL, PLAN, *counts, draws=5) for counts in ((8, 12), (12,)))
-    assert one[1] == other[0]
-    assert expected(registry.DLT, NOMINAL, PLAN, 12, seed=2, draws=5) != other
+    both, single = (expected(registry.DLT, NOMINAL, PLAN, *counts, draws=5) for counts in ((8, 12), (12,)))
+    assert both[1] == single[0]
+    assert expected(registry.DLT, NOMINAL, PLAN, 12, seed=2, draws=5) != single
 
 
 def test_fewer_points_than_the_model_needs_are_told() -> None:
@@ -129,8 +129,8 @@ def test_fewer_points_than_the_model_needs_are_told() -> None:
 def test_draws_that_fail_count_as_the_worst() -> None:
     """Exact points on a plane determine no model in space."""
     flat = replace(NOMINAL, heights=(100.0, 100.0))
-    [found] = expected(registry.POLYNOMIAL_3D, flat, replace(PLAN, sigma_m=0.0), 10, draws=4)
-    assert found.failed == 4
-    assert found.image_usual is None
-    assert found.check_most is None
-    assert found.reason is not None
+    [row] = expected(registry.POLYNOMIAL_3D, flat, replace(PLAN, sigma_m=0.0), 10, draws=4)
+    assert row.failed == 4
+    assert row.image_usual is None
+    assert row.check_most is None
+    assert row.reason is not None

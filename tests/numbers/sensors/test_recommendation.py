@@ -45,9 +45,9 @@ def judged(request: ModelRequest, misses: np.ndarray, unknowns: float) -> Judged
 def test_of_models_about_as_good_the_one_of_fewest_unknowns_is_taken(
     rows: list[tuple[ModelRequest, np.ndarray, float]], flat: bool, chosen: ModelRequest
 ) -> None:
-    found, _ = recommend([judged(*row) for row in rows], flat)
-    assert found is not None
-    assert found.request == chosen
+    recommended, _ = recommend([judged(*row) for row in rows], flat)
+    assert recommended is not None
+    assert recommended.request == chosen
 
 
 @pytest.mark.parametrize(("turned", "truth"), [(0.0, "rpc_bias shift"), (6.0, "rpc_bias affine")])

@@ -55,7 +55,7 @@ def test_what_is_missing_plays_no_part(name: str) -> None:
 def test_a_widened_lanczos_is_its_formula() -> None:
     column, row = 61.3, 57.9
     across, down = ((np.arange(size) + 0.5 - place) / 2 for size, place in ((140, column), (120, row)))
-    weights = [np.where(np.abs(one) < 3, np.sinc(one) * np.sinc(one / 3), 0) for one in (across, down)]
+    weights = [np.where(np.abs(steps) < 3, np.sinc(steps) * np.sinc(steps / 3), 0) for steps in (across, down)]
     expected = weights[1] @ PIXELS[0] @ weights[0] / weights[0].sum() / weights[1].sum()
     values, _ = Resampler.of("lanczos", (2.0, 2.0)).at(PIXELS, None, np.array([column]), np.array([row]))
     assert values[0, 0] == pytest.approx(expected, abs=0.05)

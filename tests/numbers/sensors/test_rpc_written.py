@@ -30,10 +30,10 @@ def image_file(path: Path) -> str:
     return str(path)
 
 
-def assert_same_rpc(found: dict[str, str], expected: dict[str, str]) -> None:
+def assert_same_rpc(items: dict[str, str], expected: dict[str, str]) -> None:
     for name, value in expected.items():
         np.testing.assert_allclose(
-            np.array(found[name].split(), float), np.array(value.split(), float), rtol=1e-9, atol=1e-12, err_msg=name
+            np.array(items[name].split(), float), np.array(value.split(), float), rtol=1e-9, atol=1e-12, err_msg=name
         )
 
 
@@ -52,9 +52,9 @@ def test_gdal_reads_the_rpc_in_an_images_tags(tmp_path: Path) -> None:
     moved = tmp_path / "elsewhere" / "alone.tif"  # without whatever was written beside it
     moved.parent.mkdir()
     moved.write_bytes(path.read_bytes())
-    found = gdal.Open(str(moved))
-    assert_same_rpc(found.GetMetadata("RPC"), to_metadata(rpc))
-    np.testing.assert_array_equal(found.ReadAsArray(), gdal.Open(image).ReadAsArray())
+    opened = gdal.Open(str(moved))
+    assert_same_rpc(opened.GetMetadata("RPC"), to_metadata(rpc))
+    np.testing.assert_array_equal(opened.ReadAsArray(), gdal.Open(image).ReadAsArray())
 
 
 @pytest.mark.parametrize("transform", [None, (500.0, 2.0, 0.1, 900.0, 0.2, -3.0), (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)])
@@ -64,10 +64,10 @@ def test_points_come_back_from_the_georeferencers_file(
     image, ground = np.array([[1.5, 2.25], [10.0, 7.0]]), np.array([[7.1, 43.6, 1.0], [7.2, 43.7, 2.0]])
     points, path = control_points(["1", "2"], image, ground, "EPSG:4326"), tmp_path / "image.points"
     write_point_file(path, points, np.array([True, True]), np.array([[3.0, -4.0], [0.0, 0.0]]), transform)
-    found, notices = file_points(path, "", transform)
-    np.testing.assert_allclose(found.image, image, atol=1e-9)
-    np.testing.assert_array_equal(found.ground[:, :2], ground[:, :2])
-    assert (found.wkt, notices) == ("EPSG:4326", [])
+    points, notices = file_points(path, "", transform)
+    np.testing.assert_allclose(points.image, image, atol=1e-9)
+    np.testing.assert_array_equal(points.ground[:, :2], ground[:, :2])
+    assert (points.wkt, notices) == ("EPSG:4326", [])
     lines = path.read_text().splitlines()
     assert lines[1] == "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual"
     assert lines[2].split(",")[4:] == ["1", "3.0", "-4.0", "5.0"]
@@ -98,10 +98,10 @@ def test_points_inside_a_tiff(tmp_path: Path) -> None:
     system.ImportFromEPSG(32632)
     dataset.SetGCPs([gdal.GCP(5e5, 4e6, 0, 1.5, 2.5), gdal.GCP(5.1e5, 4.1e6, 0, 10, 4)], system.ExportToWkt())
     dataset = None
-    found = image_points(open_image(RasterRef(str(path))))
-    np.testing.assert_allclose(found.image, [[1.5, 2.5], [10, 4]])
-    np.testing.assert_allclose(found.ground[:, :2], [[5e5, 4e6], [5.1e5, 4.1e6]])
-    assert np.isnan(found.ground[:, 2]).all()  # GDAL's 0 stands for a height that is not known
+    points = image_points(open_image(RasterRef(str(path))))
+    np.testing.assert_allclose(points.image, [[1.5, 2.5], [10, 4]])
+    np.testing.assert_allclose(points.ground[:, :2], [[5e5, 4e6], [5.1e5, 4.1e6]])
+    assert np.isnan(points.ground[:, 2]).all()  # GDAL's 0 stands for a height that is not known
     with pytest.raises(SensorModelError, match="holds no ground control points itself"):
         image_points(open_image(RasterRef(image_file(tmp_path / "image.tif"))))
 
@@ -125,8 +125,8 @@ def egm96_file(path: Path, first: float = -180.0) -> str:
 def test_a_grid_of_ones_own_is_added(tmp_path: Path, first: float) -> None:
     """At the grid's own nodes it is what PROJ has, whichever longitude the file begins at."""
     nodes = np.array([[7, 43, 10.0], [-70, -12, 20.0], [179, 60, 0.0], [-180, 0, 0.0]])
-    found = above_ellipsoid(nodes, Geoid(RasterRef(egm96_file(tmp_path / "geoid.tif", first))))
-    np.testing.assert_allclose(found, heights_above_ellipsoid(nodes, "EPSG:5773"), atol=1e-4)
+    heights = above_ellipsoid(nodes, Geoid(RasterRef(egm96_file(tmp_path / "geoid.tif", first))))
+    np.testing.assert_allclose(heights, heights_above_ellipsoid(nodes, "EPSG:5773"), atol=1e-4)
 
 
 def test_projs_own_grid_as_a_file() -> None:
@@ -135,8 +135,8 @@ def test_projs_own_grid_as_a_file() -> None:
     if grid is None:
         pytest.skip("PROJ's egm96_15.gtx is not installed")
     places = np.column_stack([PLACES, np.full(len(PLACES), 5.0)])
-    found = above_ellipsoid(places, Geoid(RasterRef(str(grid))))
-    np.testing.assert_allclose(found, heights_above_ellipsoid(places, "EPSG:5773"), atol=1e-3)
+    heights = above_ellipsoid(places, Geoid(RasterRef(str(grid))))
+    np.testing.assert_allclose(heights, heights_above_ellipsoid(places, "EPSG:5773"), atol=1e-3)
 
 
 def test_half_a_pixel_beyond_its_last_node_a_grid_has_the_node_s_height(tmp_path: Path) -> None:

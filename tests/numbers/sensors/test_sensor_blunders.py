@@ -104,25 +104,25 @@ def test_the_pushbroom_finds_a_blunder_in_a_dozen_points() -> None:
 
 
 def test_most_blunders_are_found_in_the_mean_of_many_sets() -> None:
-    truth, found = made_rational(1, 7, 0.0), []
+    truth, shares = made_rational(1, 7, 0.0), []
     for seed in range(30):
         random = np.random.default_rng(seed)
         ground = places(40, seed)
         image = truth.project(ground) + random.normal(0, SIGMA, (40, 2))
         image[:12] += 5 * SIGMA * random.choice([-1, 1], (12, 2))
-        found.append(adjust(registry.POLYNOMIAL_3D.request(), points(image, ground), robust=True).blunder[:12].mean())
-    assert np.mean(found) >= 0.8
+        shares.append(adjust(registry.POLYNOMIAL_3D.request(), points(image, ground), robust=True).blunder[:12].mean())
+    assert np.mean(shares) >= 0.8
 
 
 # --- accuracies ------------------------------------------------------------------------------------------------
 
 
 def test_the_accuracy_of_residuals() -> None:
-    found = accuracy(np.array([[0.5, 1.0], [-0.5, 7.0]]), np.array([[3.0, 1.0], [-4.0, 0.0]]))
-    assert (found.count, found.max_x, found.max_y) == (2, 4, 1)
-    assert (found.rmse_x, found.rmse_y) == pytest.approx((np.sqrt(12.5), np.sqrt(0.5)))
-    assert (found.rmse_column, found.rmse_row) == pytest.approx((0.5, 5))
-    assert found.rmse == pytest.approx(np.sqrt(13))
+    errors = accuracy(np.array([[0.5, 1.0], [-0.5, 7.0]]), np.array([[3.0, 1.0], [-4.0, 0.0]]))
+    assert (errors.count, errors.max_x, errors.max_y) == (2, 4, 1)
+    assert (errors.rmse_x, errors.rmse_y) == pytest.approx((np.sqrt(12.5), np.sqrt(0.5)))
+    assert (errors.rmse_column, errors.rmse_row) == pytest.approx((0.5, 5))
+    assert errors.rmse == pytest.approx(np.sqrt(13))
 
 
 def test_sigma_is_that_of_the_measurements_whatever_the_redundancy() -> None:
@@ -237,7 +237,7 @@ def test_comparison_recommends_the_parametric_model_and_the_vendors_rpc() -> Non
     assert "needs at least 39" in refused["rational 3"]
     many = points(image, ground, np.arange(60) >= 20)
     rpc = adjust(registry.RATIONAL.request("3"), points(truth.project(places(400, 9)) + 6, places(400, 9))).fitted.model
-    models = [one for one in all_requests(rpc, 694e3, None) if one.kind != registry.PUSHBROOM]  # type: ignore[arg-type]
+    models = [request for request in all_requests(rpc, 694e3, None) if request.kind != registry.PUSHBROOM]  # type: ignore[arg-type]
     result = compare(many, models, False, False)
     assert result.method == CHECK_POINTS
     assert result.recommended is not None

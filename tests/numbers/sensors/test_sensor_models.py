@@ -115,9 +115,9 @@ def test_the_orbits_height_need_be_known_roughly_only(height_km: float) -> None:
 
 def test_places_that_newtons_method_does_not_reach_are_none() -> None:
     wanted = np.array([[0.5, 1.0], [2.0, 0.5], [-1.0, 0.0]])  # no angle of a slope is 2
-    found = newton(np.arctan, wanted, np.zeros((3, 2)))
-    assert found[[0, 2]] == pytest.approx(np.tan(wanted[[0, 2]]))
-    assert np.isnan(found[1]).all()
+    roots = newton(np.arctan, wanted, np.zeros((3, 2)))
+    assert roots[[0, 2]] == pytest.approx(np.tan(wanted[[0, 2]]))
+    assert np.isnan(roots[1]).all()
 
 
 
@@ -174,7 +174,7 @@ def test_rpcfit_scene(data_folder: Path, order: int, column: float, row: float) 
     done = judged(registry.RATIONAL.request(str(order)), image, ground, len(parts["train2d"]))
     assert done.fitted.converged
     rmse = done.check.rmse_column, done.check.rmse_row
-    assert all(found is not None and found <= limit for found, limit in zip(rmse, (column, row)))
+    assert all(error is not None and error <= limit for error, limit in zip(rmse, (column, row)))
 
 
 def test_pleiades_grid_as_quotients_of_order_3(data_folder: Path) -> None:

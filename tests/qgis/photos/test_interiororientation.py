@@ -99,7 +99,7 @@ def test_micmac_reads_the_marks(scene: PhotoScene, tmp_path: Path, data_folder: 
 
 def elements(path: Path) -> list[tuple[str, int]]:
     """The names of a document's elements in their order, and how many lie in each."""
-    return [(one.tag, len(one)) for one in ElementTree.parse(path).iter()]
+    return [(element.tag, len(element)) for element in ElementTree.parse(path).iter()]
 
 
 def test_the_world_file_puts_the_photo_in_millimetres(scene: PhotoScene, tmp_path: Path) -> None:
@@ -150,8 +150,8 @@ def test_approximate_positions_are_measured(scene: PhotoScene) -> None:
     outcome = run("interiororientation", **scene.inputs, **CROSS, POSITIONS=points(near))
     assert outcome.column("status") == ["measured"] * 4
     assert max(distances(outcome, scene.frame.places).values()) < 0.1
-    one = run("interiororientation", **scene.inputs, **CROSS, POSITIONS=points({"3": near["3"]}))
-    assert max(distances(one, scene.frame.places).values()) < 0.1
+    single = run("interiororientation", **scene.inputs, **CROSS, POSITIONS=points({"3": near["3"]}))
+    assert max(distances(single, scene.frame.places).values()) < 0.1
 
 
 def test_a_template_cut_out_of_the_photo(scene: PhotoScene, tmp_path: Path) -> None:

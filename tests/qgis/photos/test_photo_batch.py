@@ -77,10 +77,10 @@ def test_a_batch_goes_on_after_photos_that_fail(
     dialog.close()
     dialog.deleteLater()
     done, errors = finished[0]
-    assert [one["results"]["FAILED"] for one in done] == [0] * (COUNT - 2)
-    assert [one["parameters"]["PHOTO"] for one in errors] == [photos[1], photos[3]]
-    white, lost = (one["errors"][0] for one in errors)
+    assert [entry["results"]["FAILED"] for entry in done] == [0] * (COUNT - 2)
+    assert [entry["parameters"]["PHOTO"] for entry in errors] == [photos[1], photos[3]]
+    white, lost = (entry["errors"][0] for entry in errors)
     assert_sentence(white, "are alike")
     assert_sentence(lost, "does not exist")
-    for one in done:
-        assert QgsVectorLayer(one["results"]["OUTPUT"], "marks", "ogr").featureCount() == 4
+    for entry in done:
+        assert QgsVectorLayer(entry["results"]["OUTPUT"], "marks", "ogr").featureCount() == 4

@@ -130,8 +130,8 @@ def test_merged_layers_are_compared_with_a_folder(folders: dict[str, Path]) -> N
     outcome = run("comparemarks", FIRST=merged, SECOND_FOLDER=str(folders["micmac"]))
     assert outcome.complaint is None
     assert outcome.results["COUNT"] == 36
-    assert any("Marks that only one of the measurements has" in one and "(9 1, 9 2, 9 3, 9 4)" in one
-               for one in outcome.log.warnings)
+    assert any("Marks that only one of the measurements has" in line and "(9 1, 9 2, 9 3, 9 4)" in line
+               for line in outcome.log.warnings)
 
 
 def test_measurements_that_can_not_be_compared(folders: dict[str, Path], tmp_path: Path) -> None:

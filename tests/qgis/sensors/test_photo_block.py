@@ -52,21 +52,21 @@ def test_a_project_is_one_parameter_and_one_run(project_folder: Path, tmp_path: 
         made = run("orthorectifyphotos", OUTPUT=str(output), **{name: str(path) for name, path in given.items()})
         assert made.complaint is None
         assert (made.results["PHOTO_COUNT"], made.results["LEFT_OUT_COUNT"]) == (2, 1)
-        assert any("IMG_4.jpg is oriented and is not in" in one for one in made.log.warnings)
-        assert sum("dsm.tif" in one for one in made.log.infos) == 1
-        assert sum("with the offset of coords.txt" in one for one in made.log.infos) == 1
+        assert any("IMG_4.jpg is oriented and is not in" in line for line in made.log.warnings)
+        assert sum("dsm.tif" in line for line in made.log.infos) == 1
+        assert sum("with the offset of coords.txt" in line for line in made.log.infos) == 1
         orthos = [gdal.Open(str(output / name)) for name in ("IMG_2.tif", "img_3.tif")]
-        grids = [one.GetGeoTransform() for one in orthos]
+        grids = [ortho.GetGeoTransform() for ortho in orthos]
         assert grids[0] == grids[1]
         assert orthos[0].ReadAsArray()[0].max() > 390
-        np.testing.assert_array_equal(*(one.ReadAsArray() for one in orthos))
+        np.testing.assert_array_equal(*(ortho.ReadAsArray() for ortho in orthos))
 
 
 def test_a_photo_that_can_t_be_read_costs_none_of_the_others(project_folder: Path, tmp_path: Path) -> None:
     (project_folder / "images" / "IMG_2.tif").write_bytes(b"no image")
     made = run("orthorectifyphotos", EXTERIOR=str(project_folder), OUTPUT=str(tmp_path / "orthos"))
     assert (made.results["PHOTO_COUNT"], made.results["LEFT_OUT_COUNT"]) == (1, 2)
-    assert any("IMG_2.tif is left out" in one for one in made.log.warnings)
+    assert any("IMG_2.tif is left out" in line for line in made.log.warnings)
 
 
 def test_a_run_that_is_cancelled_is_told_as_cancelled(project_folder: Path, tmp_path: Path) -> None:

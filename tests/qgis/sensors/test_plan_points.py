@@ -29,8 +29,8 @@ def test_an_rpc_is_planned_by(tmp_path: Path) -> None:
     write_rpc(made_rational(3, 2), path)
     given = {"MODEL": "rpc_bias shift", "COUNTS": "1,9", "SIGMA": 0, "IMAGE_RPC": str(path),
              "LOWEST": 100, "HIGHEST": 900}  # fmt: skip
-    one, nine = run("planpoints", **given).rows("OUTPUT")
-    assert one["image_50"] / nine["image_50"] == pytest.approx(3, rel=0.35)
+    few, many = run("planpoints", **given).rows("OUTPUT")
+    assert few["image_50"] / many["image_50"] == pytest.approx(3, rel=0.35)
 
 
 def test_what_can_not_be_planned_is_told(tmp_path: Path) -> None:

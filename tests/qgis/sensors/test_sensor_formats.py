@@ -39,11 +39,11 @@ def test_a_fit_is_written_for_gdal_and_the_georeferencer(tmp_path: Path) -> None
     assert {name: outcome.results[name] for name in files} == written
     beside, inside = (gdal.Open(str(tmp_path / name)).GetMetadata("RPC") for name in ("image.tif", "copy.tif"))
     for name in ("LINE_NUM_COEFF", "SAMP_DEN_COEFF", "LAT_OFF", "SAMP_SCALE"):
-        pair = [np.array(one[name].split(), float) for one in (beside, inside)]
+        pair = [np.array(items[name].split(), float) for items in (beside, inside)]
         np.testing.assert_allclose(*pair, rtol=1e-9, atol=1e-12)
     rows = [line.split(",") for line in (tmp_path / "image.points").read_text().splitlines()[2:]]
     assert [row[4] for row in rows] == ["1"] * 9 + ["0"] * 3
-    residuals = np.array([[one["residual_column"], one["residual_row"]] for one in outcome.rows()])
+    residuals = np.array([[row["residual_column"], row["residual_row"]] for row in outcome.rows()])
     np.testing.assert_allclose(np.array(rows)[:, 5:7].astype(float), residuals)
     again = run("fitsensormodel", GCPS=written["POINTS"], IMAGE=str(source), MODEL="polynomial_2d", CHECK_SHARE=0)
     assert again.results["CONTROL_COUNT"] == 9
@@ -73,10 +73,10 @@ def test_points_of_orthority_and_inside_a_tiff_are_read(project: QgsProject, tmp
     common = {"MODEL": "rational", "IMAGE": str(tiff), "CHECK_SHARE": 0, "RPC_IMAGE": None}
     layer = run("fitsensormodel", GCPS=gcps(image, ground), HEIGHTS="ellipsoid", **common).results
     for given in ({"GCPS": str(path)}, {"GCPS": str(tiff)}, {}):
-        found = run("fitsensormodel", **given, **common)
-        assert found.complaint is None
-        assert found.results["CONTROL_COUNT"] == 12
-        assert found.results["CONTROL_RMSE_X"] == pytest.approx(layer["CONTROL_RMSE_X"], rel=1e-6)
+        outcome = run("fitsensormodel", **given, **common)
+        assert outcome.complaint is None
+        assert outcome.results["CONTROL_COUNT"] == 12
+        assert outcome.results["CONTROL_RMSE_X"] == pytest.approx(layer["CONTROL_RMSE_X"], rel=1e-6)
     for given, words in (({"GCPS": str(path)}, "choose one of them"), ({}, "There are no points")):
         assert_sentence(run("fitsensormodel", MODEL="rational", **given).complaint, words)
 
@@ -100,10 +100,10 @@ def test_the_vertical_part_of_a_compound_system_is_used(tmp_path: Path, of_file:
             table.CreateFeature(row)
         table = file = row = None
         layer = str(tmp_path / "points.gpkg")
-    found = run("fitsensormodel", GCPS=layer, MODEL="rational", CHECK_SHARE=0)
+    by_system = run("fitsensormodel", GCPS=layer, MODEL="rational", CHECK_SHARE=0)
     said = run("fitsensormodel", GCPS=gcps(image, ground), HEIGHTS="egm96", MODEL="rational", CHECK_SHARE=0)
-    assert any("EGM96" in one and "are converted to the ellipsoid" in one for one in found.log.infos)
-    heights = [[row["z"] for row in one.rows()] for one in (found, said)]
+    assert any("EGM96" in line and "are converted to the ellipsoid" in line for line in by_system.log.infos)
+    heights = [[row["z"] for row in outcome.rows()] for outcome in (by_system, said)]
     assert heights[0] == pytest.approx(heights[1])
     assert np.abs(np.array(heights[0]) - ground[:, 2]).min() > 30
 
@@ -116,8 +116,8 @@ def test_a_grid_of_the_geoid_is_asked_for_and_used(tmp_path: Path) -> None:
     dataset.GetRasterBand(1).Fill(50)
     dataset = None  # closes the file
     layer = gcps(image, ground)
-    found = run("fitsensormodel", GCPS=layer, MODEL="rational", CHECK_SHARE=0, HEIGHTS="geoid", GEOID=grid)
-    assert [row["z"] for row in found.rows()] == pytest.approx(ground[:, 2] + 50)
+    outcome = run("fitsensormodel", GCPS=layer, MODEL="rational", CHECK_SHARE=0, HEIGHTS="geoid", GEOID=grid)
+    assert [row["z"] for row in outcome.rows()] == pytest.approx(ground[:, 2] + 50)
     for given, words in (({"HEIGHTS": "geoid"}, "none is given"), ({"GEOID": grid}, "no heights refer to it")):
         assert_sentence(run("fitsensormodel", GCPS=layer, MODEL="rational", **given).complaint, words)
 
@@ -129,8 +129,8 @@ def test_the_same_files_are_written_again(tmp_path: Path) -> None:
     for _ in range(2):
         outcome = run("fitsensormodel", GCPS=gcps(image, ground), MODEL="rational_terms", HEIGHTS="ellipsoid", **files)
         assert outcome.complaint is None
-    assert any("Terms kept" in one for one in outcome.log.infos)
-    assert any("degrees from the vertical" in one for one in outcome.log.infos)
+    assert any("Terms kept" in line for line in outcome.log.infos)
+    assert any("degrees from the vertical" in line for line in outcome.log.infos)
     assert outcome.results["VIEW_ANGLE"] > 0
     assert outcome.results["TERRAIN_SHIFT"] == pytest.approx(np.tan(np.radians(outcome.results["VIEW_ANGLE"])))
 

@@ -72,7 +72,7 @@ def test_fit_keeps_its_contract(project: QgsProject, tmp_path: Path) -> None:
         assert results[f"CHECK_RMSE_{axis}"] == pytest.approx(np.sqrt(np.mean(residuals**2)))
         assert results[f"CHECK_MAX_{axis}"] == pytest.approx(np.abs(residuals).max())
     assert set(NUMBERS) | {"CONTROL_COUNT", "CONDITION"} <= set(results)
-    assert any("Blunders found and left out of fit and errors" in one for one in outcome.log.warnings)
+    assert any("Blunders found and left out of fit and errors" in line for line in outcome.log.warnings)
     document = json.loads(files["MODEL_FILE"].read_text())
     assert (document["version"], document["model"], "p7" in document["facts"]["blunders"]) == (1, "rational", True)
     gdal.GetDriverByName("GTiff").Create(str(tmp_path / "image.tif"), 4, 4, 1).FlushCache()
@@ -96,9 +96,9 @@ def test_the_bias_of_an_rpc_is_the_result(tmp_path: Path) -> None:
     )
     assert outcome.results["BIAS_COLUMN"] == pytest.approx(3.5, abs=1e-6)
     assert outcome.results["BIAS_ROW"] == pytest.approx(-1.25, abs=1e-6)
-    told = "off by 3.50 columns and -1.25 rows"
-    assert told in (tmp_path / "r.html").read_text(encoding="utf-8")
-    assert any(told in line for line in outcome.log.infos)
+    words = "off by 3.50 columns and -1.25 rows"
+    assert words in (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert any(words in line for line in outcome.log.infos)
 
 
 @pytest.mark.parametrize("model", ["polynomial_2d", "polynomial_3d", "dlt", "pushbroom"])
@@ -109,7 +109,7 @@ def test_every_model_runs_and_no_roles_mean_a_share(model: str) -> None:
     assert (outcome.results["CONTROL_COUNT"], outcome.results["CHECK_COUNT"]) == (30, 30)
     none = run("fitsensormodel", GCPS=gcps(image, ground), MODEL=model, CHECK_SHARE=0, HEIGHTS="ellipsoid")
     assert "CHECK_RMSE_X" not in none.results
-    assert any("no check points" in one for one in none.log.warnings)
+    assert any("no check points" in line for line in none.log.warnings)
 
 
 @pytest.mark.parametrize("header", ["mapX,mapY,pixelX,pixelY,enable,dX", "mapX,mapY,sourceX,sourceY,enable"])
@@ -131,7 +131,7 @@ def test_points_files_take_heights_from_the_terrain_model(tmp_path: Path, header
     assert outcome.complaint is None
     assert outcome.results["CONTROL_COUNT"] == 15
     assert outcome.column("z") == pytest.approx(list(ground[:, 2] + 51), abs=80)  # bilinear, and the geoid
-    assert any("converted to the ellipsoid" in one for one in outcome.log.infos)
+    assert any("converted to the ellipsoid" in line for line in outcome.log.infos)
     path.write_text("#CRS: EPSG:4326\n" + path.read_text())
     assert run("fitsensormodel", **given).complaint is None
 
@@ -166,8 +166,8 @@ def test_orthorectify_with_model_file_and_rpc(data_folder: Path, tmp_path: Path)
     assert dataset.GetGeoTransform()[1] == 1
     assert outcome.results["ERROR_MAX"] < 0.1
     assert outcome.results["UNCOVERED"] == 0
-    own = run("orthorectify", OUTPUT=str(tmp_path / "b.tif"), CRS="EPSG:32631", PIXEL_SIZE=1, **given)  # its .geom
-    assert np.array_equal(gdal.Open(own.results["OUTPUT"]).ReadAsArray(), dataset.ReadAsArray())
+    again = run("orthorectify", OUTPUT=str(tmp_path / "b.tif"), CRS="EPSG:32631", PIXEL_SIZE=1, **given)  # its .geom
+    assert np.array_equal(gdal.Open(again.results["OUTPUT"]).ReadAsArray(), dataset.ReadAsArray())
     stopped = Log()
     stopped.cancel()
     cancelled = run_unchecked("orthorectify", stopped, RPC=vendor, OUTPUT=str(tmp_path / "c.tif"), **given)
@@ -213,8 +213,8 @@ def test_rows_that_can_not_be_used_are_left_out_and_named() -> None:
     roles[5] = "other"
     outcome = run("fitsensormodel", GCPS=gcps(image, ground, roles), CHECK_SHARE=0, HEIGHTS="ellipsoid")
     assert outcome.results["CONTROL_COUNT"] == 18
-    assert any("Point 4 is left out" in one for one in outcome.log.warnings)
-    assert any("'other' is neither control nor check" in one for one in outcome.log.warnings)
+    assert any("Point 4 is left out" in line for line in outcome.log.warnings)
+    assert any("'other' is neither control nor check" in line for line in outcome.log.warnings)
 
 
 @pytest.mark.parametrize("missing", [np.nan, np.inf])
@@ -229,7 +229,7 @@ def test_a_point_without_height_shuts_out_no_model_in_space(missing: float) -> N
     fitted = run("fitsensormodel", GCPS=layer, HEIGHTS="ellipsoid", CHECK_SHARE=0)
     assert fitted.results["CONTROL_COUNT"] == 24
     for outcome in (compared, fitted):
-        assert [one for one in outcome.log.warnings if "left out" in one] == [
+        assert [line for line in outcome.log.warnings if "left out" in line] == [
             "Point 7 is left out: it has no height, and others have one."
         ]
 
@@ -240,5 +240,5 @@ def test_columns_and_rows_interchanged_are_no_geometry_of_an_rpc(tmp_path: Path)
     write_rpc(rpc, tmp_path / "vendor_RPC.TXT")
     layer = gcps(rpc.project(ground)[:, ::-1], ground)
     for name, given in (("comparesensormodels", {}), ("fitsensormodel", {"MODEL": "rpc_bias", "BIAS": "affine"})):
-        told = "columns and rows are interchanged"
-        assert_refused(name, told, GCPS=layer, IMAGE_RPC=str(tmp_path / "vendor_RPC.TXT"), HEIGHTS="ellipsoid", **given)
+        given = {**given, "GCPS": layer, "IMAGE_RPC": str(tmp_path / "vendor_RPC.TXT"), "HEIGHTS": "ellipsoid"}
+        assert_refused(name, "columns and rows are interchanged", **given)
