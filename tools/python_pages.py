@@ -26,6 +26,8 @@ REFERENCE, FIRST_STEPS, NOTEBOOK = PAGES / "reference.md", PAGES / "first_steps.
 
 _IMPORT = re.compile(r"from \.(\S+) import (\w+) as \2$")
 _FENCE = re.compile(r"^```(python|text)\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
+_SECTION = re.compile(r"^(Parameters)\n-+\n((?:.+(?:\n|$))+)", re.MULTILINE)
+_PARAMETER = re.compile(r"^(\S.*) : (.+)((?:\n {4}.*)*)", re.MULTILINE)
 _PICTURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n", re.MULTILINE)
 _HEAD = """\
 # Reference of the Python interface
@@ -172,7 +174,13 @@ def _split(arguments: str) -> Iterable[str]:
 
 
 def _docstring(node: ast.FunctionDef | ast.ClassDef) -> str:
-    return _markdown(ast.get_docstring(node) or "") + "\n"
+    return _SECTION.sub(_listed, _markdown(ast.get_docstring(node) or "")) + "\n"
+
+
+def _listed(section: re.Match[str]) -> str:
+    """A section of numpydoc as a list."""
+    items = (f"- `{name}`, {kind}: {' '.join(text.split())}" for name, kind, text in _PARAMETER.findall(section[2]))
+    return f"{section[1]}:\n\n" + "\n".join(items) + "\n"
 
 
 def _markdown(text: str) -> str:

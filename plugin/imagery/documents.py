@@ -9,6 +9,7 @@ from __future__ import annotations
 import errno
 import json
 import math
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -196,3 +197,10 @@ def _object(name: str, pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
 def is_number(value: Any) -> bool:
     """Whether it is a finite number."""
     return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def plugin_version() -> str:
+    """The plugin's version; that of what measures is the package's, wherever it is installed."""
+    metadata = Path(__file__).parents[2] / "metadata.txt"
+    line = re.search(r"^version=(.*)$", metadata.read_text(encoding="utf-8"), re.M) if metadata.is_file() else None
+    return line[1].strip() if line else ""

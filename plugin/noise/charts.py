@@ -115,8 +115,9 @@ def _panels(results: Sequence[ClipNoise]) -> dict[str | None, list[NoiseGroup]]:
     for group in noise_groups(results):
         if group.curves:
             panels.setdefault(group.window_class, []).append(group)
-    largest = sorted(panels, key=lambda one: -max(group.windows for group in panels[one]))[:MAX_PANELS]
-    return {one: groups for one, groups in panels.items() if one in largest}
+    sizes = {window_class: max(group.windows for group in groups) for window_class, groups in panels.items()}
+    largest = sorted(panels, key=lambda window_class: -sizes[window_class])[:MAX_PANELS]
+    return {window_class: groups for window_class, groups in panels.items() if window_class in largest}
 
 
 def _range_words(group: NoiseGroup) -> str:
@@ -130,7 +131,7 @@ def _draw_example(axes: Axes, results: Sequence[ClipNoise]) -> None:
     """The bands of one window."""
     shown = example(results)
     first = shown[0]
-    curves = [noise.curve.detail for one in shown for noise in one.bands.values() if noise.curve.variance > 0]
+    curves = [noise.curve.detail for result in shown for noise in result.bands.values() if noise.curve.variance > 0]
     noise_frame(axes, len(curves[0]), curves)
     if len(shown) == 1:
         draw_rule(axes, first.bands[noisiest_band(first.bands)].curve.detail)

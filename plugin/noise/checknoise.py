@@ -18,13 +18,16 @@ from .measure import messages
 
 if TYPE_CHECKING:
     from ..imagery.errors import Message
-    from ..imagery.rasters import RasterRef
     from .measure.group_noise import ClipNoise
 
 SECOND_GROUP, OUTPUT = "SECOND_GROUP", "OUTPUT"
 GROUP_NAME, SECOND_GROUP_NAME, GROUP_FIELD = "GROUP_NAME", "SECOND_GROUP_NAME", "GROUP_FIELD"
-LOW_COUNT, UNCERTAIN_COUNT = "LOW_COUNT", "UNCERTAIN_COUNT"
-MODERATE_COUNT, STRONG_COUNT = "MODERATE_COUNT", "STRONG_COUNT"
+_COUNTS = {
+    "LOW_COUNT": QT_TR_NOOP("Windows with low noise"),
+    "UNCERTAIN_COUNT": QT_TR_NOOP("Windows whose texture could hide grain"),
+    "MODERATE_COUNT": QT_TR_NOOP("Windows with moderate noise"),
+    "STRONG_COUNT": QT_TR_NOOP("Windows with strong noise"),
+}
 
 
 class CheckNoise(RasterListAlgorithm):
@@ -77,12 +80,7 @@ class CheckNoise(RasterListAlgorithm):
             "The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF."
         )))
         self.addDescribed(*common.report(tr("All figures with the chart on one HTML page.")))
-        self.addNumbers({
-            LOW_COUNT: tr("Windows with low noise"),
-            UNCERTAIN_COUNT: tr("Windows whose texture could hide grain"),
-            MODERATE_COUNT: tr("Windows with moderate noise"),
-            STRONG_COUNT: tr("Windows with strong noise"),
-        })
+        self.addNumbers({name: tr(title) for name, title in _COUNTS.items()})
 
     def check(self, run: Run) -> None:
         super().check(run)
@@ -95,7 +93,6 @@ class CheckNoise(RasterListAlgorithm):
         from . import noise_summary
         from .measure import group_noise, noise_plan
         from .measure.band_noise import NoiseVerdict
-        from .measure.noise_plan import describe_images
 
         super().check(run)
         wavelet, levels = self._settings(run)
@@ -103,17 +100,18 @@ class CheckNoise(RasterListAlgorithm):
         run.check_chart()
         images = []
         names = (run.text(GROUP_NAME), run.text(SECOND_GROUP_NAME))
-        for group, (name, given) in enumerate(zip(self.RASTER_LISTS, names), 1):
-            title = given or _default_name(group, self.refs[name])
-            found, notices = describe_images(self.refs[name], group, title)
-            images += found
-            self.left_out += notices
+        for group, (parameter, name) in enumerate(zip(self.RASTER_LISTS, names), 1):
+            refs = self.refs[parameter]
+            usual = refs[0].name if len(refs) == 1 else filled(tr("group {group}"), group=group)
+            images += [noise_plan.GroupedImage(image, group, name or usual) for image in self.opened(refs)]
         self.require_rasters(images)
         drawn = self.drawn_windows(run, (field,) if field else ())
         if drawn is None:
             plan = noise_plan.plan_chosen(images, levels, run.is_cancelled)
         else:
-            classes = self._classes(field) if field else None
+            if field and any(field not in values for values in self.window_values.values()):
+                raise SettingsError(messages.GROUP_FIELD_UNKNOWN(field=field))
+            classes = {window: values.get(field) for window, values in self.window_values.items()}
             plan = noise_plan.plan_drawn(images, drawn, levels, classes)
         notices = [*self.left_out, *plan.notices]
         sizes = noise_plan.pixel_size_notice(plan)
@@ -141,24 +139,15 @@ class CheckNoise(RasterListAlgorithm):
             OUTPUT: output_id,
             **run.save(common.CHART, lambda path: _save_chart(path, results, field)),
             **run.save(common.REPORT, lambda path: _save_report(path, results, notices, wavelet, levels, field)),
-            LOW_COUNT: counts[NoiseVerdict.LOW],
-            UNCERTAIN_COUNT: counts[NoiseVerdict.UNCERTAIN],
-            MODERATE_COUNT: counts[NoiseVerdict.MODERATE],
-            STRONG_COUNT: counts[NoiseVerdict.STRONG],
+            **{name: counts[NoiseVerdict[name.partition("_")[0]]] for name in _COUNTS},
         }
 
     def _group_field(self, run: Run) -> str:
-        """What windows are grouped by; empty when they are not. Raises SettingsError when there are none."""
+        """The field that windows are grouped by; empty for none. Raises SettingsError when there are no windows."""
         field = run.text(GROUP_FIELD)
         if field and not run.parameters.get(WINDOWS):
             raise SettingsError(messages.GROUP_FIELD_WITHOUT_WINDOWS())
         return field
-
-    def _classes(self, field: str) -> dict[int, str | None]:
-        """What each window is grouped by. Raises SettingsError when the windows have no such field."""
-        if any(field not in values for values in self.window_values.values()):
-            raise SettingsError(messages.GROUP_FIELD_UNKNOWN(field=field))
-        return {window: values[field] for window, values in self.window_values.items()}
 
     def _settings(self, run: Run) -> tuple[str, int]:
         """Wavelet and levels. Raises SettingsError when they can't be used."""
@@ -167,11 +156,6 @@ class CheckNoise(RasterListAlgorithm):
         wavelet, levels = run.decomposition()
         check_noise_settings(wavelet, levels)
         return wavelet, levels
-
-
-def _default_name(group: int, refs: Sequence[RasterRef]) -> str:
-    """A group of one image is called as its file is."""
-    return refs[0].name if len(refs) == 1 else filled(tr("group {group}"), group=group)
 
 
 def _save_chart(path: Path, results: Sequence[ClipNoise], field: str) -> bool:

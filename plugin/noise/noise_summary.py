@@ -1,4 +1,4 @@
-"""What was found about random noise, in plain words. Knows no matplotlib."""
+"""Random noise in plain words, counts and table rows. Knows no matplotlib."""
 from __future__ import annotations
 
 import math
@@ -39,13 +39,14 @@ AMOUNT_WORDS = {
 
 
 def verdict_counts(results: Iterable[ClipNoise]) -> Counter[NoiseVerdict]:
-    """How many windows have each verdict. A window that several images of a group show counts once in the group, with
+    """The number of windows by verdict. A window that several images of a group show counts once in the group, with
     their strongest verdict: it is the same ground."""
-    found: dict[tuple[int, int], NoiseVerdict] = {}
+    verdicts: dict[tuple[int, int], NoiseVerdict] = {}
     for result in results:
         window = result.part.member.group, result.window_id
-        found[window] = max(found.get(window, NoiseVerdict.NOT_MEASURABLE), verdict_of(result), key=SEVERITY.index)
-    return Counter(found.values())
+        known = verdicts.get(window, NoiseVerdict.NOT_MEASURABLE)
+        verdicts[window] = max(known, verdict_of(result), key=SEVERITY.index)
+    return Counter(verdicts.values())
 
 
 def verdict_of(result: ClipNoise) -> NoiseVerdict:
@@ -70,7 +71,7 @@ def compared_curve(result: ClipNoise) -> tuple[float, ...] | None:
 
 @dataclass(frozen=True)
 class NoiseGroup:
-    """What was measured on the windows of one class in one group of images."""
+    """The results on the windows of one class in one group of images."""
 
     window_class: str | None
     group: int
@@ -80,7 +81,7 @@ class NoiseGroup:
 
     @property
     def windows(self) -> int:
-        """How many have a curve; ground that several images show counts once."""
+        """The number of windows with a curve; ground that several images show counts once."""
         return len({result.window_id for result in self.results if compared_curve(result) is not None})
 
     @property
@@ -91,18 +92,16 @@ class NoiseGroup:
 
 def noise_groups(results: Sequence[ClipNoise]) -> list[NoiseGroup]:
     """The results by class of windows, numbers by size and those without one last, and by group of images."""
-    found: dict[tuple[str | None, int], list[ClipNoise]] = {}
+    groups: dict[tuple[str | None, int], list[ClipNoise]] = {}
     for result in results:
-        found.setdefault((result.window_class, result.part.member.group), []).append(result)
+        groups.setdefault((result.window_class, result.part.member.group), []).append(result)
 
     def order(key: tuple[str | None, int]) -> tuple[bool, float, str, int]:
         value = number(key[0])
         return key[0] is None, math.inf if value is None else value, key[0] or "", key[1]
 
-    return [
-        NoiseGroup(key[0], key[1], found[key][0].part.member.group_name, tuple(found[key]))
-        for key in sorted(found, key=order)
-    ]
+    ordered = sorted(groups.items(), key=lambda item: order(item[0]))
+    return [NoiseGroup(*key, members[0].part.member.group_name, tuple(members)) for key, members in ordered]
 
 
 def class_title(window_class: str | None) -> str:

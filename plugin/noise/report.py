@@ -40,7 +40,7 @@ def save_noise_report(
             [(tr("wavelet"), wavelet), (tr("levels"), str(levels))],
             each_raster(tr("image"), (result.part.member.image for result in results)),
         ),
-        counts=", ".join(f"{tr(word)}: {counts[one]}" for one, word in VERDICT_WORDS.items() if counts[one]),
+        counts=", ".join(f"{tr(word)}: {counts[key]}" for key, word in VERDICT_WORDS.items() if counts[key]),
         notices=sentences_once(notices),
         chart=None if figure is None else svg_text(figure),
         verdicts=[tr(words) for words in VERDICT_WORDS.values()],
@@ -83,9 +83,9 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
     for result in results:
         by_image.setdefault(result.part.member, []).append(result)
     rows: list[list[object]] = []
-    for member, own in by_image.items():
-        counts = verdict_counts(own)
-        sigmas = _sigmas(own)
+    for member, of_image in by_image.items():
+        counts = verdict_counts(of_image)
+        sigmas = _sigmas(of_image)
         size = member.ground_sample_distance
         rows.append([
             member.image.ref.name,
@@ -100,7 +100,7 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
 def _sigmas(results: Iterable[ClipNoise]) -> list[float]:
     """Standard deviations of the noise of the noisiest bands, DN."""
     judged = map(judged_noise, results)
-    return [one.sigma for one in judged if one is not None and one.sigma is not None]
+    return [noise.sigma for noise in judged if noise is not None and noise.sigma is not None]
 
 
 def _grain(grain: Grain) -> str:

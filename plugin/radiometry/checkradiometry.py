@@ -12,7 +12,7 @@ from qgis.core import QgsProcessingOutputString, QgsProcessingParameterNumber, Q
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
-from ..imagery.errors import RasterError, SettingsError
+from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import IMAGE_QUALITY
 from ..toolkit.algorithms.parameters import in_users_language
@@ -25,7 +25,7 @@ from .measure.rules import DEFAULT_RULES, ready_rule_files
 
 if TYPE_CHECKING:
     from ..imagery.errors import Message
-    from ..imagery.rasters import Raster, RasterRef, ValueRange
+    from ..imagery.rasters import RasterRef, ValueRange
     from .measure.assessment import Assessment, RadiometricDecision
     from .measure.rules import RuleSet
 
@@ -116,14 +116,13 @@ class CheckRadiometry(RasterListAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from . import tables, words
-        from .image_set import assessed, jobs_on
+        from .image_set import DrawnLayers, assessed, jobs_on
         from .measure.assessment import decide
 
         self.check(run)
         rules = self._rules(run)
         drawn = self.drawn_windows(run)
-        refs = dict.fromkeys([*self.refs[RASTERS], *self._indexed(run)])
-        images = [image for ref in refs if (image := self._image(ref)) is not None]
+        images = self.opened([*self.refs[RASTERS], *self._indexed(run)])
         self.require_rasters(images)
         run.tell_once(self.left_out)
         sink, output_id = run.sink(OUTPUT, tables.radiometry_fields())
@@ -132,13 +131,14 @@ class CheckRadiometry(RasterListAlgorithm):
         jobs = list(jobs_on(images, drawn, unseen))
         run.tell_once(unseen[len(self.left_out) :])
         results: list[Assessment] = []
-        seamlines, greys = (run.source(name) if run.parameters.get(name) else None for name in (SEAMLINES, GREY_AREAS))
-        for result in assessed(run, rules, (seamlines, greys), jobs, unseen):
+        drawn_on = DrawnLayers(run, *(run.source(name) if run.parameters.get(name) else None
+                                      for name in (SEAMLINES, GREY_AREAS)))  # fmt: skip
+        for result in assessed(drawn_on, rules, jobs, unseen):
             run.write(sink, tables.radiometry_features(result))
             run.write(grey_sink, tables.maybe_grey_features(result, images, run.context.transformContext()))
             run.tell_once(result.notices)
-            for found in words.found_words(result):
-                run.inform(f"{words.title(result)}: {found}")
+            for sentence in words.found_words(result):
+                run.inform(f"{words.title(result)}: {sentence}")
             results.append(result)
         if not results and not run.is_cancelled():
             raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(unseen[-1:])))
@@ -184,8 +184,8 @@ class CheckRadiometry(RasterListAlgorithm):
     def _rules(self, run: Run) -> RuleSet:
         from .measure.rules import load_rules
 
-        own = run.text(RULES) if run.parameters.get(RULES) else ""
-        path = Path(own) if own else ready_rule_files()[run.word(READY_RULES) or DEFAULT_RULES]
+        chosen = run.text(RULES) if run.parameters.get(RULES) else ""
+        path = Path(chosen) if chosen else ready_rule_files()[run.word(READY_RULES) or DEFAULT_RULES]
         rules = in_users_language(load_rules(path))
         given = self._value_range(run)
         return rules if given is None else replace(rules, value_range=given)
@@ -198,16 +198,6 @@ class CheckRadiometry(RasterListAlgorithm):
         if not (math.isfinite(low) and math.isfinite(high) and low < high):
             raise SettingsError(messages.VALUE_RANGE_BAD())
         return low, high
-
-    def _image(self, ref: RasterRef) -> Raster | None:
-        from ..imagery.open_raster import describe
-
-        try:
-            return describe(ref)
-        except RasterError as error:
-            self.left_out.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
-            return None
-
 
 def _save_report(path: Path, decision: RadiometricDecision, unseen: Iterable[Message], rules: RuleSet) -> None:
     from .report import save_radiometry_report

@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING, Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Callable, Optional
 
 from qgis.core import (
     QgsCoordinateTransform,
@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from .measure.areas import GreyArea
     from .measure.seam_steps import SeamStep
 
+ImageJob = tuple[Raster, PixelWindow, Optional[int]]
+"""An image, the pixels of it that are measured, and the number of their window; None for the whole image."""
 _REACH_PX = 3  # between a seam and the features it comes from: it was straightened by 1.5 px
 
 
@@ -42,45 +44,63 @@ def has_map(image: Raster) -> bool:
     return image.is_north_up and image.has_place and bool(image.wkt)
 
 
-def seams_on(seamlines: QgsProcessingFeatureSource, image: Raster, run: Run) -> list[Seam]:
-    """The seams in the image's reference system; none for an image without a place on the map."""
-    from ..imagery.lines import find_seams
+@dataclass(frozen=True)
+class DrawnLayers:
+    """The layers of one run that tell of its images where the seams are, and what is grey."""
 
-    if not has_map(image):
-        return []
-    transform = run.transform(seamlines, layers.mosaic_crs(image))
-    lines = (layers.line_wkb(feature, transform) for feature in layers.features(seamlines))
-    return find_seams(lines, image.grid.pixel_width)
+    run: Run
+    seamlines: QgsProcessingFeatureSource | None
+    grey_areas: QgsProcessingFeatureSource | None
 
+    def measured(
+        self, job: ImageJob, rules: RuleSet, goes_on: Callable[[float], bool]
+    ) -> MeasuredImage | None:
+        """The statistics of an image for what rules ask of it; None when ``goes_on`` ends the work.
 
-def grey_areas_on(areas: QgsProcessingFeatureSource, image: Raster, run: Run) -> list[GreyArea]:
-    """The polygons in the image's reference system; features without one are nothing grey."""
-    from .measure.areas import GreyArea
+        Raises SeamInspectorError for an image that can't be measured.
+        """
+        image, window, number = job
+        seams = None if self.seamlines is None else self._seams_on(self.seamlines, image)
+        grey = None if self.grey_areas is None else self._grey_on(self.grey_areas, image)
+        measured = measure(OpenRaster(image.ref), window, rules, seams, grey, number, goes_on)
+        if measured is not None and measured.seams and self.seamlines is not None and has_map(image):
+            return replace(measured, seams=self._with_features(measured.seams, self.seamlines, image))
+        return measured
 
-    if not has_map(image):
-        return []
-    transform = run.transform(areas, layers.mosaic_crs(image))
-    found = []
-    for feature in layers.features(areas):
-        geometry = feature.geometry()
-        if geometry.isEmpty() or geometry.type() != QgsWkbTypes.GeometryType.PolygonGeometry:
-            continue
-        wkb = layers.line_wkb(feature, transform)
-        if wkb is not None:
-            found.append(GreyArea(feature.id(), wkb))
-    return found
+    def _wkb_on(
+        self, source: QgsProcessingFeatureSource, image: Raster, are_areas: bool = False
+    ) -> Iterator[tuple[int, bytes | None]]:
+        """Numbers of features, or of polygons alone, with their shapes in the image's reference system; none for an
+        image without a place on the map."""
+        if has_map(image):
+            transform = self.run.transform(source, layers.mosaic_crs(image))
+            for feature in layers.features(source):
+                if not are_areas or feature.geometry().type() == QgsWkbTypes.GeometryType.PolygonGeometry:
+                    yield feature.id(), layers.line_wkb(feature, transform)
 
+    def _seams_on(self, seamlines: QgsProcessingFeatureSource, image: Raster) -> list[Seam]:
+        from ..imagery.lines import find_seams
 
-def with_features(
-    steps: Iterable[SeamStep], seamlines: QgsProcessingFeatureSource, image: Raster, run: Run
-) -> tuple[SeamStep, ...]:
-    """Each seam with the numbers of the features that run along it where its tone steps."""
-    back = transformation(layers.mosaic_crs(image), seamlines.sourceCrs(), run.context.transformContext())
-    reach = _REACH_PX * max(image.grid.pixel_width, image.grid.pixel_height)
-    name = seamlines.sourceName()
-    return tuple(
-        replace(step, features=_features_at(seamlines, step.places[0], reach, back), layer=name) for step in steps
-    )
+        lines = [wkb for _, wkb in self._wkb_on(seamlines, image)]
+        return find_seams(lines, image.grid.pixel_width) if has_map(image) else []
+
+    def _grey_on(self, areas: QgsProcessingFeatureSource, image: Raster) -> list[GreyArea]:
+        """The grey areas: polygons alone."""
+        from .measure.areas import GreyArea
+
+        return [GreyArea(number, wkb) for number, wkb in self._wkb_on(areas, image, True) if wkb is not None]
+
+    def _with_features(
+        self, steps: Iterable[SeamStep], seamlines: QgsProcessingFeatureSource, image: Raster
+    ) -> tuple[SeamStep, ...]:
+        """Each seam with the numbers of the features that run along it where its tone steps."""
+        transforms = self.run.context.transformContext()
+        back = transformation(layers.mosaic_crs(image), seamlines.sourceCrs(), transforms)
+        reach = _REACH_PX * max(image.grid.pixel_width, image.grid.pixel_height)
+        name = seamlines.sourceName()
+        return tuple(
+            replace(step, features=_features_at(seamlines, step.places[0], reach, back), layer=name) for step in steps
+        )
 
 
 def _features_at(
@@ -92,35 +112,32 @@ def _features_at(
     except QgsCsException:
         return ()
     request = QgsFeatureRequest().setFilterRect(around.boundingBox())
-    found = []
+    numbers = []
     for feature in source.getFeatures(request, QgsProcessingFeatureSource.Flag.FlagSkipGeometryValidityChecks):
         geometry = feature.geometry()
         if geometry.type() == QgsWkbTypes.GeometryType.PolygonGeometry:
             geometry = QgsGeometry(geometry.constGet().boundary())
         if geometry.intersects(around):
-            found.append(str(feature.id()))
-    return tuple(sorted(found, key=int))
+            numbers.append(feature.id())
+    return tuple(map(str, sorted(numbers)))
 
 
 def assessed(
-    run: Run, rules: RuleSet, layers_drawn: tuple[QgsProcessingFeatureSource | None, QgsProcessingFeatureSource | None],
-    jobs: Sequence[tuple[Raster, PixelWindow, int | None]], unseen: list[Message],
+    drawn: DrawnLayers, rules: RuleSet, jobs: Sequence[ImageJob], unseen: list[Message]
 ) -> Iterator[Assessment]:
-    """Measures image by image and holds them against the rules; those whose range only the whole set can tell wait for
-    the others. Ends where the run is cancelled.
-
-    ``layers_drawn``: seamlines and grey areas. ``unseen`` is added to.
-    """
-    waiting: list[MeasuredImage] = []
-    for done, (image, window, number) in enumerate(jobs):
+    """Measure image by image and hold them against the rules; those whose range only the whole set can tell wait for
+    the others. Ends where the run is cancelled. ``unseen`` is added to."""
+    run, waiting = drawn.run, []
+    for done, job in enumerate(jobs):
         if run.is_cancelled():
             return
 
         def goes_on(share: float, done: int = done) -> bool:
             return run.goes_on((done + share) / len(jobs))
 
+        image = job[0]
         try:
-            measured = _measured(image, window, number, rules, layers_drawn, run, goes_on)
+            measured = drawn.measured(job, rules, goes_on)
         except CancelledError:
             return
         except SeamInspectorError as error:
@@ -131,33 +148,19 @@ def assessed(
             return
         of_image = known_range(image, measured.largest_value, rules.value_range)
         if of_image is None:
-            waiting.append(measured.kept())
+            waiting.append(measured.trimmed())
         else:
             yield judge(measured, rules, of_image)
     if waiting:
-        of_set = range_of_set([one.largest_value for one in waiting if one.largest_value is not None])
+        of_set = range_of_set([image.largest_value for image in waiting if image.largest_value is not None])
         while waiting:
             yield judge(waiting.pop(0), rules, of_set)
 
 
-def _measured(
-    image: Raster, window: PixelWindow, number: int | None, rules: RuleSet,
-    layers_drawn: tuple[QgsProcessingFeatureSource | None, QgsProcessingFeatureSource | None], run: Run,
-    goes_on: Callable[[float], bool],
-) -> MeasuredImage | None:
-    seamlines, greys = layers_drawn
-    seams = None if seamlines is None else seams_on(seamlines, image, run)
-    grey_areas = None if greys is None else grey_areas_on(greys, image, run)
-    measured = measure(OpenRaster(image.ref), window, rules, seams, grey_areas, number, goes_on)
-    if measured is not None and measured.seams and seamlines is not None and has_map(image):
-        return replace(measured, seams=with_features(measured.seams, seamlines, image, run))
-    return measured
-
-
 def jobs_on(
     images: Sequence[Raster], drawn: Sequence[DrawnWindow] | None, notices: list[Message]
-) -> Iterator[tuple[Raster, PixelWindow, int | None]]:
-    """What is checked: whole images, or the windows on them; ``notices`` is added to."""
+) -> Iterator[ImageJob]:
+    """The images to be checked, whole or the windows on them; ``notices`` is added to."""
     if drawn is None:
         yield from ((image, image.whole, None) for image in images)
         return

@@ -16,7 +16,6 @@ from ..toolkit.charts.figure_files import new_figure, svg_text
 from ..toolkit.pages.templates import HowMeasured, each_raster, save_page, sentences_once
 from ..toolkit.translation import filled, sentence, shown_number, tr
 from .measure import limits, messages
-from .measure import rules as checks
 from .measure.assessment import Assessment, CheckedFigure, ImageDecision, RadiometricDecision, RadiometricOutcome
 from .measure.image_statistics import Histogram
 from .measure.rules import CLIPPED_HIGH, CLIPPED_LOW, LUMINOSITY, PEAK, SEAM_CONTRAST, SEAM_STEP, RuleSet
@@ -51,19 +50,19 @@ def save_radiometry_report(
     pairs = [(result, pair) for result in results if (pair := step_and_contrast(result)) is not None]
     figure = balance_figure(results) if pairs else None
     sources = list(dict.fromkeys(rule.source for rule in rules.rules))
-    told = [*notices, *(notice for result in results for notice in result.notices)]
+    remarks = [*notices, *(notice for result in results for notice in result.notices)]
     accepted = [image.outcome is RadiometricOutcome.ACCEPTED for image in decision.images]
     drawn = sorted(range(len(results)), key=accepted.__getitem__)[:_MOST_HISTOGRAMS]
     if len(drawn) < len(results):
-        told.append(messages.HISTOGRAMS_OF_SOME(drawn=len(drawn), count=len(results)))
+        remarks.append(messages.HISTOGRAMS_OF_SOME(drawn=len(drawn), count=len(results)))
     save_page(
         path,
         "radiometry",
         HowMeasured([(tr("rules"), rules.name)], each_raster(tr("image"), (result.image for result in results))),
-        verdict=_verdict(decision),
+        verdict=(_STATES[decision.outcome], decision_word(decision).capitalize(), " ".join(decision_reasons(decision))),
         sources=sources,
         overview=[_overview(image) for image in decision.images],
-        notices=sentences_once(told),
+        notices=sentences_once(remarks),
         balance=[[number, *_balance_row(result, *pair)] for number, (result, pair) in enumerate(pairs, 1)],
         balance_chart=None if figure is None else svg_text(figure),
         images=(_section(image, sources, number in drawn) for number, image in enumerate(decision.images)),
@@ -76,20 +75,15 @@ def save_radiometry_report(
 
 def _balance_row(result: Assessment, step: float, contrast: float) -> list[str]:
     """The worst seam of an image, where it is, and the contrast beside its seams."""
-    at_seams = [one for one in result.checked_figures if one.rule.check == checks.SEAM_STEP and one.value == step]
-    x, y = at_seams[0].spot.place if at_seams[0].spot is not None else (math.nan, math.nan)
+    worst = next(checked for checked in result.measured(SEAM_STEP) if checked.value == step)
+    x, y = worst.spot.place if worst.spot is not None else (math.nan, math.nan)
     return [
         title(result),
-        f"{shown_number(100 * step)} % ({band_words(at_seams[0].band)})",
-        spot_words(at_seams[0]) or "",
+        f"{shown_number(100 * step)} % ({band_words(worst.band)})",
+        spot_words(worst) or "",
         filled("{x:.2f}, {y:.2f}", x=x, y=y),
         f"{shown_number(100 * contrast)} %",
     ]
-
-
-def _verdict(decision: RadiometricDecision) -> tuple[str, str, str]:
-    """Its state, its word and its reasons."""
-    return _STATES[decision.outcome], decision_word(decision).capitalize(), " ".join(decision_reasons(decision))
 
 
 def _overview(image: ImageDecision) -> list[object]:
@@ -103,12 +97,12 @@ def _overview(image: ImageDecision) -> list[object]:
 
 
 def _section(image: ImageDecision, sources: Sequence[str], is_drawn: bool) -> dict[str, object]:
-    """What the page shows of one image: a row for each check, a column for each band."""
+    """The page's section on one image: a row for each check, a column for each band."""
     result = image.result
     by_check: dict[str, dict[str, CheckedFigure]] = {}
     for checked in result.checked_figures:
         by_check.setdefault(checked.rule.check, {})[checked.band] = checked
-    bands = list(dict.fromkeys(one.band for one in result.checked_figures if one.value is not None))
+    bands = list(dict.fromkeys(checked.band for checked in result.checked_figures if checked.value is not None))
     figure = histogram_figure(result) if is_drawn else None
     return {
         "title": title(result),
@@ -117,30 +111,29 @@ def _section(image: ImageDecision, sources: Sequence[str], is_drawn: bool) -> di
         "available": result.available,
         "histogram": None if figure is None else svg_text(figure),
         "bands": [band_words(band) for band in bands],
-        "checks": [_check_row(check, own, bands, sources) for check, own in by_check.items()],
+        "checks": [_check_row(check, figures, bands, sources) for check, figures in by_check.items()],
         "remarks": _remarks(result),
     }  # fmt: skip
 
 
 def _check_row(
-    check: str, own: Mapping[str, CheckedFigure], bands: Sequence[str], sources: Sequence[str]
+    check: str, figures: Mapping[str, CheckedFigure], bands: Sequence[str], sources: Sequence[str]
 ) -> dict[str, object]:
     """``source`` says which of the notes tells where the limit comes from."""
-    rule = next(iter(own.values())).rule
-    has_failed = any(one.passed is False for one in own.values())
-    word = tr("failed") if has_failed else tr("passed") if any(one.passed for one in own.values()) else ""
-    values = {band: figure_words(rule, one.value) for band, one in own.items() if one.value is not None}
+    rule = next(iter(figures.values())).rule
+    has_failed = any(checked.passed is False for checked in figures.values())
+    word = tr("failed") if has_failed else tr("passed") if any(checked.passed for checked in figures.values()) else ""
+    values = {band: figure_words(rule, checked.value) for band, checked in figures.items() if checked.value is not None}
     return {
         "name": tr(CHECK_WORDS[check]), "values": [values.get(band, "") for band in bands], "limit": limit_words(rule),
-        "result": word if values else tr("not measurable"), "is_reason": has_failed or any(
-            one.is_missed for one in own.values()
-        ),
+        "result": word if values else tr("not measurable"),
+        "is_reason": has_failed or any(checked.is_missed for checked in figures.values()),
         "source": sources.index(rule.source) + 1,
     }  # fmt: skip
 
 
 def _remarks(result: Assessment) -> list[str]:
-    """Why figures can't be measured or judged, each reason once with what it concerns."""
+    """The reasons why figures can't be measured or judged, each once with what it concerns."""
     reasons: dict[str, list[CheckedFigure]] = {}
     for checked in result.checked_figures:
         if checked.reason is not None:
@@ -194,9 +187,9 @@ def _drawn(result: Assessment) -> Mapping[str, Histogram]:
 
 
 def _range_of_values(result: Assessment) -> ValueRange:
-    histograms = result.histograms.values()
-    least = min(float(one.values[np.flatnonzero(one.counts)[0]]) for one in histograms if one.pixels)
-    most = max(one.largest for one in histograms if one.pixels)
+    occurring = [histogram for histogram in result.histograms.values() if histogram.pixels]
+    least = min(float(histogram.values[np.flatnonzero(histogram.counts)[0]]) for histogram in occurring)
+    most = max(histogram.largest for histogram in occurring)
     return least, max(most, least + 1)
 
 
@@ -225,7 +218,6 @@ def step_and_contrast(result: Assessment) -> tuple[float, float] | None:
     """The largest step of any seam and band, and the mean of the bands' contrasts beside the seams; None where they
     are not measured."""
     steps, contrasts = (
-        [one.value for one in result.checked_figures if one.rule.check == check and one.value is not None]
-        for check in (SEAM_STEP, SEAM_CONTRAST)
+        [checked.value or 0.0 for checked in result.measured(check)] for check in (SEAM_STEP, SEAM_CONTRAST)
     )
     return (max(steps), math.fsum(contrasts) / len(contrasts)) if steps and contrasts else None

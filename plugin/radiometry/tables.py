@@ -78,15 +78,15 @@ def maybe_grey_features(
     result: Assessment, images: Sequence[Raster], transforms: QgsCoordinateTransformContext
 ) -> Iterator[QgsFeature]:
     """The rows of MAYBE_GREY for an image; none for one without a place on the map."""
-    found, image = result.maybe_grey, result.image
-    if found is None or not has_map(image):
+    areas, image = result.maybe_grey, result.image
+    if areas is None or not has_map(image):
         return
     try:
         transform = transformation(reference_system(image.wkt), _first_system(images), transforms)
     except WindowError:
         return
     fields = table_fields(*_AREA_FIELDS)
-    for (column, row), means, spread in zip(found.corners.tolist(), found.means.tolist(), found.spreads.tolist()):
+    for (column, row), means, spread in zip(areas.corners.tolist(), areas.means.tolist(), areas.spreads.tolist()):
         window = PixelWindow(column, row, limits.AREA_PX, limits.AREA_PX)
         outline = rectangle(image.grid.window_extent(window))
         try:

@@ -49,7 +49,7 @@ def title(result: Assessment) -> str:
 
 
 def figure_words(rule: Rule, value: float) -> str:
-    """So precisely that it lies on the same side of its limits as the figure does."""
+    """The value, with as many decimals as show on which side of its limits it lies."""
     is_share = rule.check != checks.SIGNAL_TO_NOISE
     scale, least = (100, 2) if is_share else (1, 1)
     limits = [scale * limit for limit in (rule.least, rule.most) if limit is not None]
@@ -58,7 +58,7 @@ def figure_words(rule: Rule, value: float) -> str:
 
 
 def limit_words(rule: Rule) -> str:
-    """What a rule allows."""
+    """The limits of a rule."""
     scale, unit = (1, "") if rule.check == checks.SIGNAL_TO_NOISE else (100, "\u00a0%")
     least, most = (
         None if limit is None else formatted(scale * limit, "g") + unit for limit in (rule.least, rule.most)
@@ -72,26 +72,25 @@ def limit_words(rule: Rule) -> str:
 
 def checks_words(figures: Iterable[CheckedFigure]) -> str:
     """Several checks, each once, with the bands that they concern."""
-    bands: dict[str, list[str]] = {}
+    bands: dict[str, dict[str, None]] = {}
     for checked in figures:
-        own = bands.setdefault(checked.rule.check, [])
+        names = bands.setdefault(checked.rule.check, {})
         if checked.band != ALL_BANDS:
-            own.append(band_words(checked.band))
-    named = ((tr(CHECK_WORDS[check]), own) for check, own in bands.items())
-    return ", ".join(f"{words} ({', '.join(own)})" if own else words for words, own in named)
+            names[band_words(checked.band)] = None
+    named = ((tr(CHECK_WORDS[check]), names) for check, names in bands.items())
+    return ", ".join(f"{words} ({', '.join(names)})" if names else words for words, names in named)
 
 
 def spot_words(checked: CheckedFigure) -> str | None:
-    """Where a figure comes from, as "seam 3, of feature 12"."""
+    """The place that a figure comes from, as "seam 3, of feature 12"."""
     return None if checked.spot is None else sentence(checked.spot.what)
 
 
 def found_words(result: Assessment) -> Iterator[str]:
-    """What an operator has to know of an image besides its figures: the band and the seam at which tone steps most,
-    and which grey areas the colour balance comes from."""
-    steps = [one for one in result.checked_figures if one.rule.check == checks.SEAM_STEP and one.value is not None]
-    if steps:
-        worst = max(steps, key=lambda one: one.value or 0.0)
+    """Sentences on an image beside its figures: the band and the seam at which tone steps most, and the grey areas
+    that the colour balance comes from."""
+    if steps := result.measured(checks.SEAM_STEP):
+        worst = max(steps, key=lambda checked: checked.value or 0.0)
         assert worst.value is not None
         assert worst.spot is not None
         x, y = worst.spot.place
@@ -115,7 +114,7 @@ def found_words(result: Assessment) -> Iterator[str]:
 
 
 def no_limit_words() -> str:
-    """Why an image is undecided of which nothing is missed."""
+    """The reason why an image is undecided of which nothing is missed."""
     return tr("The rules set no limit for it.")
 
 
@@ -124,14 +123,14 @@ def decision_word(decision: RadiometricDecision) -> str:
 
 
 def decision_reasons(decision: RadiometricDecision) -> list[str]:
-    """Why, sentence by sentence: the images that reject it or leave it open, what was not measured, what is missing."""
+    """The reasons, a sentence each: the images that reject it or leave it open, what was not measured, what lacks."""
     said = []
     rejected, undecided = map(decision.those, (RadiometricOutcome.REJECTED, RadiometricOutcome.UNDECIDED))
     if rejected:
-        failed = checks_words(_first_of_each(one for image in rejected for one in image.failed))
+        failed = checks_words(checked for image in rejected for checked in image.failed)
         said.append(filled(tr("Beyond their limits: {images}; by {checks}."), images=_names(rejected), checks=failed))
     if undecided:
-        missed = checks_words(_first_of_each(one for image in undecided for one in image.missed))
+        missed = checks_words(checked for image in undecided for checked in image.missed)
         said.append(filled(tr("Not measurable and required: {checks}; in {images}."),
             images=_names(undecided), checks=missed) if missed
             else no_limit_words())  # fmt: skip
@@ -139,16 +138,12 @@ def decision_reasons(decision: RadiometricDecision) -> list[str]:
         said.append(filled(tr("Not looked at: {count}."), count=len(decision.left_out)))
     without = [image for image in decision.images if image.unmeasured]
     if without:
-        unmeasured = checks_words(_first_of_each(one for image in without for one in image.unmeasured))
+        unmeasured = checks_words(checked for image in without for checked in image.unmeasured)
         said.append(filled(tr("Not measurable and not required: {checks}; in {images}."),
             images=_names(without), checks=unmeasured))  # fmt: skip
     if not said:
         said.append(tr("All figures keep their limits."))
     return said
-
-
-def _first_of_each(figures: Iterable[CheckedFigure]) -> list[CheckedFigure]:
-    return list({(one.rule.check, one.band): one for one in figures}.values())
 
 
 def _names(images: Sequence[ImageDecision]) -> str:

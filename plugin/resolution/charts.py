@@ -76,8 +76,8 @@ def _draw_threshold(axes: Axes, reading: BarReading, criterion: float) -> None:
 def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:
     """The profiles group by group, the coarsest first: along the flight on the left, across on the right."""
     lines = lines_of(results)
-    directions = [one for one in DIRECTIONS if any(line[0].measured.line.direction == one for line in lines)]
-    directions = directions or [DIRECTIONS[0]]
+    drawn = {line[0].measured.line.direction for line in lines}
+    directions = [direction for direction in DIRECTIONS if direction in drawn] or [DIRECTIONS[0]]
     groups, by_place = _by_place(lines)
     strands = 2 if len(groups) > _MOST_ROWS else 1  # of panels for each direction, so that the page stays a page
     rows = max(1, -(-len(groups) // strands))
@@ -90,12 +90,18 @@ def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:
             panel = figure.add_subplot(parts[row, strands * column + strand])
             _draw_panel(panel, by_place.get((group, direction), []), criterion)
             if place == 0:
-                _write_heading(panel, direction_title(direction))
+                panel.annotate(
+                    direction_title(direction), (0, 1), xytext=(0, 22), xycoords="axes fraction",
+                    textcoords="offset points", fontsize=10, fontweight="bold",
+                )  # fmt: skip
             if row == rows - 1 or place == len(groups) - 1:
                 panel.set_xlabel(tr("along the line, px"), fontsize=8)
             for handle, label in zip(*panel.get_legend_handles_labels()):
                 handles.setdefault(label, handle)
-    _write_legend(figure.add_subplot(parts[rows, :]), handles if len(handles) > 1 else {})
+    legend = figure.add_subplot(parts[rows, :])
+    legend.set_axis_off()
+    if len(handles) > 1:
+        legend.legend(handles.values(), handles.keys(), loc="center", ncol=6, fontsize=8, frameon=False)
     return figure
 
 
@@ -105,7 +111,7 @@ def profile_rows(results: Sequence[GroupResult], criterion: float) -> Iterator[F
     Along the flight on the left and across it on the right; of one direction alone, group after group.
     """
     groups, by_place = _by_place(lines_of(results))
-    directions = [one for one in DIRECTIONS if any(direction == one for _, direction in by_place)]
+    directions = [direction for direction in DIRECTIONS if any(direction == direction for _, direction in by_place)]
     panels = [by_place.get((group, direction), []) for group in groups for direction in directions]
     for first in range(0, len(panels), len(_PANELS)):
         figure = plain_figure(_ROW_WIDTH, _ROW_HEIGHT)
@@ -124,26 +130,13 @@ def _by_place(
     return sorted(widths, key=lambda group: -widths[group]), by_place
 
 
-def _write_heading(panel: Axes, words: str) -> None:
-    panel.annotate(
-        words, (0, 1), xytext=(0, 22), xycoords="axes fraction", textcoords="offset points", fontsize=10,
-        fontweight="bold",
-    )
-
-
-def _write_legend(axes: Axes, handles: Mapping[str, object]) -> None:
-    """A legend in a place of its own."""
-    axes.set_axis_off()
-    if handles:
-        axes.legend(handles.values(), handles.keys(), loc="center", ncol=6, fontsize=8, frameon=False)
-
-
 def _draw_panel(
     panel: Axes, results: Sequence[GroupResult], criterion: float, with_direction: bool = False
 ) -> None:
+    """The profiles of one line below its group, distance and verdict; nothing where there is no line."""
     panel.tick_params(labelsize=7)
+    panel.set_axis_off()
     if not results:
-        panel.set_axis_off()
         return
     readings = {result.band: result.reading for result in results if result.reading is not None}
     verdict, first = verdict_of(results), results[0]
@@ -151,17 +144,16 @@ def _draw_panel(
     if with_direction:
         where = direction_title(first.measured.line.direction)
         panel.set_title(filled(tr("group {group} {direction}"), group=group, direction=where), fontsize=6.5, loc="left")
-        told = filled(tr("{grd:.2f} cm: {verdict}"), grd=grd, verdict=verdict_word(verdict))
-        panel.set_title(told, fontsize=6.5, loc="right", color=colour)
+        words = filled(tr("{grd:.2f} cm: {verdict}"), grd=grd, verdict=verdict_word(verdict))
+        panel.set_title(words, fontsize=6.5, loc="right", color=colour)
     else:
         words = tr("group {group}, {grd:.2f} cm: {verdict}")
         title = filled(words, group=group, grd=grd, verdict=verdict_word(verdict))
         panel.set_title(title, fontsize=8, loc="left", color=colour, fontweight="bold")
     if readings:
+        panel.set_axis_on()
         draw_profiles(panel, readings, criterion)
         panel.set_ylabel("DN", fontsize=7)
-    else:
-        panel.set_axis_off()
 
 
 def lines_of(results: Sequence[GroupResult]) -> list[list[GroupResult]]:

@@ -24,22 +24,22 @@ def distance_text(grd_cm: float, error_cm: float | None) -> str:
 
 
 def target_distances(resolution: TargetResolution) -> list[tuple[str, float, float | None]]:
-    """What each distance is, the distance, cm, and its standard deviation: along, across, and their mean."""
-    found = [
+    """Name, distance (cm) and standard deviation of each distance: along, across, and their mean."""
+    distances = [
         (direction_title(direction), resolution.worst(direction), resolution.worst_error(direction))
         for direction in DIRECTIONS
     ]
-    found.append((tr("geometric mean"), resolution.mean, resolution.mean_error))
-    return [(name, grd, error) for name, grd, error in found if grd is not None]
+    distances.append((tr("geometric mean"), resolution.mean, resolution.mean_error))
+    return [(name, grd, error) for name, grd, error in distances if grd is not None]
 
 
 def distance_sentences(resolution: TargetResolution, each_band: bool = True) -> list[str]:
-    """What was found, line by line: distances, what observers saw, the target's contrast, the lowest one or all."""
+    """The results line by line: distances, what observers saw, the target's contrast, the lowest one or all."""
     words = [f"{name}: {distance_text(grd, error)}" for name, grd, error in target_distances(resolution)]
     for direction in DIRECTIONS:
         interval = resolution.interval(direction)
         if interval is not None and interval[0] < interval[1]:
-            low, high = (shown_number(one) for one in interval)
+            low, high = (shown_number(end) for end in interval)
             words.append(filled(
                 tr("{direction}, one group more or less: {low} to {high} cm"),
                 direction=direction_title(direction), low=low, high=high,
@@ -67,7 +67,8 @@ def verdict_text(results: Sequence[GroupResult], resolution: TargetResolution) -
     grd = results[0].grd_cm if results else None
     words = ""
     if grd is not None:
-        distance = distance_text(grd, _largest([result.grd_error_cm for result in results]))
+        errors = [result.grd_error_cm for result in results if result.grd_error_cm is not None]
+        distance = distance_text(grd, max(errors, default=None))
         words = filled(tr("Group {group}, {distance}"), group=results[0].measured.line.group, distance=distance)
     if results and all(result.resolved for result in results):
         words += ", " + tr("resolved")
@@ -79,7 +80,3 @@ def verdict_text(results: Sequence[GroupResult], resolution: TargetResolution) -
     together = "; ".join(distance_sentences(resolution, each_band=False))
     together = together and filled(tr("All lines: {distances}"), distances=together)
     return "\n".join(part for part in (verdict, notice, together) if part)
-
-
-def _largest(errors: Sequence[float | None]) -> float | None:
-    return max((error for error in errors if error is not None), default=None)

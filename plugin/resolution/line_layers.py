@@ -183,7 +183,7 @@ def add_bar_line(
 
 
 def next_group(layer: QgsVectorLayer | None, direction: str) -> int | None:
-    """One above the largest number of a direction; None where the layer has none."""
+    """The number above the largest of a direction; None where the layer has none."""
     if layer is None or not {GROUP, DIRECTION} <= set(layer.fields().names()):
         return None
     rows = (row for row in layer.getFeatures() if row[DIRECTION] == direction)

@@ -26,10 +26,21 @@ RASTER, GROUPS, WIDTH, BAND, BARS = "RASTER", "GROUPS", "WIDTH", "BAND", "BARS"
 REFERENCE_GROUP, REFERENCE_GRD, STEP = "REFERENCE_GROUP", "REFERENCE_GRD", "STEP"
 CRITERION, FULL_AMPLITUDE, GRD_OF, REVERSED = "CRITERION", "FULL_AMPLITUDE", "GRD_OF", "REVERSED"
 OUTPUT = "OUTPUT"
-GRD_ALONG, GRD_ACROSS, GRD_MEAN = "GRD_ALONG", "GRD_ACROSS", "GRD_MEAN"
-ALONG_ERROR, ACROSS_ERROR, MEAN_ERROR = "GRD_ALONG_ERROR", "GRD_ACROSS_ERROR", "GRD_MEAN_ERROR"
-RANGES = {"along": ("GRD_ALONG_LOW", "GRD_ALONG_HIGH"), "across": ("GRD_ACROSS_LOW", "GRD_ACROSS_HIGH")}
-SEEN_ALONG, SEEN_ACROSS, CONTRAST = "SEEN_ALONG", "SEEN_ACROSS", "TARGET_CONTRAST"
+_NUMBERS = {
+    "GRD_ALONG": QT_TR_NOOP("Distance along the flight (cm)"),
+    "GRD_ACROSS": QT_TR_NOOP("Distance across the flight (cm)"),
+    "GRD_MEAN": QT_TR_NOOP("Geometric mean of both distances (cm)"),
+    "GRD_ALONG_ERROR": QT_TR_NOOP("Standard deviation along the flight (cm)"),
+    "GRD_ACROSS_ERROR": QT_TR_NOOP("Standard deviation across the flight (cm)"),
+    "GRD_MEAN_ERROR": QT_TR_NOOP("Standard deviation of the mean (cm)"),
+    "GRD_ALONG_LOW": QT_TR_NOOP("Finest distance that may be resolved along the flight (cm)"),
+    "GRD_ALONG_HIGH": QT_TR_NOOP("Coarsest distance that may be the finest one along the flight (cm)"),
+    "GRD_ACROSS_LOW": QT_TR_NOOP("Finest distance that may be resolved across the flight (cm)"),
+    "GRD_ACROSS_HIGH": QT_TR_NOOP("Coarsest distance that may be the finest one across the flight (cm)"),
+    "SEEN_ALONG": QT_TR_NOOP("Distance along the flight that all observers see (cm)"),
+    "SEEN_ACROSS": QT_TR_NOOP("Distance across the flight that all observers see (cm)"),
+    "TARGET_CONTRAST": QT_TR_NOOP("Contrast of the target, bars to gaps"),
+}
 
 
 class MeasureResolution(SeamInspectorAlgorithm):
@@ -95,21 +106,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         self.addDescribed(*common.report(tr(
             "A page with the distances, the target, the profiles and all measurements."
         )))
-        self.addNumbers({
-            GRD_ALONG: tr("Distance along the flight (cm)"),
-            GRD_ACROSS: tr("Distance across the flight (cm)"),
-            GRD_MEAN: tr("Geometric mean of both distances (cm)"),
-            ALONG_ERROR: tr("Standard deviation along the flight (cm)"),
-            ACROSS_ERROR: tr("Standard deviation across the flight (cm)"),
-            MEAN_ERROR: tr("Standard deviation of the mean (cm)"),
-            RANGES["along"][0]: tr("Finest distance that may be resolved along the flight (cm)"),
-            RANGES["along"][1]: tr("Coarsest distance that may be the finest one along the flight (cm)"),
-            RANGES["across"][0]: tr("Finest distance that may be resolved across the flight (cm)"),
-            RANGES["across"][1]: tr("Coarsest distance that may be the finest one across the flight (cm)"),
-            SEEN_ALONG: tr("Distance along the flight that all observers see (cm)"),
-            SEEN_ACROSS: tr("Distance across the flight that all observers see (cm)"),
-            CONTRAST: tr("Contrast of the target, bars to gaps"),
-        })
+        self.addNumbers({name: tr(title) for name, title in _NUMBERS.items()})
 
     def check(self, run: Run) -> None:
         self._target(run).check()
@@ -161,19 +158,13 @@ class MeasureResolution(SeamInspectorAlgorithm):
         run.write(sink, line_layers.result_features(resolution.results, raster.grid))
         return {
             OUTPUT: destination,
-            GRD_ALONG: resolution.worst("along"),
-            GRD_ACROSS: resolution.worst("across"),
-            GRD_MEAN: resolution.mean,
-            ALONG_ERROR: resolution.worst_error("along"),
-            ACROSS_ERROR: resolution.worst_error("across"),
-            MEAN_ERROR: resolution.mean_error,
-            **{
-                name: value for direction, names in RANGES.items()
-                for name, value in zip(names, resolution.interval(direction) or (None, None))
-            },
-            SEEN_ALONG: resolution.seen("along"),
-            SEEN_ACROSS: resolution.seen("across"),
-            CONTRAST: min(resolution.contrasts.values(), default=None),
+            **dict(zip(_NUMBERS, (
+                resolution.worst("along"), resolution.worst("across"), resolution.mean,
+                resolution.worst_error("along"), resolution.worst_error("across"), resolution.mean_error,
+                *(resolution.interval("along") or (None, None)), *(resolution.interval("across") or (None, None)),
+                resolution.seen("along"), resolution.seen("across"),
+                min(resolution.contrasts.values(), default=None),
+            ))),
             **run.save(common.CHART, lambda path: _save_chart(path, resolution, target)),
             **run.save(common.REPORT, lambda path: _save_report(path, raster, resolution, target)),
         }
@@ -192,7 +183,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         return width
 
     def _band(self, run: Run, raster: Raster) -> int | None:
-        """Where the band stands among those that are measured; None for all."""
+        """The place of the band among those that are measured; None for all."""
         from ..imagery.open_raster import OpenRaster
 
         number = run.whole(BAND)

@@ -20,14 +20,9 @@ if TYPE_CHECKING:
     from .measure.minimum_height import HeightResult, Observation
 
 HEIGHT, GRD = "height", "grd"
-_KEYS = ("sensor", "image_type", "direction")
+_KEYS = ("sensor", "image_type", "direction")  # fields whose values make groups, as far as the table has them
 MEASURED = ("grd_error",)
 """Fields of measured groups that begin as those of observers do."""
-
-
-def key_fields(names: Sequence[str], by_height: bool) -> tuple[str, ...]:
-    """What the rows are grouped by: the fields of the key that the table has, and the height if that is wanted."""
-    return tuple(name for name in _KEYS if name in names) + ((HEIGHT,) if by_height else ())
 
 
 def reading_fields(names: Sequence[str]) -> list[str]:
@@ -42,9 +37,7 @@ def reading_fields(names: Sequence[str]) -> list[str]:
     return fields
 
 
-def observation(
-    row: QgsFeature, keys: Sequence[str], readings: Sequence[str]
-) -> tuple[Observation | None, Message | None]:
+def observation(row: QgsFeature, keys: Sequence[str], readings: Sequence[str]) -> Observation | Message:
     """A row as an observation, or why it is none. ``readings``: the fields of its observers, of whom some may lack."""
     from .measure.minimum_height import Observation
 
@@ -52,33 +45,28 @@ def observation(
     height, grds = number(row[HEIGHT]), [number(word) for word in words]
     wrong = [text(word) for word, grd in zip([row[HEIGHT], *words], [height, *grds]) if grd is None and text(word)]
     if wrong:
-        return None, messages.OBSERVATION_NO_NUMBER(word=wrong[0])
+        return messages.OBSERVATION_NO_NUMBER(word=wrong[0])
     if height is None or not grds:
-        return None, messages.OBSERVATION_EMPTY()
+        return messages.OBSERVATION_EMPTY()
     read = tuple(grd for grd in grds if grd is not None)
-    found = Observation(height, read, tuple(text(row[name]) for name in keys))
-    return (found, None) if found.fault is None else (None, found.fault)
+    made = Observation(height, read, tuple(text(row[name]) for name in keys))
+    return made.fault or made
 
 
 def height_table(results: Sequence[HeightResult], keys: Sequence[str]) -> tuple[QgsFields, list[QgsFeature]]:
     """OUTPUT: one row per group of observations."""
-    fields = table_fields(
-        *((name, "text") for name in keys),
-        ("count", "integer"),
-        ("mean", "real"),
-        ("spread", "real"),
-        ("observers", "integer"),
-        ("observer_spread", "real"),
-        ("reference", "real"),
-        ("tolerance", "real"),
-        ("notice", "text"),
-    )
+    kinds = {
+        "count": "integer", "mean": "real", "spread": "real", "observers": "integer", "observer_spread": "real",
+        "reference": "real", "tolerance": "real", "notice": "text",
+    }  # fmt: skip
+    fields = table_fields(*((name, "text") for name in keys), *kinds.items())
     return fields, [
         feature(fields, [
-            *one.key, len(one.heights_m), one.mean_m, one.spread_m, one.observers, one.observer_spread_m,
-            one.reference_m, one.tolerance_percent, None if one.notice is None else sentence(one.notice),
+            *result.key, len(result.heights_m), result.mean_m, result.spread_m, result.observers,
+            result.observer_spread_m, result.reference_m, result.tolerance_percent,
+            None if result.notice is None else sentence(result.notice),
         ])
-        for one in results
+        for result in results
     ]  # fmt: skip
 
 
@@ -89,11 +77,11 @@ def pass_table(
     others = [(name, "text") for name in keys if name != HEIGHT]
     fields = table_fields(*others, (HEIGHT, "real"), (GRD, "real"), ("h_min", "real"), ("observers", "integer"))
     rows = []
-    for one in observations:
-        words = [word for name, word in zip(keys, one.key) if name != HEIGHT]
-        height = one.minimum_height(required_cm)
-        grd = one.height_m * required_cm / height
-        rows.append(feature(fields, [*words, one.height_m, grd, height, len(one.grds_cm)]))
+    for passage in observations:
+        words = [word for name, word in zip(keys, passage.key) if name != HEIGHT]
+        height = passage.minimum_height(required_cm)
+        grd = passage.height_m * required_cm / height
+        rows.append(feature(fields, [*words, passage.height_m, grd, height, len(passage.grds_cm)]))
     return fields, rows
 
 
@@ -154,16 +142,16 @@ class MinimumHeight(SeamInspectorAlgorithm):
         source = run.source(OBSERVATIONS)
         names = source.fields().names()
         readings = reading_fields(names)
-        keys = key_fields(names, run.flag(BY_HEIGHT))
+        keys = (*(name for name in _KEYS if name in names), *((HEIGHT,) if run.flag(BY_HEIGHT) else ()))
         observations = []
         for place, row in enumerate(layers.features(source), 1):
             if run.is_cancelled():
                 break
-            found, fault = observation(row, keys, readings)
-            if fault is not None or found is None:
-                run.tell(messages.OBSERVATIONS_LEFT_OUT(row=place, why=fault))
+            made = observation(row, keys, readings)
+            if isinstance(made, Message):
+                run.tell(messages.OBSERVATIONS_LEFT_OUT(row=place, why=made))
             else:
-                observations.append(found)
+                observations.append(made)
         if not observations:
             raise SettingsError(messages.NO_OBSERVATIONS())
         run.tell(*doubts(observations))

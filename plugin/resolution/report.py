@@ -22,7 +22,7 @@ def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolut
     Raises SettingsError where no file can be.
     """
     results = resolution.results
-    picture = target_picture(raster, results)
+    picture, verdicts = target_picture(raster, results), {verdict_of(line) for line in lines_of(results)}
     save_page(
         path,
         "resolution",
@@ -32,10 +32,10 @@ def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolut
         figures=[(distance_text(grd, error), words) for words, grd, error in target_distances(resolution)],
         notices=sentences_once(resolution.notices),
         **_distances(resolution),
-        contrasts=_contrasts(resolution),
+        contrasts=[(band_title(band), f"{shown_number(value, 1)} : 1") for band, value in resolution.contrasts.items()],
         observers=_observers(resolution),
         picture=None if picture is None else svg_text(picture),
-        verdicts=[(VERDICT_COLOURS[one], verdict_word(one)) for one in _verdicts(results)],
+        verdicts=[(colour, verdict_word(name)) for name, colour in VERDICT_COLOURS.items() if name in verdicts],
         profiles=map(svg_text, profile_rows(results, target.criterion)),
         bands=_bands(results),
         criterion=target.criterion,
@@ -72,12 +72,6 @@ def _reasons(results: Sequence[GroupResult]) -> list[tuple[str, str, str, str]]:
     return [(*known, ", ".join(filter(None, numbers))) for known, numbers in groups.items()]
 
 
-def _verdicts(results: Sequence[GroupResult]) -> list[str]:
-    """Those of the lines in the picture, the best first."""
-    known = {verdict_of(line) for line in lines_of(results)}
-    return [verdict for verdict in VERDICT_COLOURS if verdict in known]
-
-
 def _bands(results: Sequence[GroupResult]) -> list[tuple[str, str]]:
     """Colours and names of the bands that were measured; empty for a single one."""
     names = list(dict.fromkeys(result.band for result in results if result.band))
@@ -86,19 +80,14 @@ def _bands(results: Sequence[GroupResult]) -> list[tuple[str, str]]:
     return [(band_colour(name, place, len(names)), band_title(name)) for place, name in enumerate(names)]
 
 
-def _contrasts(resolution: TargetResolution) -> list[tuple[str, str]]:
-    """The target's own contrast by band."""
-    return [(band_title(band), f"{shown_number(value, 1)} : 1") for band, value in resolution.contrasts.items()]
-
-
 def _observers(resolution: TargetResolution) -> list[tuple[str, ...]]:
     """Each observer's distances along and across the flight, and those that all agree on."""
     if not resolution.observers:
         return []
 
     def distances(observer: str | None) -> list[str]:
-        found = [resolution.seen(direction, observer) for direction in DIRECTIONS]
-        return ["" if grd is None else shown_number(grd) for grd in found]
+        distances = [resolution.seen(direction, observer) for direction in DIRECTIONS]
+        return ["" if grd is None else shown_number(grd) for grd in distances]
 
     rows = [(name, *distances(name)) for name in resolution.observers]
     return [*rows, (tr("all of them"), *distances(None))]
@@ -114,8 +103,8 @@ def _summary(resolution: TargetResolution, target: Target) -> str:
 
 def _settings(target: Target) -> list[tuple[str, str]]:
     coarser = tr("higher") if target.reversed else tr("lower")
-    own, coarsest = tr("the group's own bars against plain gaps"), tr("that of the coarsest group")
-    full = coarsest if target.full_amplitude == COARSEST else own
+    of_group, coarsest = tr("the group's own bars against plain gaps"), tr("that of the coarsest group")
+    full = coarsest if target.full_amplitude == COARSEST else of_group
     words = tr("group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide")
     return [
         (tr("bars in each group"), str(target.bars)),
@@ -128,23 +117,19 @@ def _settings(target: Target) -> list[tuple[str, str]]:
 
 
 def _row(result: GroupResult) -> tuple[object, ...]:
+    """The table's row on a line in one band."""
     reading = result.reading
 
     def rounded(value: float | None, digits: int) -> str:
         return "" if value is None else shown_number(value, digits)
 
-    return (
-        *_names(result),
-        rounded(result.grd_cm, 2),
-        rounded(result.grd_error_cm, 2),
-        "" if reading is None else len(reading.bars),
-        rounded(None if reading is None else reading.amplitude, 1),
-        rounded(None if reading is None else reading.amplitude_error, 1),
-        rounded(None if reading is None else reading.full_amplitude, 1),
-        rounded(None if reading is None else reading.modulation, 3),
-        rounded(result.measured.shifts.get(result.band), 2),
-        verdict_word(verdict_of([result])),
-    )
+    bars: tuple[object, ...] = ("",) * 5
+    if reading is not None:
+        amplitudes = reading.amplitude, reading.amplitude_error, reading.full_amplitude
+        bars = len(reading.bars), *(rounded(value, 1) for value in amplitudes), rounded(reading.modulation, 3)
+    shift, verdict = result.measured.shifts.get(result.band), verdict_of([result])
+    distance = rounded(result.grd_cm, 2), rounded(result.grd_error_cm, 2)
+    return (*_names(result), *distance, *bars, rounded(shift, 2), verdict_word(verdict))
 
 
 def _names(result: GroupResult) -> tuple[object, str, str]:

@@ -26,8 +26,6 @@ _POINT = 1 / 72  # inches
 Line = Sequence[GroupResult]
 Box = tuple[float, float, float, float]
 """Left, top, right and bottom, px."""
-
-
 _Strip = tuple[Sequence[Line], Box]
 """A part of the target with the lines in it."""
 
@@ -59,8 +57,8 @@ def _strips(lines: Sequence[Line], raster: Raster, axis: int, count: int) -> lis
     start, end = whole[axis], whole[axis + 2]
     parts: list[list[Line]] = [[] for _ in range(count)]
     for line in lines:
-        one, other = line_ends(line)
-        middle = (one[axis] + other[axis]) / 2
+        first, last = line_ends(line)
+        middle = (first[axis] + last[axis]) / 2
         parts[min(int(count * (middle - start) / (end - start)), count - 1)].append(line)
     boxes = ((part, _box(part, raster, margin)) for part in parts if part)
     return [
@@ -85,12 +83,11 @@ def _scale(strips: Sequence[_Strip], axis: int) -> tuple[float, np.ndarray]:
 def _drawn(raster: Raster, whole: Box, strips: Sequence[_Strip], axis: int) -> Figure:
     scale, (width, height) = _scale(strips, axis)
     figure = plain_figure(width, height)
-    pixels, (left, top) = _toned(raster, whole), whole[:2]
-    x, y = 0.0, height
+    pixels, x, y = _toned(raster, whole), 0.0, height
     for lines, (first, upper, last, lower) in strips:
         across, down = (last - first) * scale, (lower - upper) * scale
         axes = figure.add_axes((x / width, (y - down) / height, across / width, down / height))
-        shown = pixels[int(upper - top) : int(lower - top), int(first - left) : int(last - left)]
+        shown = pixels[int(upper - whole[1]) : int(lower - whole[1]), int(first - whole[0]) : int(last - whole[0])]
         axes.imshow(shown, cmap="gray", vmin=0, vmax=1, extent=(first, last, lower, upper), interpolation="nearest")
         axes.set_axis_off()
         _draw_lines(axes, lines, scale)
@@ -131,7 +128,7 @@ def _margin(lines: Sequence[Line]) -> float:
 
 
 def _box(lines: Sequence[Line], raster: Raster, margin: float) -> Box:
-    """What is shown around lines, whole pixels on the image."""
+    """The part of the image around lines that is shown, whole pixels."""
     ends = np.array([end for line in lines for end in line_ends(line)])
     (left, top), (right, bottom) = ends.min(axis=0), ends.max(axis=0)
     return (

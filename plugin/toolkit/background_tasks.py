@@ -30,7 +30,7 @@ _interval_before = 0.0
 
 @contextmanager
 def interface_first() -> Iterator[None]:
-    """While a thread runs Python it hands the interpreter over within half a millisecond, not Python's usual five.
+    """Make threads hand Python's interpreter over within half a millisecond, not the usual five.
 
     The interface asks for the interpreter many times while it handles one event (each call of a method that we
     override is one), and would wait as many times.
@@ -55,7 +55,7 @@ _NEVER_S = 10**9
 
 
 def hush_end() -> None:
-    """For a task's ``finished``: QGIS, which hears of its end right after, says nothing. Later ones have a flag for it.
+    """Keep QGIS, which hears of a task's end after its ``finished``, from a notice. Later QGIS has a flag for it.
 
     No task is long enough for a notice until then; at once the user's setting holds again.
     """
@@ -81,13 +81,13 @@ Job = Callable[[Cancelled], Iterator[tuple[float, object]]]
 
 
 class Ahead(NamedTuple):
-    """What a job yields ahead of a result that counts as a step."""
+    """A result that comes ahead of one that counts as a step."""
 
     result: object
 
 
 class End(Enum):
-    """How a task ended; a cancelled one did not fail."""
+    """The end of a task; a cancelled one did not fail."""
 
     DONE = "done"
     FAILED = "failed"
@@ -96,7 +96,7 @@ class End(Enum):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What the interface learns when a task has ended."""
+    """The end of a task, and why it failed."""
 
     end: End
     message: Message | None = None
@@ -213,7 +213,7 @@ class BackgroundTasks(QObject):
         self._settle()
 
     def close(self) -> None:
-        """Cancel everything and listen no more."""
+        """Cancel everything and follow no task any more."""
         for task in list(self._tasks):
             task.arrived.disconnect(self._arrived)
             task.ended.disconnect(self._ended)
@@ -285,13 +285,13 @@ class LatestOnly(QObject):
                 self._thread.submit(self._run)
 
     def forget(self) -> None:
-        """Nobody waits for anything any more."""
+        """Drop the work that waits, and the result of what is under way."""
         with self._lock:
             self._waiting = None
             self._turn += 1
 
     def close(self) -> None:
-        """No more work; what is under way reaches nobody."""
+        """Take no more work; drop the result of what is under way."""
         self.forget()
         self._thread.shutdown(wait=False)
 
@@ -305,14 +305,14 @@ class LatestOnly(QObject):
             begun = time.perf_counter()
             try:
                 with interface_first():
-                    found = work()
+                    outcome = work()
             except Exception as error:  # the last door: nobody else would learn of it
-                found = messages.TASK_FAILED(task=self._name, error=f"{type(error).__name__}: {error}")
+                outcome = messages.TASK_FAILED(task=self._name, error=f"{type(error).__name__}: {error}")
             with self._lock:  # after ``close`` this may be gone
-                if turn == self._turn and found is not None:
-                    self._ended.emit(turn, found)
+                if turn == self._turn and outcome is not None:
+                    self._ended.emit(turn, outcome)
             time.sleep(min(self._rest * (time.perf_counter() - begun), _LONGEST_REST_S))
 
-    def _take(self, turn: int, found: object) -> None:
+    def _take(self, turn: int, outcome: object) -> None:
         if turn == self._turn:
-            (self.failed if isinstance(found, Message) else self.arrived).emit(found)
+            (self.failed if isinstance(outcome, Message) else self.arrived).emit(outcome)

@@ -15,7 +15,7 @@ class Connections:
             signal.connect(slot)
 
     def close(self) -> None:
-        """Follow them no more; once is enough."""
+        """Disconnect the signals; once is enough."""
         while self._followed:
             signal, slot = self._followed.pop()
             with suppress(TypeError, RuntimeError):  # who emits it is gone already

@@ -1,4 +1,4 @@
-"""Where windows are measured: threads of this machine, or a Dask cluster, of which is noticed when nobody is left."""
+"""Executors that measure windows: threads of this machine, or a Dask cluster that is watched for lost workers."""
 from __future__ import annotations
 
 import asyncio
@@ -51,11 +51,7 @@ def open_executor(
     Raises SettingsError when Dask is not installed, nothing answers, or what answers is not a scheduler;
     CancelledError when cancelled before it is open.
     """
-    if scheduler:
-        with _dask_executor(scheduler, is_cancelled) as opened:
-            yield opened
-        return
-    with own_threads() as opened:
+    with _dask_executor(scheduler, is_cancelled) if scheduler else own_threads() as opened:
         yield opened
 
 
@@ -161,11 +157,11 @@ def _prepare(client: Client, scheduler: str) -> int:
 
 def measuring_modules(plugin: Path) -> list[Path]:
     """The files below the plugin's folder that measure, with what makes them packages: no QGIS, no charts."""
-    return sorted({found for part in _MEASURING for found in plugin.glob(part)})
+    return sorted({file for part in _MEASURING for file in plugin.glob(part)})
 
 
 def _measuring_archive(folder: Path) -> str:
-    """All that measures as an importable zip for the workers, which need neither QGIS nor this plugin.
+    """An importable zip of all that measures, for the workers, which need neither QGIS nor this plugin.
 
     It keeps the package's full name, since that is how functions and requests refer to it.
     """

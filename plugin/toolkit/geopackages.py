@@ -22,7 +22,7 @@ _TYPES = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString}
 
 
 def free_path(folder: Path, name: str) -> Path:
-    """For a file: one that is not there yet."""
+    """A path in a folder that is not taken yet."""
     names = chain([f"{name}.gpkg"], (f"{name}_{number}.gpkg" for number in count(2)))
     return next(path for path in map(folder.joinpath, names) if not os.path.lexists(path))
 
@@ -64,8 +64,8 @@ def _write(
     shape = int(getattr(geometry, "value", geometry))  # an enum from QGIS 3.30 on
     layer = dataset.CreateLayer(name, system if wkt else None, shape, ["OVERWRITE=YES"])
     kinds = {field("", kind).type(): of_gdal for kind, of_gdal in _TYPES.items()}
-    for one in fields:
-        layer.CreateField(ogr.FieldDefn(one.name(), kinds[one.type()]))
+    for column in fields:
+        layer.CreateField(ogr.FieldDefn(column.name(), kinds[column.type()]))
     layer.StartTransaction()
     for row in rows:
         written = ogr.Feature(layer.GetLayerDefn())
@@ -80,7 +80,7 @@ def _write(
 
 
 def _written_system(path: Path, name: str) -> str:
-    """What the file says when it is opened anew."""
+    """The reference system of a table when the file is opened anew."""
     dataset = open_dataset(str(path), FEATURES)
     system = dataset and dataset.GetLayerByName(name).GetSpatialRef()
     return str(system.ExportToWkt(["FORMAT=WKT2_2019"])) if system else ""

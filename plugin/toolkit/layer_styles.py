@@ -21,7 +21,7 @@ from qgis.core import (
 )
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QT_TR_NOOP
-from qgis.PyQt.QtXml import QDomDocument, QDomElement
+from qgis.PyQt.QtXml import QDomDocument
 
 from .resources import style_path
 from .translation import filled, tr
@@ -69,7 +69,7 @@ _LEVELLED = re.compile(r"(\w+)_(\d+)")
 
 
 def give_titles(titles: Mapping[str, str]) -> None:
-    """Those of one table's own fields; of fields by level with ``{level}``."""
+    """Add titles of a table's fields; those of fields by level have ``{level}``."""
     for name, title in titles.items():
         (_OF_LEVEL if "{level}" in title else _TITLES)[name] = title
 
@@ -78,10 +78,10 @@ def field_title(name: str) -> str:
     """A field for the user; empty for one that is not of our tables."""
     if name in _TITLES:
         return tr(_TITLES[name])
-    found = _LEVELLED.fullmatch(name)
-    if found is None or found[1] not in _OF_LEVEL:
+    parts = _LEVELLED.fullmatch(name)
+    if parts is None or parts[1] not in _OF_LEVEL:
         return ""
-    return filled(tr(_OF_LEVEL[found[1]]), level=found[2])
+    return filled(tr(_OF_LEVEL[parts[1]]), level=parts[2])
 
 
 def title_fields(layer: QgsVectorLayer) -> None:
@@ -117,7 +117,7 @@ def name_fields(layer: QgsVectorLayer, name: str) -> None:
 
 
 def label_settings(name: str) -> QgsPalLayerSettings:
-    """How one of our styles, which has one kind of labels, labels features."""
+    """The labels of one of our styles, which has one kind of them."""
     settings = QgsPalLayerSettings()
     labels = _document(name).documentElement().firstChildElement("labeling")
     settings.readXml(labels.firstChildElement("settings"), QgsReadWriteContext())
@@ -129,8 +129,8 @@ def _name_fields(layer: QgsVectorLayer, document: QDomDocument) -> None:
     field = document.documentElement().firstChildElement("fieldWords").firstChildElement("field")
     while not field.isNull():
         items = field.elementsByTagName("item")
-        found = (items.at(place).toElement() for place in range(items.count()))
-        words = [{one.attribute("label"): one.attribute("value")} for one in found]
+        elements = (items.at(place).toElement() for place in range(items.count()))
+        words = [{item.attribute("label"): item.attribute("value")} for item in elements]
         for index in map(layer.fields().indexOf, field.attribute("names").split()):
             if index >= 0 and layer.editorWidgetSetup(index).isNull():
                 layer.setEditorWidgetSetup(index, QgsEditorWidgetSetup("ValueMap", {"map": words}))
@@ -142,24 +142,21 @@ def _document(name: str) -> QDomDocument:
     with open(style_path(name), encoding="utf-8") as file:
         document.setContent(_worded(file.read()))
     for tag in _LABELLED:
-        found = document.elementsByTagName(tag)
-        for place in range(found.count()):
-            _translate_label(found.at(place).toElement())
+        labelled = document.elementsByTagName(tag)
+        for place in range(labelled.count()):
+            element = labelled.at(place).toElement()
+            if label := element.attribute("label"):
+                element.setAttribute("label", tr(label))
     return document
 
 
 def _worded(style: str) -> str:
     """Texts within expressions are marked: ``/*tr*/'visible'``."""
-    return _MARKED.sub(lambda found: "'" + escape(tr(found[1]).replace("'", "''"), {'"': "&quot;"}) + "'", style)
-
-
-def _translate_label(element: QDomElement) -> None:
-    if label := element.attribute("label"):
-        element.setAttribute("label", tr(label))
+    return _MARKED.sub(lambda marked: "'" + escape(tr(marked[1]).replace("'", "''"), {'"': "&quot;"}) + "'", style)
 
 
 class LayerStyler(QgsProcessingLayerPostProcessorInterface):
-    """Gives a layer its style once it is there."""
+    """A post-processor that gives a layer its style once it is there."""
 
     def __init__(self, style: str) -> None:
         super().__init__()
@@ -177,7 +174,7 @@ _stylers: set[LayerStyler] = set()
 
 def layer_styler(style: str) -> LayerStyler:
     """A new one for each layer: QGIS deletes it with the context of its run, and until then does not keep it alive."""
-    _stylers.difference_update([one for one in _stylers if sip.isdeleted(one)])
+    _stylers.difference_update([known for known in _stylers if sip.isdeleted(known)])
     styler = LayerStyler(style)
     _stylers.add(styler)
     return styler

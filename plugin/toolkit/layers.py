@@ -68,7 +68,7 @@ def layer_ref(layer: QgsRasterLayer) -> RasterRef:
 
 @lru_cache(4096)
 def _raster_path(source: str) -> str:
-    """What GDAL opens; found once for each source, since projects of hundreds of rasters ask again and again."""
+    """The path that GDAL opens, kept for each source: projects of hundreds of rasters ask again and again."""
     parts = QgsProviderRegistry.instance().decodeUri("gdal", source)
     if parts.get("layerName"):
         return source  # a subdataset has no path of its own
@@ -83,7 +83,7 @@ def layer_path(layer: QgsVectorLayer) -> str:
 
 
 def layer_address(layer: QgsVectorLayer) -> str:
-    """What a vector layer is read from, for people: no passwords, and no fields of one in memory."""
+    """The address of a vector layer for people: no passwords, and no fields of one in memory."""
     return tr("temporary layer") if layer.providerType() == "memory" else str(layer.publicSource())
 
 
@@ -91,7 +91,7 @@ _HOLDS_NOTES = ".gpkg"  # of the formats of files that layers are kept in, that 
 
 
 def layer_notes(layer: QgsVectorLayer, domain: str) -> dict[str, str]:
-    """What ``write_layer_notes`` wrote beside the rows of a layer; empty where nothing is."""
+    """The words that ``write_layer_notes`` wrote beside the rows of a layer; empty where there are none."""
     uri = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
     path = str(uri.get("path") or "")
     if layer.providerType() != "ogr" or not path.lower().endswith(_HOLDS_NOTES):
@@ -100,8 +100,8 @@ def layer_notes(layer: QgsVectorLayer, domain: str) -> dict[str, str]:
     with gdal_silenced(), suppress(RuntimeError):
         dataset = open_dataset(path, FEATURES)
         table = str(uri.get("layerName") or "")
-        found = dataset and (dataset.GetLayerByName(table) if table else dataset.GetLayer(0))
-        return dict(found.GetMetadata(domain)) if found else {}
+        opened = dataset and (dataset.GetLayerByName(table) if table else dataset.GetLayer(0))
+        return dict(opened.GetMetadata(domain)) if opened else {}
     return {}
 
 
@@ -232,7 +232,7 @@ def transformed_point(
 def transformed_box(
     box: QgsRectangle, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
 ) -> QgsRectangle | None:
-    """The rectangle around a transformed one."""
+    """The rectangle around a rectangle that is transformed."""
     with suppress(QgsCsException, WindowError):
         return transformation(crs, target, QgsProject.instance().transformContext()).transformBoundingBox(box)
     return None

@@ -1,4 +1,4 @@
-"""What a user can be told of layers, lists of rasters, background tasks, Dask and charts."""
+"""Messages on layers, lists of rasters, background tasks, Dask and charts."""
 from __future__ import annotations
 
 from ..imagery.errors import INFO, WARNING, Message
@@ -41,12 +41,11 @@ DASK_MISSING = Message(
     "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty."
 )
 SCHEDULER_SILENT = Message(
-    "The Dask scheduler at {address} does not answer ({error}); check the address, of which the port mostly is 8786, "
-    "or leave it empty."
+    "The Dask scheduler at {address} does not answer ({error}); check the address (the usual port is 8786), or leave "
+    "it empty."
 )
 NOT_A_SCHEDULER = Message(
-    "What answers at {address} is not a Dask scheduler; check the address, of which the port mostly is 8786, or leave "
-    "it empty."
+    "What answers at {address} is not a Dask scheduler; check the address (the usual port is 8786), or leave it empty."
 )
 SCHEDULER_WITHOUT_WORKERS = Message("The Dask scheduler at {address} has no workers; start some or leave it empty.")
 SCHEDULER_LOST = Message("The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.")
@@ -84,5 +83,5 @@ LAYER_NOT_REPLACED = Message(
 LAYER_IN_USE = Message(
     "{path} is open in another program and can't be replaced; the new layer is {part}.", WARNING
 )
-FILE_FORMAT_OTHER = Message("What is written is {filters}, and {name} says something else; give it that ending.")
+FILE_FORMAT_OTHER = Message("{name} has the wrong ending; the file is written as {filters}, so give it that ending.")
 CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")

@@ -10,26 +10,18 @@ from pathlib import Path
 
 from .translation import filled, tr
 
-_MEASUREMENT = {"numpy": "numpy", "pywt": "PyWavelets", "scipy": "scipy"}
-_CHARTS = {"matplotlib": "matplotlib"}
-_PAGES = {"jinja2": "Jinja2"}
-_DEBIAN = {
-    "numpy": "python3-numpy",
-    "PyWavelets": "python3-pywt",
-    "scipy": "python3-scipy",
-    "matplotlib": "python3-matplotlib",
-    "Jinja2": "python3-jinja2",
-}
+_NAMES = {"numpy": "numpy", "pywt": "PyWavelets", "scipy": "scipy", "matplotlib": "matplotlib", "jinja2": "Jinja2"}
+"""Names to install them by, by the module; Debian's have ``python3-`` and the module."""
 
 
 def missing_packages(charts: bool = False, pages: bool = False) -> list[str]:
     """Names, as one would install them, of the packages that are not here; charts and pages need more."""
-    needed = {**_MEASUREMENT, **(_CHARTS if charts else {}), **(_PAGES if pages else {})}
-    return [name for module, name in needed.items() if find_spec(module) is None]
+    spared = {"matplotlib": not charts, "jinja2": not pages}
+    return [name for module, name in _NAMES.items() if not spared.get(module) and find_spec(module) is None]
 
 
 def missing_packages_sentence(charts: bool = False, pages: bool = False) -> str:
-    """What is missing and how to get it on this system; empty when nothing is."""
+    """A sentence on packages that are missing and how to get them on this system; empty when none are."""
     missing = missing_packages(charts, pages)
     if not missing:
         return ""
@@ -38,8 +30,8 @@ def missing_packages_sentence(charts: bool = False, pages: bool = False) -> str:
 
 
 def broken_package_sentence(error: ImportError) -> str:
-    """What is there but can't be loaded, and how to mend it; empty when it is no package that we need."""
-    package = {**_MEASUREMENT, **_CHARTS, **_PAGES}.get((error.name or "").split(".")[0])
+    """A sentence on a package that can't be loaded, and how to mend it; empty when it is none that we need."""
+    package = _NAMES.get((error.name or "").split(".")[0])
     if package is None:
         return ""
     broken = filled(tr("The Python package {package} can't be loaded ({error})."), package=package, error=error)
@@ -47,14 +39,15 @@ def broken_package_sentence(error: ImportError) -> str:
 
 
 def _remedy(packages: Iterable[str]) -> str:
-    """One command to copy, for this system."""
+    """A command for this system, to be copied."""
     pip = "python -m pip install " + " ".join(packages)
     terminal = tr("Run '{command}' in a terminal, then restart QGIS.")
     if (Path(sys.prefix) / "conda-meta").is_dir():
         conda = "conda install -c conda-forge " + " ".join(packages).lower()
         return filled(tr("Run '{command}' in QGIS's conda environment, then restart QGIS."), command=conda)
     if sys.platform != "win32" and shutil.which("apt"):
-        return filled(terminal, command="sudo apt install " + " ".join(_DEBIAN[name] for name in packages))
+        wanted = [f"python3-{module}" for name in packages for module in _NAMES if _NAMES[module] == name]
+        return filled(terminal, command="sudo apt install " + " ".join(wanted))
     if sys.platform == "win32":
         how = filled(tr("Run '{command}' in the OSGeo4W shell, then restart QGIS."), command=pip)
     elif sys.platform == "darwin":

@@ -1,4 +1,4 @@
-"""Which grey values become black and white in pictures for the eye. Never band by band: colours stay as they are.
+"""The grey values that become black and white in pictures for the eye. Never band by band: colours stay as they are.
 
 What is measured is never touched.
 """
@@ -32,7 +32,7 @@ GreyRanges = Mapping[str, GreyRange]
 
 
 class Stretch(str, Enum):
-    """How grey values become brightness on the screen."""
+    """The way in which grey values become brightness on the screen."""
 
     DELIVERED = "delivered"
     """8 bit as it is, 16 bit by the range of values that is in use: the same in all windows."""
@@ -47,24 +47,24 @@ def ranges_with(known: GreyRanges, stretch: Stretch, sources: Iterable[tuple[Ope
     that what was delivered is not cut off, but for the few that ``largest_of`` passes over;
     all other ranges stay as the first raster of their type gave them.
     """
-    found = dict(known)
+    ranges = dict(known)
     for source, largest in sources:
         kind = source.raster.data_type
-        high = found[kind][1] if kind in found else 0.0
+        high = ranges[kind][1] if kind in ranges else 0.0
         if stretch is not Stretch.DELIVERED or kind not in ("uint8", "uint16"):
-            if kind not in found:
-                found[kind] = cut_range([raster_sample(source)])
-        elif largest > high or kind not in found:
-            if kind not in found and not is_range_known(source.raster):
+            if kind not in ranges:
+                ranges[kind] = cut_range([raster_sample(source)])
+        elif largest > high or kind not in ranges:
+            if kind not in ranges and not is_range_known(source.raster):
                 largest = max(largest, largest_of(raster_sample(source)))
-            own = value_range(source.raster, largest)
-            assert own is not None  # both types have one
-            found[kind] = own[0], max(own[1], high)
-    return found
+            values = value_range(source.raster, largest)
+            assert values is not None  # both types have one
+            ranges[kind] = values[0], max(values[1], high)
+    return ranges
 
 
 def largest_of(values: np.ndarray) -> float:
-    """What 99.99 % of the values do not exceed: a single hot pixel would make all others dark. 0 without any."""
+    """The value that 99.99 % do not exceed: a single hot pixel would make all others dark. 0 without any."""
     return float(np.percentile(values, _MOST_OF_ALL)) if values.size else 0.0
 
 
@@ -128,7 +128,7 @@ def to_bytes(values: np.ndarray, low: float, high: float) -> np.ndarray:
 
 
 def _starts(length: int) -> list[int]:
-    """Where pieces begin that lie evenly along a side."""
+    """The starts of pieces that lie evenly along a side."""
     return sorted({int((length - _PIECE_PX) * i / (_PIECES - 1)) if length > _PIECE_PX else 0 for i in range(_PIECES)})
 
 

@@ -14,7 +14,7 @@ _SCOPE = "SeamInspector"
 
 
 def load_settings(project: QgsProject, key: str) -> dict[str, Any]:
-    """What the project keeps under a key; empty where it keeps nothing, or what can't be understood."""
+    """The values that the project keeps under a key; empty where it keeps none, or none that can be understood."""
     text, known = project.readEntry(_SCOPE, key)
     try:
         stored = json_document(text) if known and text else {}
@@ -32,7 +32,7 @@ def save_settings(project: QgsProject, key: str, values: dict[str, Any]) -> None
 
 @contextmanager
 def unmodified(project: QgsProject) -> Iterator[None]:
-    """What is written here is no change that its user made: nobody is asked to save a project for that alone."""
+    """Keep what is written here from counting as a change: nobody is asked to save a project for that alone."""
     is_modified = project.isDirty()
     try:
         yield

@@ -21,23 +21,23 @@ _UNDEFINED = "Undefined "
 
 
 def reference_system(wkt: str) -> QgsCoordinateReferenceSystem:
-    """What a text tells, by its authority's code where it has one; an invalid one for no text."""
+    """The system of a text, by its authority's code where it has one; an invalid one for no text."""
     if not wkt:
         return QgsCoordinateReferenceSystem()
-    found = _of_this_thread(_code(wkt))
-    return found if found.isValid() else _with_text(QgsCoordinateReferenceSystem.fromWkt, wkt)
+    known = _of_this_thread(_code(wkt))
+    return known if known.isValid() else _with_text(QgsCoordinateReferenceSystem.fromWkt, wkt)
 
 
 def known_system(crs: QgsCoordinateReferenceSystem) -> QgsCoordinateReferenceSystem:
     """The system of a layer or the map as this thread can use it; an invalid one where it says nothing."""
     if not crs.isValid() or crs.description().startswith(_UNDEFINED):
         return QgsCoordinateReferenceSystem()
-    found = _of_this_thread(crs.authid())
-    if not found.isValid():
+    known = _of_this_thread(crs.authid())
+    if not known.isValid():
         return crs
     if crs.coordinateEpoch() == crs.coordinateEpoch():  # else NaN
-        found.setCoordinateEpoch(crs.coordinateEpoch())
-    return found
+        known.setCoordinateEpoch(crs.coordinateEpoch())
+    return known
 
 
 def keep_system(layer: QgsMapLayer) -> None:
@@ -48,7 +48,7 @@ def keep_system(layer: QgsMapLayer) -> None:
 def transformation(
     source: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
 ) -> QgsCoordinateTransform:
-    """From one reference system to another, PROJ having said how; what has no system stays as it is.
+    """The transformation from one reference system to another as PROJ has it; what has no system stays as it is.
 
     Raises WindowError when PROJ has no way.
     """
@@ -74,12 +74,12 @@ def _of_this_thread(code: str) -> QgsCoordinateReferenceSystem:
 
 
 def _with_text(ask: Callable[[str], QgsCoordinateReferenceSystem], name: str) -> QgsCoordinateReferenceSystem:
-    """What QGIS answers; where it still has that of a thread that ended, it is asked anew."""
-    found = ask(name)
-    if found.isValid() and not found.toWkt():  # asked for here, the text keeps the object for this thread, too
+    """The system that QGIS answers with; where it still has that of a thread that ended, it is asked anew."""
+    system = ask(name)
+    if system.isValid() and not system.toWkt():  # asked for here, the text keeps the object for this thread, too
         QgsCoordinateReferenceSystem.invalidateCache()
-        found = ask(name)
-    return found
+        system = ask(name)
+    return system
 
 
 @lru_cache(256)

@@ -1,7 +1,6 @@
-"""Where the plugin's own files are, and its help in the system's browser."""
+"""The places of the plugin's own files, and its help in the system's browser."""
 from __future__ import annotations
 
-from configparser import ConfigParser
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -11,14 +10,6 @@ from qgis.PyQt.QtGui import QDesktopServices
 
 _PLUGIN = Path(__file__).parents[2]
 _RESOURCES = _PLUGIN / "resources"
-
-
-@cache
-def plugin_version() -> str:
-    """Version as the plugin's metadata have it."""
-    parser = ConfigParser(interpolation=None)
-    parser.read(_PLUGIN / "metadata.txt", encoding="utf-8")
-    return parser["general"]["version"]
 
 
 @cache
@@ -77,9 +68,9 @@ def translations_path() -> str:
 
 
 FIRST_PAGE = "first_inspection"
-"""Where somebody new begins."""
+"""The page for somebody new."""
 
 
 def show_first_page() -> None:
-    """How a first inspection goes; the way to all other pages."""
+    """Open the page on a first inspection, which leads to all other pages."""
     QDesktopServices.openUrl(QUrl(help_url(FIRST_PAGE)))

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ..imagery.records import Column, Result  # with numpy, which is not loaded when QGIS starts
 
 LARGEST_WHOLE = 2**31 - 1
-"""That a field of whole numbers holds."""
+"""The largest number that a field of whole numbers holds, and Qt's int; of a larger one QGIS makes another."""
 _NO = ("0", "0.0", "false", "no", "off", "f", "n", "")
 
 
@@ -40,18 +40,18 @@ def number(value: object) -> float | None:
     if not isinstance(value, (str, int, float)):  # NULL, as most values of a layer that is not inspected yet
         return None
     try:
-        found = value if type(value) is float else float(str(value))
+        finite = value if type(value) is float else float(str(value))
     except ValueError:
         return None
-    return found if math.isfinite(found) else None
+    return finite if math.isfinite(finite) else None
 
 
 def whole_number(value: object, largest: float = math.inf) -> int | None:
     """A whole number whose size is at most ``largest``."""
-    found = number(value)
-    if found is None or not found.is_integer() or abs(found) > largest:
+    finite = number(value)
+    if finite is None or not finite.is_integer() or abs(finite) > largest:
         return None
-    return value if type(value) is int else int(found)
+    return value if type(value) is int else int(finite)
 
 
 def is_true(value: object) -> bool:
@@ -71,7 +71,7 @@ class Attributes:
 
 
 def attributes(rows: Iterable[QgsFeature], names: Sequence[str]) -> Iterator[Attributes]:
-    """Those of every feature of a table with fields of these names."""
+    """The attributes of every feature of a table with fields of these names."""
     for row in rows:
         yield Attributes(row, dict(zip(names, row.attributes())))
 
@@ -82,7 +82,7 @@ def column_fields(columns: Iterable[Column[Result]], levels: int = 0) -> QgsFiel
 
 
 def column_values(columns: Iterable[Column[Result]], result: Result, levels: int = 0) -> list[object]:
-    """What a result has in these columns, field by field; sentences in the user's language."""
+    """The values of a result in these columns, field by field; sentences in the user's language."""
     values = (value for column in columns for value in column.values(result, levels))
     return [sentence(value) if isinstance(value, Message) else value for value in values]
 

@@ -61,7 +61,7 @@ def percent(ratio: float) -> str:
 
 
 def decimals_beside(value: float, limits: Iterable[float], least: int = 0) -> int:
-    """With how many decimals a number is still seen to lie below its limits, above them or on them."""
+    """The number of decimals with which a number is still seen to lie below its limits, above them or on them."""
     known = [round(float(limit), 9) for limit in limits]
 
     def sides(seen: float) -> list[int]:

@@ -22,7 +22,7 @@ def field(name: str, kind: str) -> QgsField:
 
 
 def band_roles(layer: QgsRasterLayer, most: int) -> list[int]:
-    """What the first bands of a raster layer stand for: numbers here, an enum from QGIS 3.30 on."""
+    """The roles of the first bands of a raster layer: numbers here, an enum from QGIS 3.30 on."""
     provider = layer.dataProvider()
     roles = (provider.colorInterpretation(band) for band in range(1, min(layer.bandCount(), most) + 1))
     return [int(getattr(role, "value", role)) for role in roles]

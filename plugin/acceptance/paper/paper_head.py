@@ -12,7 +12,6 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ...imagery.errors import Message, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.remembered import remember, remembered_text
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import filled, tr
 from ..measure import messages
@@ -59,7 +58,7 @@ class PaperHead:
 def add_head(algorithm: SeamInspectorAlgorithm) -> None:
     """The parameters, all optional."""
     for name, (title, help_text) in _TEXTS.items():
-        algorithm.addDescribed(remembered_text(name, tr(title)), tr(help_text))
+        algorithm.addDescribed(common.remembered_text(name, tr(title)), tr(help_text))
 
 
 def check_head(run: Run) -> None:
@@ -91,7 +90,7 @@ def stated_head(run: Run) -> PaperHead:
     """What the run was given, which the form offers again the next time. A model's steps are not checked before they
     run: what is wrong is told then, and costs nothing that was measured."""
     run.tell(*(fault.as_warning() for fault in _faults(run)))
-    remember(run, _TEXTS)
+    common.remember({name: run.text(name) for name in _TEXTS if name in run.parameters})
     return PaperHead(*(run.text(name).strip() for name in _TEXTS))
 
 

@@ -34,7 +34,7 @@ from .noise_amount import NoiseAmount, noise_amount, noise_found, unshared_noise
 
 
 def inner_ranges(length: int, wavelet: str, levels: int) -> list[slice]:
-    """For level 1 (finest), 2, ..., R along an axis of ``length`` pixels: the coefficients free of the wrap-around.
+    """The coefficients free of the wrap-around, of level 1 (finest), 2, ..., R along an axis of ``length`` pixels.
 
     An empty slice where there is none. Coefficient k of a level is made of the samples 2 k + 1 - L/2 to 2 k + L/2 of
     the level before, L the filter's length.
@@ -54,7 +54,7 @@ MIN_KURTOSIS_VALUES = 192  # 3 x 8 x 8: the kurtosis of fewer Gaussian values is
 
 
 class NoiseVerdict(str, Enum):
-    """What the curve says about random noise."""
+    """The verdict of the curve on random noise."""
 
     LOW = "low"
     """Rises at every level, and would if the noise that can be there were white."""
@@ -143,10 +143,18 @@ def measure_noise(
 ) -> dict[str, BandNoise]:
     """Curve, kurtosis, sigma and verdict of every band of a clip, and of its luminance, which comes first.
 
-    ``bands`` is (bands, rows, columns) of any real type, finite, both sides multiples of ``2 ** levels``; ``names``
-    as in ``Image.band_names``: there is a luminance where the first three are red, green and blue. ``raster`` is
-    the name for messages. ``masked``, (rows, columns) of bool: pixels that were filled; coefficients that belong to
-    them take no part in kurtosis and sigma (a smooth fill has none of the noise).
+    Parameters
+    ----------
+    bands : (bands, rows, columns)
+        Any real type, finite, both sides multiples of ``2 ** levels``.
+    names : sequence of str
+        As in ``Image.band_names``: there is a luminance where the first three are red, green and blue.
+    wavelet, levels : str, int
+        An orthogonal wavelet of PyWavelets; two levels or more.
+    raster : str
+        The name for messages.
+    masked : (rows, columns) of bool, optional
+        Pixels that were filled: their coefficients take no part in kurtosis and sigma (a smooth fill has no noise).
 
     ``sigma`` is the median absolute value of the finest diagonal component over 0.6745 (Donoho and Johnstone 1994).
 
@@ -160,14 +168,11 @@ def measure_noise(
     grounds: list[list[QuietGround | None]] = [[] for _ in curves]
     alone = []
     sigmas: list[float] = []
-    is_filled = masked is not None and bool(masked.any())
-    silent = clipped_pixels(bands)
-    seen = bands[:, ~np.asarray(masked)] if is_filled else bands.reshape(len(bands), -1)
-    signals = [float(band.mean(dtype=np.float64)) for band in seen]
+    masked = np.zeros(bands.shape[1:], bool) if masked is None else np.asarray(masked, bool)
+    silent = clipped_pixels(bands) | masked
+    signals = [float(band.mean(dtype=np.float64)) for band in bands[:, ~masked]]
     if weights:
         signals.append(float(np.dot(weights, signals[:3])))
-    if is_filled:
-        silent |= np.asarray(masked)
     inner = list(zip(*(inner_ranges(length, wavelet, levels) for length in bands.shape[1:])))
     for level, components in enumerate(detail_components(bands, wavelet, levels), 1):
         usable = ~_in_cells(silent, 2**level)[inner[level - 1]]
@@ -175,17 +180,15 @@ def measure_noise(
         if weights:
             mixed = np.tensordot(components[:, :3], np.array(weights, components.dtype), axes=(1, 0))
             components = np.concatenate([components, mixed[:, np.newaxis]], axis=1)
-        kept = ~_in_cells(np.asarray(masked), 2**level) if is_filled else None
+        kept = ~_in_cells(masked, 2**level)
         for index, curve in enumerate(curves):
             details = components[:, index]
             if level == 1:
-                finest = details[2] if kept is None else details[2][kept]
-                sigmas.append(float(np.median(np.abs(finest))) / GAUSSIAN_QUARTILE)
+                sigmas.append(float(np.median(np.abs(details[2][kept]))) / GAUSSIAN_QUARTILE)
             details = details[(slice(None), *inner[level - 1])]
             grounds[index].append(quiet_ground(details, usable))
             empty = curve.variance == 0 or curve.detail[level - 1] <= imagery_limits.MIN_SHARE
-            values = details.reshape(3, -1) if kept is None else details[:, kept[inner[level - 1]]]
-            kurtoses[index].append(None if empty else _kurtosis(values))
+            kurtoses[index].append(None if empty else _kurtosis(details[:, kept[inner[level - 1]]]))
     measured = {}
     unshared = [*zip(*alone), *[()] * (len(curves) - len(alone[0]))]
     for name, curve, kurtosis, sigma, ground, other, signal in zip(
@@ -195,11 +198,11 @@ def measure_noise(
             verdict, note = NoiseVerdict.NOT_MEASURABLE, messages.NOISE_CONSTANT(name=raster, band=name)
             measured[name] = BandNoise(curve, tuple(kurtosis), None, verdict, note)
         else:
-            own = BandNoise(
+            noise = BandNoise(
                 curve, tuple(kurtosis), sigma, NoiseVerdict.UNCERTAIN, signal=signal, ground=tuple(ground),
                 unshared=other, are_whole=bands.dtype.kind in "iu",
             )
-            measured[name] = judged(own, wavelet)
+            measured[name] = judged(noise, wavelet)
     if weights:
         measured = {LUMINANCE: measured[LUMINANCE], **measured}
     return measured
@@ -214,47 +217,47 @@ def noisiest_band(measured: Mapping[str, BandNoise]) -> str:
     return max(bands, key=lambda name: (SEVERITY.index(measured[name].verdict), measured[name].sigma or 0.0))
 
 
-def judged(own: BandNoise, wavelet: str, alike: Sequence[BandNoise] = ()) -> BandNoise:
+def judged(band: BandNoise, wavelet: str, alike: Sequence[BandNoise] = ()) -> BandNoise:
     """A band with its verdicts: by the curve, and by the noise that the quiet ground has, or has room for.
 
     ``alike``: the same band in other windows, where noise is as strong; so it is that of the quietest of all, and no
     stronger than that leaves room for. Nothing is judged where there is no sigma.
     """
-    if own.sigma is None:
-        return own
-    variances = [share * own.curve.variance for share in own.curve.detail]
+    if band.sigma is None:
+        return band
+    variances = [share * band.curve.variance for share in band.curve.detail]
 
     def if_white(grain: Grain) -> NoiseVerdict:
         return noise_verdict(curve_if_white(variances, grain, wavelet))[0]
 
-    verdict, note = noise_verdict(own.curve.detail)
+    verdict, note = noise_verdict(band.curve.detail)
     least = [
-        min((one.least for one in level if one is not None), default=None)
-        for level in zip(own.ground, *(one.ground for one in alike))
+        min((ground.least for ground in level if ground is not None), default=None)
+        for level in zip(band.ground, *(ground.ground for ground in alike))
     ]
     possible = possible_grains(least, wavelet)
     largest = None if possible is None else max(grain.sigma for grain in possible)
-    grain = recognised_grain(own.ground, wavelet)
+    grain = recognised_grain(band.ground, wavelet)
     if grain is not None and SEVERITY.index(if_white(grain)) > SEVERITY.index(verdict):
         verdict, note = if_white(grain), messages.GRAIN_FOUND()
     elif verdict is NoiseVerdict.LOW and possible is None:
         verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_UNKNOWN()
-    elif verdict is NoiseVerdict.LOW and any(if_white(one) is not NoiseVerdict.LOW for one in possible or ()):
+    elif verdict is NoiseVerdict.LOW and {if_white(hidden) for hidden in possible or ()} != {NoiseVerdict.LOW}:
         verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_MAY_HIDE()
-    quietest = min((own, *alike), key=_unquiet)
-    sigma = quietest.sigma or own.sigma
+    quietest = min((band, *alike), key=_unquiet)
+    sigma = quietest.sigma or band.sigma
     alone = unshared_noise(quietest.unshared, sigma, wavelet)
     noise = noise_found(white_noise(quietest.ground, sigma), alone, grain.sigma if grain else 0.0)
-    amount = noise_amount(noise, own.signal or 0.0, least, wavelet, own.are_whole, alone[1])
+    amount = noise_amount(noise, band.signal or 0.0, least, wavelet, band.are_whole, alone[1])
     return replace(
-        own, verdict=verdict, note=note, largest_sigma=largest, grain=grain, noise=noise, amount=amount
+        band, verdict=verdict, note=note, largest_sigma=largest, grain=grain, noise=noise, amount=amount
     )
 
 
-def _unquiet(one: BandNoise) -> float:
-    """How much the quiet ground varies at level 2, where texture shows and white noise does not grow; without end where
-    it is not known."""
-    second = one.ground[1] if len(one.ground) > 1 else None
+def _unquiet(band: BandNoise) -> float:
+    """Standard deviation of the quiet ground at level 2, DN, where texture shows and white noise does not grow;
+    infinite where it is not known."""
+    second = band.ground[1] if len(band.ground) > 1 else None
     return math.inf if second is None else second.quiet
 
 

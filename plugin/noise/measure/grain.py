@@ -37,10 +37,16 @@ class QuietGround:
 
 
 def quiet_ground(details: np.ndarray, usable: np.ndarray | None = None) -> QuietGround | None:
-    """What the quiet ground of a level has; None where there are too few cells to choose from.
+    """The quiet ground of a level; None where there are too few cells to choose from.
 
-    ``details`` is (3, rows, columns), one level of one band without the coefficients at its border; ``usable``, (rows,
-    columns) of bool, leaves out more. The ground is cut into cells of 4 x 4 coefficients. Of cells with nothing but
+    Parameters
+    ----------
+    details : (3, rows, columns)
+        One level of one band, without the coefficients at its border.
+    usable : (rows, columns) of bool, optional
+        False for coefficients to be left out.
+
+    The ground is cut into cells of 4 x 4 coefficients. Of cells with nothing but
     noise the quieter ones are so by chance, which is allowed for (chi-square).
     """
     shape = _cell_shape(details)
@@ -64,8 +70,8 @@ def unshared_ground(details: np.ndarray, usable: np.ndarray) -> list[QuietGround
     covariance = (cells @ np.swapaxes(cells, 1, 2)).astype(np.float64) / (cells.shape[2] - bands + 1)
     values, vectors = np.linalg.eigh(covariance)
     inverse = 1 / np.maximum(values, np.maximum(_EXACT * values[:, -1:], _NOTHING))[:, np.newaxis]
-    own = (vectors**2 * inverse).sum(axis=2) / (vectors**2 * inverse**2).sum(axis=2)
-    return [_quiet(variances) for variances in own.T]
+    unshared = (vectors**2 * inverse).sum(axis=2) / (vectors**2 * inverse**2).sum(axis=2)
+    return [_quiet(variances) for variances in unshared.T]
 
 
 def _cell_shape(planes: np.ndarray) -> tuple[int, int, int, int]:
@@ -86,7 +92,7 @@ def _quiet(means: np.ndarray) -> QuietGround | None:
         return None
     shares = (max(LEAST_SHARE, 1 / (means.size + 1)), QUIET_SHARE, _QUARTER)
     least, quiet, quarter = (
-        math.sqrt(found) / _by_chance(share) for found, share in zip(np.quantile(means, shares), shares)
+        math.sqrt(variance) / _by_chance(share) for variance, share in zip(np.quantile(means, shares), shares)
     )
     return QuietGround(least, quiet, quarter / quiet if quiet > 0 else math.inf)
 
@@ -99,17 +105,13 @@ def _by_chance(share: float) -> float:
 
 def clipped_pixels(bands: np.ndarray) -> np.ndarray:
     """(rows, columns): where any band is cut off, its smallest or largest value amid more of it. No noise is there."""
-    found = np.zeros(bands.shape[1:], bool)
+    clipped = np.zeros(bands.shape[1:], bool)
     for band in bands:
         for value in (band.min(), band.max()):
-            same = band == value
-            amid = same.copy()
-            amid[1:] &= same[:-1]
-            amid[:-1] &= same[1:]
-            amid[:, 1:] &= same[:, :-1]
-            amid[:, :-1] &= same[:, 1:]
-            found |= amid
-    return found
+            same = np.pad(band == value, 1, constant_values=True)
+            beside = same[:-2, 1:-1] & same[2:, 1:-1] & same[1:-1, :-2] & same[1:-1, 2:]
+            clipped |= same[1:-1, 1:-1] & beside
+    return clipped
 
 
 FITTED_LEVELS = 3  # levels whose spectrum tells grain from texture
@@ -136,14 +138,14 @@ class Grain:
 def possible_grains(
     least: Sequence[float | None], wavelet: str, coarsest: float = MAX_HIDDEN_PX
 ) -> list[Grain] | None:
-    """For each size up to ``coarsest`` (px) the strongest grain that the quietest ground leaves room for.
+    """The strongest grain that the quietest ground leaves room for, for each size up to ``coarsest`` (px).
 
     ``least`` as in ``QuietGround``, of levels 1, 2, ...; None where no level is known."""
-    known = [(level, one) for level, one in enumerate(least) if one is not None]
+    known = [(level, noise) for level, noise in enumerate(least) if noise is not None]
     if not known:
         return None
     return [
-        Grain(size, min(one / math.sqrt(grain_spectrum(wavelet, len(least), size)[level]) for level, one in known))
+        Grain(size, min(noise / math.sqrt(grain_spectrum(wavelet, len(least), size)[level]) for level, noise in known))
         for size in SIZES_PX
         if size <= coarsest
     ]
@@ -151,10 +153,10 @@ def possible_grains(
 
 def recognised_grain(ground: Sequence[QuietGround | None], wavelet: str) -> Grain | None:
     """The grain whose spectrum the quiet ground has, where that is as even as noise is; None elsewhere."""
-    found = [one for one in ground[:FITTED_LEVELS] if one is not None]
-    if len(found) < FITTED_LEVELS or not all(map(_is_even, found)):
+    grounds = [ground for ground in ground[:FITTED_LEVELS] if ground is not None]
+    if len(grounds) < FITTED_LEVELS or not all(map(_is_even, grounds)):
         return None
-    quiet = np.array([one.quiet for one in found])
+    quiet = np.array([ground.quiet for ground in grounds])
     sizes = [size for size in SIZES_PX if size <= MAX_GRAIN_PX]
     ratios = {size: quiet / np.sqrt(grain_spectrum(wavelet, FITTED_LEVELS, size)) for size in sizes}
     size = min(ratios, key=lambda size: ratios[size].max() / ratios[size].min())
@@ -178,8 +180,8 @@ def curve_if_white(variances: Sequence[float], grain: Grain, wavelet: str) -> li
     The paper's rule holds for white noise; so it judges correlated noise by its strength, wherever that lies.
     """
     share = np.array([3 / 4**level for level in range(1, len(variances) + 1)])
-    own = grain_spectrum(wavelet, len(variances), grain.size)
-    ground = np.maximum(np.asarray(variances) - share * own * grain.sigma**2, 0)
+    spectrum = grain_spectrum(wavelet, len(variances), grain.size)
+    ground = np.maximum(np.asarray(variances) - share * spectrum * grain.sigma**2, 0)
     return [float(value) for value in ground + share * grain.sigma**2]
 
 
@@ -200,7 +202,7 @@ def grain_spectrum(wavelet: str, levels: int, size: float) -> tuple[float, ...]:
 
 @lru_cache(maxsize=32)
 def _gains(wavelet: str, level: int) -> tuple[np.ndarray, np.ndarray]:
-    """What the low-pass and the high-pass filter of a level, from 0 on, make of the power at each frequency."""
+    """The gain of power at each frequency by the low-pass and the high-pass filter of a level, from 0 on."""
     bank, frequency = pywt.Wavelet(wavelet), np.fft.fftfreq(_FREQUENCIES) * 2**level
     phases = np.exp(-2j * np.pi * np.outer(frequency, np.arange(bank.dec_len)))
     low, high = (np.asarray(np.abs(phases @ np.asarray(taps)) ** 2) for taps in (bank.dec_lo, bank.dec_hi))

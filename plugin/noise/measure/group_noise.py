@@ -62,7 +62,7 @@ _Clip = tuple[np.ndarray, np.ndarray]
 
 @dataclass(frozen=True)
 class ClipNoise:
-    """What was measured on one image in one window."""
+    """The noise of one image in one window."""
 
     window_id: int
     part: Part
@@ -73,7 +73,7 @@ class ClipNoise:
     reason: Message | None = None
     """Why nothing could be measured."""
     window_class: str | None = None
-    """What the window is grouped by."""
+    """The value of the field that windows are grouped by."""
 
 
 def measure_request(request: NoiseRequest, wavelet: str, levels: int) -> list[ClipNoise]:
@@ -118,21 +118,20 @@ def pooled(results: Sequence[ClipNoise], wavelet: str) -> list[ClipNoise]:
     for result in results:
         by_image.setdefault(result.part.member.image.ref, []).append(result)
 
-    def alike(band: str, own: BandNoise, others: Sequence[ClipNoise]) -> list[BandNoise]:
-        found = [other.bands[band] for other in others if band in other.bands]
-        return [one for one in found if one.ground and _are_alike(own.signal, one.signal)]
+    def alike(band: str, signal: float | None, image: RasterRef) -> list[BandNoise]:
+        noises = [other.bands[band] for other in by_image[image] if band in other.bands]
+        return [noise for noise in noises if noise.ground and are_alike(signal, noise.signal)]
+
+    def are_alike(mean: float | None, other: float | None) -> bool:
+        return mean is not None and other is not None and 0 < mean / LIKE_BRIGHTNESS < other < LIKE_BRIGHTNESS * mean
 
     return [
         replace(result, bands={
-            band: judged(noise, wavelet, alike(band, noise, by_image[result.part.member.image.ref]))
+            band: judged(noise, wavelet, alike(band, noise.signal, result.part.member.image.ref))
             for band, noise in result.bands.items()
         })
         for result in results
     ]
-
-
-def _are_alike(one: float | None, other: float | None) -> bool:
-    return one is not None and other is not None and 0 < one < LIKE_BRIGHTNESS * other < LIKE_BRIGHTNESS**2 * one
 
 
 def _read(request: NoiseRequest, opened: dict[RasterRef, OpenRaster]) -> list[_Clip | Message]:
@@ -183,10 +182,10 @@ def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str,
 
 
 def _joined_masks(parts: Sequence[Part], masks: Sequence[np.ndarray]) -> list[np.ndarray]:
-    """For each part its own pixels that are invalid in any of the parts."""
+    """The mask of each part: its pixels that are invalid in any of the parts."""
     joined = []
-    for part, own in zip(parts, masks):
-        mask = np.array(own)
+    for part, invalid_here in zip(parts, masks):
+        mask = np.array(invalid_here)
         for other, invalid in zip(parts, masks):
             if other is not part and invalid.any():
                 mask |= _seen_from(part, other, invalid)
@@ -195,7 +194,7 @@ def _joined_masks(parts: Sequence[Part], masks: Sequence[np.ndarray]) -> list[np
 
 
 def _seen_from(part: Part, other: Part, invalid: np.ndarray) -> np.ndarray:
-    """Which pixels of a part lie, if only with an edge, on invalid pixels of another part."""
+    """The mask of a part's pixels that lie, if only with an edge, on invalid pixels of another part."""
     own_grid, grid = part.member.image.grid, other.member.image.grid
     there = extent_on_image(own_grid.window_extent(part.window), part.member.image.wkt, other.member.image)
     assert there is not None  # the window came over the same way
@@ -204,12 +203,9 @@ def _seen_from(part: Part, other: Part, invalid: np.ndarray) -> np.ndarray:
     columns = grid.column_at(columns) - other.window.column
     rows = grid.row_at(rows) - other.window.row
     counts = np.pad(invalid.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
-    (top, bottom), (left, right) = (_covered(edges, size) for edges, size in zip((rows, columns), invalid.shape))
-    found = (
-        counts[np.ix_(bottom, right)] - counts[np.ix_(top, right)] - counts[np.ix_(bottom, left)]
-        + counts[np.ix_(top, left)]
-    )
-    return np.asarray(found > 0)
+    (top, bottom), (first, last) = (_covered(edges, size) for edges, size in zip((rows, columns), invalid.shape))
+    below, above = counts[bottom], counts[top]
+    return np.asarray(below[:, last] - above[:, last] - below[:, first] + above[:, first] > 0)
 
 
 def _covered(edges: np.ndarray, size: int) -> tuple[np.ndarray, np.ndarray]:

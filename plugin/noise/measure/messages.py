@@ -1,4 +1,4 @@
-"""What a user can be told of random noise: of settings, windows and groups, and of a curve."""
+"""Messages on random noise: settings, windows and groups, and curves."""
 from __future__ import annotations
 
 from ...imagery.errors import INFO, WARNING, Message

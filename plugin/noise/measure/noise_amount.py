@@ -1,4 +1,4 @@
-"""How much noise there is, whatever the scene: in DN, and as the ratio of the signal to it.
+"""The amount of noise, whatever the scene: in DN, and as the ratio of the signal to it.
 
 The paper's rule compares noise with the scene's own detail, so 5 DN of it are low among leaves and strong on water.
 Here noise is told from texture by the spectrum of the quietest ground: white noise is as strong at every level, texture
@@ -23,7 +23,7 @@ _CLEAR = 0.5  # of the bound: noise found that strong is all of it; grain beside
 
 
 class NoiseAmount(str, Enum):
-    """How much noise there is, by the signal to noise ratio."""
+    """The amount of noise by the signal to noise ratio."""
 
     LITTLE = "little"
     """A ratio of 40 or more, or no more than rounding."""
@@ -65,7 +65,7 @@ def white_noise(ground: Sequence[QuietGround | None], sigma: float) -> float:
 def unshared_noise(unshared: Sequence[QuietGround | None], sigma: float, wavelet: str) -> tuple[float, float]:
     """Standard deviations of the noise that bands do not share, DN: if it is white (at most ``sigma``), and the most
     that there is room for at each level, grain of up to 2 px included. Both 0 where a level is unknown."""
-    known = [one.quiet for one in unshared[:FITTED_LEVELS] if one is not None]
+    known = [ground.quiet for ground in unshared[:FITTED_LEVELS] if ground is not None]
     possible = possible_grains(known, wavelet, MAX_COARSE_PX) if len(known) == FITTED_LEVELS else None
     return (white_noise(unshared, sigma), max(grain.sigma for grain in possible)) if possible else (0.0, 0.0)
 
@@ -80,25 +80,32 @@ def noise_found(white: float, unshared: tuple[float, float], grain: float) -> fl
 def noise_amount(
     noise: float, signal: float, least: Sequence[float | None], wavelet: str, are_whole: bool, unshared: float = 0.0
 ) -> NoiseAmount:
-    """The amount of ``noise`` (DN) under a ``signal`` (mean, DN).
+    """The amount of noise under a signal.
 
-    ``least``: of levels 1, 2, ..., the most that noise can be by the quietest ground, DN, None where unknown.
-    ``are_whole``: whether the values are whole numbers. ``unshared``: what of it bands do not share; where that alone
-    is more than little, no other noise is looked for.
+    Parameters
+    ----------
+    noise, signal : float
+        Standard deviation of the noise, and mean of the pixels, DN.
+    least : sequence of float or None
+        The most that noise can be by the quietest ground of levels 1, 2, ..., DN; None where unknown.
+    are_whole : bool
+        Whether the values are whole numbers.
+    unshared : float
+        Noise that bands do not share, DN; where that alone is more than little, no other noise is looked for.
     """
     if signal <= 0:
         return NoiseAmount.NOT_MEASURABLE
-    found = _amount(noise, signal, are_whole)
+    amount = _amount(noise, signal, are_whole)
     if _amount(unshared, signal, are_whole) is not NoiseAmount.LITTLE:
-        return found
+        return amount
     possible = possible_grains(least, wavelet, MAX_COARSE_PX)
     if possible is None:
-        return found if found is NoiseAmount.MUCH else NoiseAmount.UNCERTAIN
+        return amount if amount is NoiseAmount.MUCH else NoiseAmount.UNCERTAIN
     bound = max(grain.sigma for grain in possible) / _BY_CHANCE
     most = _amount(bound, signal, are_whole)
-    is_clear = found is not NoiseAmount.LITTLE and noise >= _CLEAR * bound
-    if is_clear or _ORDER.index(most) <= _ORDER.index(found):
-        return found
+    is_clear = amount is not NoiseAmount.LITTLE and noise >= _CLEAR * bound
+    if is_clear or _ORDER.index(most) <= _ORDER.index(amount):
+        return amount
     return NoiseAmount.AT_MOST_SOME if most is NoiseAmount.SOME else NoiseAmount.UNCERTAIN
 
 

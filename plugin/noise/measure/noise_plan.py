@@ -1,17 +1,19 @@
-"""Which windows a noise check measures on which images: those that were drawn, or chosen on the images."""
+"""The windows that a noise check measures, and on which images: they were drawn, or are chosen on the images."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Callable
 
+import numpy as np
+
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.clips import DrawnWindow, extent_on_image, shared_extent, shown_share
 from ...imagery.errors import Message, RasterError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
-from ...imagery.open_raster import OpenRaster, describe
-from ...imagery.rasters import Raster, RasterRef
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import Raster
 from . import messages
 from .window_choice import NOISE_SHRINK, NOISE_WINDOW_PX, NOISE_WINDOWS, choose_windows
 
@@ -46,7 +48,7 @@ class NoiseRequest:
     window_id: int
     parts: tuple[Part, ...]
     window_class: str | None = None
-    """What windows are grouped by, as land use or scale; None where they are not, or this one has no value."""
+    """The value that windows are grouped by, as land use; None where they are not, or this one has no value."""
 
     @property
     def paired(self) -> bool:
@@ -56,23 +58,10 @@ class NoiseRequest:
 
 @dataclass(frozen=True)
 class Plan:
-    """What will be measured."""
+    """The measurements to be made."""
 
     requests: tuple[NoiseRequest, ...]
     notices: tuple[Message, ...]
-
-
-def describe_images(
-    refs: Iterable[RasterRef], group: int, group_name: str = ""
-) -> tuple[list[GroupedImage], list[Message]]:
-    """The images of a group, and notices about those that can't be opened."""
-    images, notices = [], []
-    for ref in dict.fromkeys(refs):
-        try:
-            images.append(GroupedImage(describe(ref), group, group_name))
-        except RasterError as error:
-            notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
-    return images, notices
 
 
 MIN_PAIRED_SHARE = 0.5  # of a window: a raster that shows less of it takes no part there
@@ -89,37 +78,37 @@ def plan_drawn(
     """
     requests: list[NoiseRequest] = []
     notices = [
-        imagery_messages.WINDOW_IMAGE_ROTATED(name=one.image.ref.name).as_warning()
-        for one in images
-        if not one.image.is_north_up
+        imagery_messages.WINDOW_IMAGE_ROTATED(name=member.image.ref.name).as_warning()
+        for member in images
+        if not member.image.is_north_up
     ]
     for drawn in windows:
         shown = [
-            (one, extent, share)
-            for one in images
-            if one.image.is_north_up
-            for extent in (extent_on_image(drawn.extent, drawn.wkt, one.image),)
-            if extent is not None and (share := shown_share(one.image.grid, extent)) > 0
+            (member, extent, share)
+            for member in images
+            if member.image.is_north_up
+            for extent in (extent_on_image(drawn.extent, drawn.wkt, member.image),)
+            if extent is not None and (share := shown_share(member.image.grid, extent)) > 0
         ]
         mostly = [entry for entry in shown if entry[2] >= MIN_PAIRED_SHARE]
-        taken = [(one, extent) for one, extent, _ in mostly or shown]
+        taken = [(member, extent) for member, extent, _ in mostly or shown]
         if not taken:
             notices.append(imagery_messages.WINDOW_ON_NO_RASTER(window=drawn.window_id))
             continue
-        if len({one.group for one, _ in taken}) > 1:
-            bounds = _common(taken, drawn)
-            requests += _requests(drawn.window_id, [(one, bounds[i]) for i, (one, _) in enumerate(taken)], levels,
-                                  notices)
+        if len({member.group for member, _ in taken}) > 1:
+            bounds = _common(taken)
+            members = [member for member, _ in taken]
+            requests += _requests(drawn.window_id, list(zip(members, bounds)), levels, notices)
         else:
-            for one in taken:
-                requests += _requests(drawn.window_id, [one], levels, notices)
-    if classes:
-        requests = [replace(request, window_class=classes.get(request.window_id)) for request in requests]
+            for placed in taken:
+                requests += _requests(drawn.window_id, [placed], levels, notices)
+    classes = classes or {}
+    requests = [replace(request, window_class=classes.get(request.window_id)) for request in requests]
     return Plan(tuple(requests), tuple(notices))
 
 
 def pixel_size_notice(plan: Plan) -> Message | None:
-    """That pixel sizes differ between the groups of a paired window, or None."""
+    """A warning of pixel sizes that differ between the groups of a paired window, or None."""
     for request in plan.requests:
         sizes = {part.member.group: part.member.ground_sample_distance for part in reversed(request.parts)}
         if request.paired and sizes[1] and sizes[2]:
@@ -134,41 +123,37 @@ def _requests(
 ) -> list[NoiseRequest]:
     """One request for the images, or none where the window can't be laid on their pixels."""
     parts = []
-    for one, extent in taken:
+    for member, extent in taken:
         try:
-            parts.append(Part(one, snap_window(one.image.grid, extent, levels)))
+            parts.append(Part(member, snap_window(member.image.grid, extent, levels)))
         except WindowError as error:
-            name = one.image.ref.name
+            name = member.image.ref.name
             notices.append(imagery_messages.WINDOW_LEFT_OUT(window=window_id, name=name, why=error.message))
     return [NoiseRequest(window_id, tuple(parts))] if parts else []
 
 
-def _common(taken: list[tuple[GroupedImage, Extent]], drawn: DrawnWindow) -> list[Extent]:
-    """What all images show of a window, in the reference system of each."""
-    left, bottom, right, top = 0.0, 0.0, 1.0, 1.0  # as shares of the window: its sides are parallel on all images
-    for one, extent in taken:
-        shared = shared_extent(one.image.grid.extent, extent)
-        assert shared is not None
-        width, height = extent[2] - extent[0], extent[3] - extent[1]
-        left, right = max(left, (shared[0] - extent[0]) / width), min(right, (shared[2] - extent[0]) / width)
-        bottom, top = max(bottom, (shared[1] - extent[1]) / height), min(top, (shared[3] - extent[1]) / height)
-    return [
-        (x0 + left * (x1 - x0), y0 + bottom * (y1 - y0), x0 + right * (x1 - x0), y0 + top * (y1 - y0))
-        for _, (x0, y0, x1, y1) in taken
-    ]
+def _common(taken: list[tuple[GroupedImage, Extent]]) -> list[Extent]:
+    """The part of a window that all images show, in the reference system of each."""
+    corners, shared = (
+        np.array(extents, dtype=np.float64).reshape(-1, 2, 2)
+        for extents in zip(*((extent, shared_extent(member.image.grid.extent, extent)) for member, extent in taken))
+    )
+    origins, sizes = corners[:, :1], corners[:, 1:] - corners[:, :1]
+    shares = (shared - origins) / sizes  # of the window, whose sides are parallel on all images
+    ends = np.stack([shares[:, 0].max(axis=0), shares[:, 1].min(axis=0)])
+    return [(x0, y0, x1, y1) for x0, y0, x1, y1 in (origins + ends * sizes).reshape(-1, 4).tolist()]
 
 
 @dataclass(frozen=True)
 class _Neighbours:
-    """Images that share ground with one."""
+    """Images that share ground with an image."""
 
     image: Raster
-    """That one."""
     opened: tuple[tuple[GroupedImage, OpenRaster], ...]
     levels: int
 
     def parts(self, window: PixelWindow) -> tuple[Part, ...]:
-        """Where they show all of a window of the image."""
+        """The places of a window of the image on those that show all of it."""
         parts = []
         for neighbour, source in self.opened:
             there = _window_on(self.image, window, neighbour.image, self.levels)
@@ -186,20 +171,21 @@ def plan_chosen(images: Sequence[GroupedImage], levels: int, cancelled: Callable
     """
     requests: list[NoiseRequest] = []
     notices: list[Message] = []
-    first, second = ([one for one in images if one.group == group] for group in (1, 2))
+    first, second = ([member for member in images if member.group == group] for group in (1, 2))
     matched: set[int] = set()
-    taken: dict[int, list[PixelWindow]] = {id(one): [] for one in images}
-    for index, one in enumerate(all_images := [*first, *second]):
+    taken: dict[int, list[PixelWindow]] = {id(member): [] for member in images}
+    for index, member in enumerate(all_images := [*first, *second]):
         if cancelled():
             break
-        if one.group == 2 and id(one) in matched:
+        if member.group == 2 and id(member) in matched:
             continue
-        later = [other for other in all_images[index + 1 :] if _overlap(one.image, other.image)]
-        partners = [other for other in later if other.group != one.group]
-        peers = [other for other in later if other.group == one.group]
-        for parts in _chosen(one, _opened(one, partners, levels), _opened(one, peers, levels), taken[id(one)], notices):
+        later = [other for other in all_images[index + 1 :] if _overlap(member.image, other.image)]
+        partners = [other for other in later if other.group != member.group]
+        peers = [other for other in later if other.group == member.group]
+        around = _opened(member, partners, levels), _opened(member, peers, levels)
+        for parts in _chosen(member, *around, taken[id(member)], notices):
             requests.append(NoiseRequest(len(requests) + 1, parts))
-            matched.update(id(part.member) for part in parts if part.member.group != one.group)
+            matched.update(id(part.member) for part in parts if part.member.group != member.group)
             for part in parts:
                 taken[id(part.member)].append(part.window)
     if first and second and not any(request.paired for request in requests):
@@ -207,40 +193,40 @@ def plan_chosen(images: Sequence[GroupedImage], levels: int, cancelled: Callable
     return Plan(tuple(requests), tuple(notices))
 
 
-def _opened(one: GroupedImage, others: Sequence[GroupedImage], levels: int) -> _Neighbours:
-    return _Neighbours(one.image, tuple((other, OpenRaster(other.image.ref)) for other in others), levels)
+def _opened(member: GroupedImage, others: Sequence[GroupedImage], levels: int) -> _Neighbours:
+    return _Neighbours(member.image, tuple((other, OpenRaster(other.image.ref)) for other in others), levels)
 
 
 def _chosen(
-    one: GroupedImage, partners: _Neighbours, peers: _Neighbours, taken: list[PixelWindow], notices: list[Message]
+    member: GroupedImage, partners: _Neighbours, peers: _Neighbours, taken: list[PixelWindow], notices: list[Message]
 ) -> list[tuple[Part, ...]]:
     """The windows of an image, each with the partners (of the other group) and the peers (of its own) that show it.
 
     ``taken``: its windows by the choice of another image, which no new one may touch.
     """
-    name, levels = one.image.ref.name, partners.levels
+    name, levels = member.image.ref.name, partners.levels
     try:
-        found = [
-            (Part(one, window), *partners.parts(window), *peers.parts(window))
-            for window in _free_windows(one.image, partners, taken)
+        windows = [
+            (Part(member, window), *partners.parts(window), *peers.parts(window))
+            for window in _free_windows(member.image, partners, taken)
         ]
     except RasterError as error:
         notices.append(imagery_messages.SOURCE_LEFT_OUT(name=name, why=error.message))
         return []
-    found.sort(key=lambda parts: (parts[0].window.row, parts[0].window.column))  # as a file is read best
+    windows.sort(key=lambda parts: (parts[0].window.row, parts[0].window.column))  # as a file is read best
     if taken:
-        return found
-    if not found:
+        return windows
+    if not windows:
         fewest = max(imagery_limits.MIN_SIDE_PX, 2**levels)
         notices.append(messages.RASTER_WITHOUT_WINDOW(name=name, fewest=fewest))
-    elif found[0][0].window.width < NOISE_WINDOW_PX:
-        side, wanted = found[0][0].window.width, NOISE_WINDOW_PX
+    elif windows[0][0].window.width < NOISE_WINDOW_PX:
+        side, wanted = windows[0][0].window.width, NOISE_WINDOW_PX
         notices.append(messages.WINDOWS_SMALLER(name=name, wanted=wanted, side=side))
-    return found
+    return windows
 
 
 def _free_windows(image: Raster, partners: _Neighbours, taken: list[PixelWindow]) -> list[PixelWindow]:
-    """Those that are chosen beside what is taken, if they can be on ground that partners show as well."""
+    """The windows that are chosen beside those taken, if they can be on ground that partners show as well."""
     if len(taken) >= NOISE_WINDOWS:
         return []
     source = OpenRaster(image.ref)

@@ -41,7 +41,16 @@ def choose_windows(
 ) -> list[PixelWindow]:
     """Up to 25 square windows of an image, 1024 px, that do not overlap, those with the least saturation first.
 
-    ``region``: the part of the image in which they lie; all of it when left out. Looks at up to 10 x 10 places by
+    Parameters
+    ----------
+    levels : int
+        Levels of the decomposition: no window is smaller than ``2 ** levels`` px.
+    region : PixelWindow, optional
+        The part of the image in which they lie; all of it when left out.
+    allowed : callable
+        Whether a window may be chosen.
+
+    Looks at up to 10 x 10 places by
     every 8th pixel, so the time does not grow with the raster. Places with an invalid pixel among those are
     left out, and so are those that are not ``allowed``. Saturated is a pixel with the
     lowest or highest value of the available range in any band; where the range is not known (float), none is.
@@ -83,7 +92,7 @@ def _starts(length: int, side: int) -> list[int]:
 
 
 def _look(source: OpenRaster, window: PixelWindow, apart: bool) -> _Place | None:
-    """What a place is like, by few of its pixels; None when any of them is invalid."""
+    """The values at a place, by few of its pixels; None when any of them is invalid."""
     bands, invalid = source.thinned(window, min(NOISE_SHRINK, window.width // 16))
     if invalid is not None and invalid.any():
         return None
@@ -101,19 +110,19 @@ def _saturated_shares(image: Raster, places: list[_Place]) -> list[float]:
 
 
 def _spread(places: list[_Place], shares: list[float], middle: tuple[float, float]) -> list[PixelWindow]:
-    """Those to take, in the order in which they are chosen."""
+    """The windows to take, in the order in which they are chosen."""
     classes = [(int(share / SATURATION_STEP), not place.apart) for share, place in zip(shares, places)]
     chosen: list[PixelWindow] = []
-    left = list(range(len(places)))
-    while left and len(chosen) < NOISE_WINDOWS:
-        best = min(classes[index] for index in left)
-        alike = [index for index in left if classes[index] == best]
+    remaining = list(range(len(places)))
+    while remaining and len(chosen) < NOISE_WINDOWS:
+        best = min(classes[index] for index in remaining)
+        alike = [index for index in remaining if classes[index] == best]
         if chosen:
-            index = max(alike, key=lambda i: min(_distance(places[i].window, _centre(one)) for one in chosen))
+            index = max(alike, key=lambda i: min(_distance(places[i].window, _centre(window)) for window in chosen))
         else:
             index = min(alike, key=lambda i: _distance(places[i].window, middle))
         chosen.append(places[index].window)
-        left = [i for i in left if not places[i].window.shared_pixels(chosen[-1])]
+        remaining = [i for i in remaining if not places[i].window.shared_pixels(chosen[-1])]
     return chosen
 
 

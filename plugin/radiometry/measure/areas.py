@@ -10,9 +10,8 @@ pixels. So grey areas come from the user; what may be grey is found only to be l
 """
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from osgeo import ogr
@@ -39,7 +38,7 @@ _QUADRANTS = np.kron(np.eye(2).repeat(_HALF, axis=0), np.eye(2).repeat(_HALF, ax
 
 @dataclass(frozen=True, eq=False)
 class Areas:
-    """n areas of a raster with b bands."""
+    """Samples of a raster with b bands: n areas."""
 
     means: np.ndarray
     """(n, b) float64."""
@@ -54,9 +53,16 @@ class Areas:
 def sample_areas(
     bands: np.ndarray, invalid: np.ndarray | None, step: int, corner: tuple[int, int] = (0, 0)
 ) -> Areas:
-    """The areas of (bands, rows, columns) whose upper left corners lie ``step`` px apart, without invalid pixels.
+    """The areas of a block of pixels that lie in even steps and have no invalid pixel.
 
-    ``corner``: column and row of the first pixel in the raster.
+    Parameters
+    ----------
+    bands : (bands, rows, columns)
+    invalid : (rows, columns) of bool, or None
+    step : int
+        px between the upper left corners of areas.
+    corner : (column, row)
+        Place of the block's first pixel in the raster.
     """
     side = limits.AREA_PX
     if min(bands.shape[1:]) < side:
@@ -87,8 +93,8 @@ def sample_areas(
 
 def joined(parts: Sequence[Areas]) -> Areas:
     """The areas of several blocks as those of one."""
-    names = (one.name for one in fields(Areas))
-    return Areas(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
+    columns = zip(*((part.means, part.noise, part.uniform, part.corners) for part in parts))
+    return Areas(*map(np.concatenate, columns))
 
 
 def signal_to_noise(areas: Areas, band: int, available: ValueRange) -> float | None:
@@ -134,7 +140,7 @@ class GreyArea:
 
 @dataclass(frozen=True)
 class GreyTone:
-    """What an image shows of such an area."""
+    """The colour of a grey area on an image."""
 
     number: int
     """Number of the area, as in ``GreyArea``."""
@@ -148,13 +154,13 @@ class GreyTone:
 
 @dataclass(frozen=True)
 class ColourBalance:
-    """How far the colours of grey areas are from grey."""
+    """The difference of the colours of grey areas from grey."""
 
     value: float
     """Largest difference between the means of red, green and blue over all areas, each counted once, as a share of
     the range."""
     means: tuple[float, float, float]
-    """Those means, DN."""
+    """Means of red, green and blue over all areas, DN."""
     tones: tuple[GreyTone, ...]
     """Tones of the areas that counted."""
     worst: GreyTone
@@ -165,7 +171,7 @@ class ColourBalance:
 
 @dataclass(frozen=True, eq=False)
 class MaybeGrey:
-    """What may be grey, for somebody to look at."""
+    """The areas that may be grey, for somebody to look at."""
 
     corners: np.ndarray
     """(n, 2): columns and rows of the upper left pixels of areas of 16 x 16."""
@@ -195,8 +201,8 @@ def grey_tones(source: OpenRaster, window: PixelWindow, areas: Sequence[GreyArea
 
     Raises RasterError when the raster can't be read.
     """
-    found = (_tone(source, window, area) for area in areas)
-    return tuple(tone for tone in found if tone is not None)
+    tones = (_tone(source, window, area) for area in areas)
+    return tuple(tone for tone in tones if tone is not None)
 
 
 def _tone(source: OpenRaster, window: PixelWindow, area: GreyArea) -> GreyTone | None:
@@ -205,16 +211,16 @@ def _tone(source: OpenRaster, window: PixelWindow, area: GreyArea) -> GreyTone |
     if geometry is None:  # QGIS keeps rings that GDAL has none of
         return None
     xmin, xmax, ymin, ymax = geometry.GetEnvelope()
-    edges = grid.column_at(xmin), grid.column_at(xmax), grid.row_at(ymax), grid.row_at(ymin)
-    if not all(map(math.isfinite, edges)):
+    edges = np.array([[grid.column_at(xmin), grid.row_at(ymax)], [grid.column_at(xmax) + 1, grid.row_at(ymin) + 1]])
+    if not np.isfinite(edges).all():
         return None
-    first, last = (window.column, window.row), (window.column + window.width, window.row + window.height)
-    left, right = (min(max(math.floor(edge), first[0]), last[0]) for edge in (edges[0], edges[1] + 1))
-    top, bottom = (min(max(math.floor(edge), first[1]), last[1]) for edge in (edges[2], edges[3] + 1))
-    if left >= right or top >= bottom:
+    first = window.column, window.row
+    bounds = np.clip(np.floor(edges), first, np.add(first, (window.width, window.height))).astype(int)
+    (left, top), (width, height) = bounds[0].tolist(), (bounds[1] - bounds[0]).tolist()
+    if width <= 0 or height <= 0:
         return None
     count, sums, places = 0, np.zeros(3), np.zeros(2)
-    for block in source.blocks(PixelWindow(left, top, right - left, bottom - top), _MOST_PIXELS):
+    for block in source.blocks(PixelWindow(left, top, width, height), _MOST_PIXELS):
         inside = burnt([(geometry, 1)], grid, block) == 1
         if not inside.any():
             continue

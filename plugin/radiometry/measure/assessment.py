@@ -20,7 +20,7 @@ from .seam_steps import SeamStep, worst_step
 
 @dataclass(frozen=True)
 class Spot:
-    """Where a figure comes from."""
+    """The place that a figure comes from."""
 
     place: tuple[float, float]
     """In the image's reference system."""
@@ -73,8 +73,12 @@ class Assessment:
 
     @property
     def pixels(self) -> int:
-        """How many valid ones there are."""
+        """The number of valid pixels."""
         return min((histogram.pixels for histogram in self.histograms.values()), default=0)
+
+    def measured(self, check: str) -> list[CheckedFigure]:
+        """The figures of a check that could be measured."""
+        return [figure for figure in self.checked_figures if figure.rule.check == check and figure.value is not None]
 
 
 _Found = tuple[float, Optional["Spot"]]
@@ -87,18 +91,19 @@ def judge(measured: MeasuredImage, rules: RuleSet, of_image: ImageRange) -> Asse
     Without seamlines the rules on seams are left out. Without a range all that is a share of it is not measurable.
     """
     applied = [rule for rule in rules.rules if rule.check not in checks.AT_SEAMS or measured.seams is not None]
+    pairs = [(rule, band) for rule in applied for band in rule.bands_of(measured.image.band_names)]
+    available = None if isinstance(of_image, Message) else of_image
     if measured.areas is None or measured.pixels < MIN_STATISTICS_PIXELS:
         why = messages.TOO_FEW_VALID_PIXELS(count=measured.pixels, least=MIN_STATISTICS_PIXELS)
         if measured.areas is None:
-            why = of_image.why or messages.NO_VALUE_RANGE(data_type=measured.image.data_type)
-        figures = tuple(_checked(measured, rule, band, why) for rule, band in _pairs(measured, applied))
+            unknown = messages.NO_VALUE_RANGE(data_type=measured.image.data_type)
+            why = of_image if isinstance(of_image, Message) else unknown
+        figures = tuple(_checked(measured, rule, band, why) for rule, band in pairs)
         return Assessment(measured.image, measured.window_id, figures, None, measured.histograms)
     judged = _Judged(measured, measured.areas, of_image)
-    figures = tuple(
-        _checked(measured, rule, band, judged.figure(rule, band)) for rule, band in _pairs(measured, applied)
-    )
+    figures = tuple(_checked(measured, rule, band, judged.figure(rule, band)) for rule, band in pairs)
     return Assessment(
-        measured.image, measured.window_id, figures, of_image.available, measured.histograms, measured.seams or (),
+        measured.image, measured.window_id, figures, available, measured.histograms, measured.seams or (),
         tuple(judged.notices(rules)), judged.maybe_grey, judged.balance,
     )  # fmt: skip
 
@@ -116,7 +121,7 @@ def clipped_share(histogram: Histogram, rule: Rule, available: ValueRange) -> fl
 
 
 def peak_deviation(histogram: Histogram, available: ValueRange) -> float:
-    """How far the most frequent value lies from the middle of the range, as a share of the range."""
+    """The distance of the most frequent value from the middle of the range, as a share of the range."""
     counts, middles = histogram.binned(available)
     low, high = available
     return abs(float(middles[int(counts.argmax())]) - (low + high) / 2) / (high - low)
@@ -132,53 +137,48 @@ class _Judged:
     """The figures of one image, each or why there is none."""
 
     def __init__(self, measured: MeasuredImage, areas: Areas, of_image: ImageRange) -> None:
-        self._measured, self._areas, self._range, self._why = measured, areas, of_image.available, of_image.why
+        self._measured, self._areas, self._range = measured, areas, of_image
         self.maybe_grey: MaybeGrey | None = None
         self.balance: ColourBalance | None = None
-        if self._range is not None and measured.image.has_luminance:
+        if not isinstance(of_image, Message) and measured.image.has_luminance:
             if measured.grey is None:
-                self.maybe_grey = find_maybe_grey(areas, self._range)
+                self.maybe_grey = find_maybe_grey(areas, of_image)
             else:
-                self.balance = colour_balance(measured.grey, self._range)
+                self.balance = colour_balance(measured.grey, of_image)
 
     def notices(self, rules: RuleSet) -> Iterator[Message]:
-        """What is doubtful about all of them."""
+        """The warnings that concern all figures."""
         name, given = self._measured.image.ref.name, rules.value_range
-        if self._range is None and self._why is not None:
-            yield messages.NOT_JUDGED(name=name, why=self._why)
+        if isinstance(self._range, Message):
+            yield messages.NOT_JUDGED(name=name, why=self._range)
         if given is not None and self._range == given:
             beyond = max(1 - histogram.share(*given) for histogram in self._measured.histograms.values())
             if beyond > 0:
                 yield messages.BEYOND_RANGE(name=name, share=beyond, low=given[0], high=given[1])
 
     def figure(self, rule: Rule, band: str) -> _Found | Message:
-        """One of them."""
+        """The figure of a rule and band, or why there is none."""
         if band not in (ALL_BANDS, *self._measured.bands, *self._measured.histograms):
             return messages.NO_LUMINOSITY() if band == LUMINOSITY else messages.NO_SUCH_BAND(band=band)
         if rule.check == checks.COLOUR_BALANCE:
             return self._colour()
         if rule.check == checks.SEAM_STEP:
             return self._seam_step(band)
-        if rule.check == checks.CLIPPED_LOW and self._starts_at_0:
-            return (clipped_share(self._measured.histograms[band], rule, (0.0, math.inf)), None)
-        if self._range is None:
-            assert self._why is not None
-            return self._why
+        if isinstance(self._range, Message):
+            if rule.check == checks.CLIPPED_LOW and self._measured.image.data_type == "uint16":  # it begins at 0
+                return (clipped_share(self._measured.histograms[band], rule, (0.0, math.inf)), None)
+            return self._range
         if rule.check == checks.SIGNAL_TO_NOISE:
             return self._noise(band, self._range)
         if rule.check == checks.SEAM_CONTRAST:
-            return self._seam_contrast(band, self._range)
+            steps = self._measured.seams
+            return (seam_contrast(steps, self._measured.bands.index(band), self._range), None) if steps else _no_seam()
         histogram = self._measured.histograms[band]
         if rule.check == checks.PEAK:
             return (peak_deviation(histogram, self._range), None)
         if rule.check == checks.CONTRAST:
             return (histogram.deviation / (self._range[1] - self._range[0]), None)
         return (clipped_share(histogram, rule, self._range), None)
-
-    @property
-    def _starts_at_0(self) -> bool:
-        """Whether the dark end is known though the bright one is not."""
-        return self._range is None and self._measured.image.data_type == "uint16"
 
     def _noise(self, band: str, available: ValueRange) -> _Found | Message:
         ratio = signal_to_noise(self._areas, self._measured.bands.index(band), available)
@@ -190,9 +190,8 @@ class _Judged:
         image, balance = self._measured.image, self.balance
         if not image.has_luminance:
             return messages.NO_COLOURS()
-        if self._range is None:
-            assert self._why is not None
-            return self._why
+        if isinstance(self._range, Message):
+            return self._range
         if balance is not None:
             what = messages.GREYEST_NOT(area=balance.worst.number, share=balance.worst_value)
             return balance.value, Spot(balance.worst.place, what)
@@ -200,9 +199,8 @@ class _Judged:
             return messages.GREY_AREAS_UNUSABLE(least=limits.MIN_GREY_PIXELS)
         if self.maybe_grey is None:
             return messages.NO_GREY_AREAS()
-        place: tuple[object, object] = self.maybe_grey.middle
-        if image.is_north_up:
-            place = image.grid.to_map(*self.maybe_grey.middle)
+        middle = self.maybe_grey.middle
+        place = image.grid.to_map(*middle) if image.is_north_up else middle
         return messages.GREY_AREAS_UNSEEN(
             count=len(self.maybe_grey.corners), share=self.maybe_grey.share, x=place[0], y=place[1],
             difference=self.maybe_grey.difference,
@@ -220,22 +218,9 @@ class _Judged:
             what = messages.SEAM_OF_FEATURES(number=worst.seam_id, features=features, layer=worst.layer)
         return abs(worst.steps[index]) / largest, Spot(worst.places[index], what)
 
-    def _seam_contrast(self, band: str, available: ValueRange) -> _Found | Message:
-        steps = self._measured.seams
-        if not steps:
-            return _no_seam()
-        return (seam_contrast(steps, self._measured.bands.index(band), available), None)
-
 
 def _no_seam() -> Message:
     return messages.NO_SEAM_HERE(pixels=limits.MIN_SEAM_STATIONS * limits.SEAM_STATION_PX)
-
-
-def _pairs(measured: MeasuredImage, rules: Sequence[Rule]) -> Iterator[tuple[Rule, str]]:
-    """Every rule with every band that it is for."""
-    for rule in rules:
-        for band in rule.bands_of(measured.image.band_names):
-            yield rule, band
 
 
 def _checked(measured: MeasuredImage, rule: Rule, band: str, figure: _Found | Message) -> CheckedFigure:
@@ -252,7 +237,7 @@ def _checked(measured: MeasuredImage, rule: Rule, band: str, figure: _Found | Me
 
 
 class RadiometricOutcome(Enum):
-    """What is decided."""
+    """The decision on an image, or on all."""
 
     ACCEPTED = "accepted"
     """Every figure that has a limit keeps it, those apart that could not be measured and that no rule requires."""
@@ -269,11 +254,11 @@ class ImageDecision:
     result: Assessment
     outcome: RadiometricOutcome
     failed: tuple[CheckedFigure, ...]
-    """Those beyond their limits."""
+    """Figures beyond their limits."""
     missed: tuple[CheckedFigure, ...]
-    """Those that are not known and would have to be."""
+    """Figures that are not known and would have to be."""
     unmeasured: tuple[CheckedFigure, ...]
-    """Those that have a limit, are not known, and that the rules can do without."""
+    """Figures with a limit that are not known and that the rules can do without."""
 
     @property
     def is_without_limit(self) -> bool:
@@ -296,28 +281,28 @@ class RadiometricDecision:
 
 
 def decide_image(result: Assessment) -> ImageDecision:
-    """A failed figure rejects, whatever else is unknown; an unknown one that is required leaves it open."""
-    failed = tuple(one for one in result.checked_figures if one.passed is False)
-    missed = tuple(one for one in result.checked_figures if one.is_missed)
+    """The decision on an image: a failed figure rejects it whatever else is unknown, a required one that is not known
+    leaves it open."""
+    failed = tuple(checked for checked in result.checked_figures if checked.passed is False)
+    missed = tuple(checked for checked in result.checked_figures if checked.is_missed)
     unmeasured = tuple(
-        one for one in result.checked_figures
-        if one.value is None and one.rule.has_limit and one.is_applicable and not one.is_missed
+        checked for checked in result.checked_figures
+        if checked.value is None and checked.rule.has_limit and checked.is_applicable and not checked.is_missed
     )  # fmt: skip
-    is_judged = any(one.passed is not None for one in result.checked_figures)
-    outcome = RadiometricOutcome.UNDECIDED if missed or not is_judged else RadiometricOutcome.ACCEPTED
-    if failed:
-        outcome = RadiometricOutcome.REJECTED
+    is_judged = any(checked.passed is not None for checked in result.checked_figures)
+    outcome = _outcome(bool(failed), bool(missed) or not is_judged)
     return ImageDecision(result, outcome, failed, missed, unmeasured)
 
 
 def decide(results: Sequence[Assessment], left_out: Sequence[Message] = ()) -> RadiometricDecision:
-    """One rejected image rejects all; one that is open, or was not looked at, leaves all open."""
+    """The decision on all images: a rejected one rejects all; an open one, or one not looked at, leaves all open."""
     images = tuple(map(decide_image, results))
     outcomes = {image.outcome for image in images}
-    if RadiometricOutcome.REJECTED in outcomes:
-        outcome = RadiometricOutcome.REJECTED
-    elif RadiometricOutcome.UNDECIDED in outcomes or left_out or not images:
-        outcome = RadiometricOutcome.UNDECIDED
-    else:
-        outcome = RadiometricOutcome.ACCEPTED
-    return RadiometricDecision(outcome, images, tuple(left_out))
+    is_open = RadiometricOutcome.UNDECIDED in outcomes or bool(left_out) or not images
+    return RadiometricDecision(_outcome(RadiometricOutcome.REJECTED in outcomes, is_open), images, tuple(left_out))
+
+
+def _outcome(is_beyond: bool, is_open: bool) -> RadiometricOutcome:
+    if is_beyond:
+        return RadiometricOutcome.REJECTED
+    return RadiometricOutcome.UNDECIDED if is_open else RadiometricOutcome.ACCEPTED

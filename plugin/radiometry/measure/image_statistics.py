@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass
-from typing import Callable
+from typing import Callable, Union
 
 import numpy as np
 
@@ -43,10 +43,10 @@ def luminosity(bands: np.ndarray) -> np.ndarray:
 
 def figure_bands(image: Raster, bands: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
     """(names, ...): the bands of an image, or its luminosity, by their names."""
-    own = image.band_names
-    if names == own:
+    known = image.band_names
+    if names == known:
         return bands
-    return np.stack([luminosity(bands) if name == LUMINOSITY else bands[own.index(name)] for name in names])
+    return np.stack([luminosity(bands) if name == LUMINOSITY else bands[known.index(name)] for name in names])
 
 
 MAX_BLOCK_PIXELS = 1024 * 1024  # read at a time: 3 MB of 8 bit RGB, so memory is flat
@@ -58,7 +58,7 @@ _SHOWN_BINS = 256
 
 @dataclass(frozen=True, eq=False)
 class Histogram:
-    """How often a band has each value."""
+    """The number of pixels with each value of a band."""
 
     values: np.ndarray
     """(bins,) float64: the value of each bin, rising; the middle of the bin for values without steps."""
@@ -67,7 +67,7 @@ class Histogram:
 
     @property
     def pixels(self) -> int:
-        """How many valid pixels there are."""
+        """The number of valid pixels."""
         return int(self.counts.sum())
 
     @property
@@ -122,10 +122,16 @@ def stream_statistics(
 ) -> tuple[dict[str, Histogram], Areas] | None:
     """Histograms and areas of a window of a raster, read block by block, every block once and one ahead.
 
-    ``counted``: names of the bands, and ``luminosity``, that have histograms, at least one. ``looked_at``: those that
-    are looked at in areas of 16 x 16 px, spread over the window, those with an invalid pixel left out. ``given`` is the
-    range over which values other than 8 and 16 bit are counted; ``progress`` is told the share that is done after each
-    block and ends the work by returning False: then there is no result.
+    Parameters
+    ----------
+    counted : tuple of str
+        Names of the bands, and ``luminosity``, that have histograms, at least one.
+    looked_at : tuple of str
+        The bands of areas of 16 x 16 px, spread over the window, those with an invalid pixel left out.
+    given : (lowest, highest) DN, optional
+        The range over which values other than 8 and 16 bit are counted.
+    progress : callable
+        Gets the share that is done after each block, and ends the work by returning False: then there is no result.
 
     Raises RasterError when the pixels can't be read.
     """
@@ -135,8 +141,8 @@ def stream_statistics(
     for block, (bands, invalid) in _read_ahead(source, source.blocks(window, MAX_BLOCK_PIXELS)):
         for name in counted:
             band = luminosity(bands) if name == LUMINOSITY else bands[image.band_names.index(name)]
-            own = _counted(band, invalid, given)
-            counts[name] = counts[name] + own if name in counts else own
+            occurring = _counts(band, given) - (0 if invalid is None else _counts(band[invalid], given))
+            counts[name] = counts.get(name, 0) + occurring
         areas.append(sample_areas(figure_bands(image, bands, looked_at), invalid, step, (block.column, block.row)))
         done += block.width * block.height
         if not progress(done / (window.width * window.height)):
@@ -144,11 +150,11 @@ def stream_statistics(
     if done < window.width * window.height:
         return None
     values = _values(np.dtype(image.data_type), given)
-    return {name: Histogram(values, own) for name, own in counts.items()}, joined(areas)
+    return {name: Histogram(values, total) for name, total in counts.items()}, joined(areas)
 
 
 def _read_ahead(source: OpenRaster, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, PixelBlock]]:
-    """Every block with its pixels; the next one is read in a thread of its own meanwhile."""
+    """Blocks with their pixels; a thread reads the next one meanwhile."""
     with reading_threads(1) as reader:
         coming: tuple[PixelWindow, Future[PixelBlock]] | None = None
         for block in blocks:
@@ -164,15 +170,8 @@ def area_step(window: PixelWindow) -> int:
     return max(limits.AREA_PX, math.ceil(math.sqrt(window.width * window.height / MAX_AREAS)))
 
 
-def _counted(band: np.ndarray, invalid: np.ndarray | None, given: ValueRange | None) -> np.ndarray:
-    counts = _counts(band, given)
-    if invalid is not None:
-        counts -= _counts(band[invalid], given)
-    return counts
-
-
 def _counts(band: np.ndarray, given: ValueRange | None) -> np.ndarray:
-    """How often each value occurs. Two 8 bit values are counted as one of 16 bit, in a third less time."""
+    """The number of pixels by value. Two 8 bit values are counted as one of 16 bit, in a third less time."""
     if band.dtype.kind in "iu" and band.dtype.itemsize <= 2:
         unsigned = band.view(f"u{band.dtype.itemsize}").ravel()
         if band.dtype.itemsize == 1:
@@ -202,13 +201,8 @@ PILE_PIXELS = 8  # at the largest value: fewer may be there by chance
 PILE_BELOW = 16  # values below the largest, none of which has as many pixels where the values end at it
 
 
-@dataclass(frozen=True)
-class ImageRange:
-    """The range of an image's values, or why it is not known."""
-
-    available: ValueRange | None
-    why: Message | None = None
-    """Why it is not known."""
+ImageRange = Union[ValueRange, Message]
+"""The range of an image's values, or the reason why it is not known."""
 
 
 @dataclass(frozen=True)
@@ -237,17 +231,15 @@ def own_range(image: Raster, given: ValueRange | None) -> ValueRange | None:
 
 def largest_value(histograms: Iterable[Histogram]) -> LargestValue:
     """The largest value of an image's bands."""
-    found = list(histograms)
-    largest = int(max(histogram.largest for histogram in found))
-    piled = False
-    for histogram in found:
-        if histogram.largest < largest:
-            continue  # this band may end below, and its histogram with it
-        place = int(np.searchsorted(histogram.values, largest))
-        here = int(histogram.counts[place])
-        below = histogram.counts[max(place - PILE_BELOW, 0) : place]
-        piled |= here >= PILE_PIXELS and here > int(below.max(initial=0))
-    return LargestValue(largest, piled)
+    bands = list(histograms)
+    largest = int(max(histogram.largest for histogram in bands))
+    is_piled_up = False
+    for histogram in bands:
+        if histogram.largest == largest:  # the histogram of another band may end below
+            place = int(np.searchsorted(histogram.values, largest))
+            here, below = histogram.counts[place], histogram.counts[max(place - PILE_BELOW, 0) : place]
+            is_piled_up |= bool(here >= PILE_PIXELS and here > below.max(initial=0))
+    return LargestValue(largest, is_piled_up)
 
 
 def range_of_set(images: Sequence[LargestValue]) -> ImageRange:
@@ -258,12 +250,12 @@ def range_of_set(images: Sequence[LargestValue]) -> ImageRange:
     """
     largest = max(image.value for image in images)
     if largest >= 2 ** BIT_DEPTHS[-2]:
-        return ImageRange((0.0, float(2 ** BIT_DEPTHS[-1] - 1)))
+        return 0.0, float(2 ** BIT_DEPTHS[-1] - 1)
     ends = [2**bits - 1 for bits in BIT_DEPTHS]
     if largest in ends and any(image.is_piled_up for image in images if image.value == largest):
-        return ImageRange((0.0, float(largest)))
+        return 0.0, float(largest)
     possible = ", ".join(str(bits) for bits in BIT_DEPTHS if 2**bits > largest)
-    return ImageRange(None, messages.RANGE_UNKNOWN(count=len(images), largest=largest, possible=possible))
+    return messages.RANGE_UNKNOWN(count=len(images), largest=largest, possible=possible)
 
 
 def known_range(image: Raster, largest: LargestValue | None, given: ValueRange | None) -> ImageRange | None:
@@ -271,9 +263,8 @@ def known_range(image: Raster, largest: LargestValue | None, given: ValueRange |
     available = own_range(image, given)
     if available is not None:
         if given is None and largest is not None and largest.value > available[1]:
-            said = messages.RANGE_CONTRADICTED(bits=image.bits, largest=largest.value)
-            return ImageRange(None, said)
-        return ImageRange(available)
+            return messages.RANGE_CONTRADICTED(bits=image.bits, largest=largest.value)
+        return available
     if image.data_type != "uint16" or largest is None:
-        return ImageRange(None, messages.NO_VALUE_RANGE(data_type=image.data_type))
+        return messages.NO_VALUE_RANGE(data_type=image.data_type)
     return None

@@ -1,4 +1,4 @@
-"""What the pixels of an image, or of a window of it, say, before anything is held against a range or a rule."""
+"""The statistics of an image, or of a window of it, before they are held against a range or a rule."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ MIN_STATISTICS_PIXELS = 4096  # 64 x 64: a histogram of fewer is no picture of a
 
 @dataclass(frozen=True, eq=False)
 class MeasuredImage:
-    """What was read of an image."""
+    """The statistics of an image."""
 
     image: Raster
     window_id: int | None
@@ -30,7 +30,7 @@ class MeasuredImage:
     grey: tuple[GreyTone, ...] | None = None
     """Empty where no grey area lies on the image; None where none were given."""
     bands: tuple[str, ...] = ()
-    """Those that areas and seams are measured in: the image's own, and luminosity where a rule asks for it."""
+    """The bands that areas and seams are measured in: those of the image, and luminosity where a rule asks for it."""
     histograms: Mapping[str, Histogram] = field(default_factory=dict)
     """Histograms by band name, and luminosity; empty where the values can't be counted."""
     areas: Areas | None = None
@@ -38,7 +38,7 @@ class MeasuredImage:
 
     @property
     def pixels(self) -> int:
-        """How many valid ones there are."""
+        """The number of valid pixels."""
         return min((histogram.pixels for histogram in self.histograms.values()), default=0)
 
     @property
@@ -48,13 +48,13 @@ class MeasuredImage:
 
     @property
     def largest_value(self) -> LargestValue | None:
-        """For the range of the set; None where it is of no use to it."""
+        """The largest value, to find the range of the set; None where it is of no use for that."""
         is_open = self.image.data_type == "uint16" and self.pixels > 0
         return largest_value(self.histograms.values()) if is_open else None
 
-    def kept(self) -> MeasuredImage:
-        """Itself, in little memory, to wait for the other images of the set."""
-        return replace(self, histograms={name: own.trimmed() for name, own in self.histograms.items()})
+    def trimmed(self) -> MeasuredImage:
+        """A copy in little memory, to wait for the other images of the set."""
+        return replace(self, histograms={name: histogram.trimmed() for name, histogram in self.histograms.items()})
 
 
 def measure(
@@ -86,15 +86,15 @@ def measure(
 def _wanted(image: Raster, rules: RuleSet, has_seams: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Histograms of what the rules hold against limits; of all bands where their largest value has to be known, for
     the step at seams and for a range that only pixels can tell. Areas of all bands."""
-    own = image.band_names
-    mixed = (LUMINOSITY,) if image.has_luminance or len(own) == 1 else ()
+    names = image.band_names
+    mixed = (LUMINOSITY,) if image.has_luminance or len(names) == 1 else ()
     by_histogram, others = (
         {band for rule in rules.rules if (rule.check in checks.FROM_HISTOGRAM) == is_counted
-         for band in rule.bands_of(own)}
+         for band in rule.bands_of(names)}
         for is_counted in (True, False)
     )  # fmt: skip
     if has_seams or own_range(image, rules.value_range) is None:
-        by_histogram.update(own)
+        by_histogram.update(names)
     shown = mixed if LUMINOSITY in by_histogram else ()
-    counted = (*shown, *(name for name in own if name in by_histogram)) or mixed or own
-    return counted, (*own, *(mixed if LUMINOSITY in others else ()))
+    counted = (*shown, *(name for name in names if name in by_histogram)) or mixed or names
+    return counted, (*names, *(mixed if LUMINOSITY in others else ()))

@@ -1,4 +1,4 @@
-"""What a user can be told of radiometry: of a file with rules, and why a rule could not be checked."""
+"""Messages on radiometry: the file with rules, and why a rule could not be checked."""
 from __future__ import annotations
 
 from ...imagery.errors import INFO, WARNING, Message

@@ -62,7 +62,7 @@ class Rule:
     most: float | None
     """Largest value that passes; None for no such limit."""
     source: str
-    """Where the limits come from."""
+    """Origin of the limits."""
     values: int = _DEFAULT_VALUES
     """How many values at the end of the range count as clipped."""
     band: str = EACH_BAND
@@ -80,7 +80,7 @@ class Rule:
         return (self.least is None or value >= self.least) and (self.most is None or value <= self.most)
 
     def bands_of(self, names: Sequence[str]) -> Sequence[str]:
-        """Which figures of an image with these bands it is for; a band it names need not be there."""
+        """The figures of an image with these bands that the rule is for; a band that it names need not be there."""
         if self.check == COLOUR_BALANCE:
             return (ALL_BANDS,)
         return names if self.band == EACH_BAND else (self.band,)
@@ -110,12 +110,12 @@ def load_rules(path: Path) -> RuleSet:
 def _rule_set(whole: RuleObject, objects: Sequence[RuleObject]) -> RuleSet:
     whole.allow(_FILE_KEYS)
     rules: list[Rule] = []
-    for one in objects:
-        rule = _rule(one)
-        for other in rules:
-            if other.check == rule.check and (other.band == rule.band or EACH_BAND in _named(other, rule)):
+    for item in objects:
+        rule = _rule(item)
+        for earlier in rules:
+            if earlier.check == rule.check and (earlier.band == rule.band or EACH_BAND in _named(earlier, rule)):
                 raise SettingsError(
-                    messages.RULES_CHECK_TWICE(place=one.place, name=one.file, check=rule.check, band=rule.band)
+                    messages.RULES_CHECK_TWICE(place=item.place, name=item.file, check=rule.check, band=rule.band)
                 )
         rules.append(rule)
     return RuleSet(str(whole.content.get("name") or whole.file), tuple(rules), _range(whole))
@@ -127,25 +127,25 @@ def _named(*rules: Rule) -> set[str]:
     return set() if LUMINOSITY in names else names
 
 
-def _rule(one: RuleObject) -> Rule:
-    one.allow(_RULE_KEYS)
-    check = one.word("check", CHECKS)
-    least, most = one.limits()
-    if "values" in one.content and check not in _CLIPPING:
-        raise SettingsError(messages.RULES_VALUES_UNUSED(place=one.place, name=one.file))
-    values = one.whole("values", _DEFAULT_VALUES)
-    return Rule(check, least, most, one.source(), values, _band(one, check), one.flag("required", True))
+def _rule(item: RuleObject) -> Rule:
+    item.allow(_RULE_KEYS)
+    check = item.word("check", CHECKS)
+    least, most = item.limits()
+    if "values" in item.content and check not in _CLIPPING:
+        raise SettingsError(messages.RULES_VALUES_UNUSED(place=item.place, name=item.file))
+    values = item.whole("values", _DEFAULT_VALUES)
+    return Rule(check, least, most, item.source(), values, _band(item, check), item.flag("required", True))
 
 
-def _band(one: RuleObject, check: str) -> str:
+def _band(item: RuleObject, check: str) -> str:
     if check == COLOUR_BALANCE:
-        if "band" in one.content:
-            raise SettingsError(messages.RULES_BAND_UNUSED(place=one.place, name=one.file, check=check))
+        if "band" in item.content:
+            raise SettingsError(messages.RULES_BAND_UNUSED(place=item.place, name=item.file, check=check))
         return ALL_BANDS
-    band = one.content.get("band", EACH_BAND)
+    band = item.content.get("band", EACH_BAND)
     known = (LUMINOSITY, EACH_BAND, *COLOURS, "nir")
     if not isinstance(band, str) or not (band in known or _OTHER_BAND.fullmatch(band)):
-        raise SettingsError(messages.RULES_BAND_BAD(place=one.place, name=one.file))
+        raise SettingsError(messages.RULES_BAND_BAD(place=item.place, name=item.file))
     return band
 
 

@@ -48,7 +48,7 @@ def seam_steps(
     ``seams`` in the raster's reference system; ``names`` of the bands to be measured, which may have luminosity among
     them. Raises RasterError when the raster can't be read.
     """
-    found = []
+    steps_found = []
     for seam in seams:
         grid = source.raster.grid
         stations = [part for run in _runs(seam, grid) for part in _stations(source, window, names, *run)]
@@ -58,8 +58,8 @@ def seam_steps(
             typical = np.abs(differences - steps).argmin(axis=0)
             places = tuple(grid.to_map(*middles[station]) for station in typical)
             steps, contrasts = tuple(steps.tolist()), tuple(contrasts.tolist())
-            found.append(SeamStep(seam.seam_id, len(stations), steps, contrasts, places))
-    return found
+            steps_found.append(SeamStep(seam.seam_id, len(stations), steps, contrasts, places))
+    return steps_found
 
 
 def worst_step(steps: Sequence[SeamStep], band: int) -> SeamStep:
@@ -69,7 +69,8 @@ def worst_step(steps: Sequence[SeamStep], band: int) -> SeamStep:
 
 def _runs(seam: Seam, grid: Grid) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Points one pixel apart along a seam, (n, 2) column and row, and the unit normals to the left, run by run."""
-    vertices = _on_grid(seam.vertices, grid)
+    vertices = grid.to_pixels(seam.vertices)
+    vertices = vertices[np.concatenate([[True], np.hypot(*np.diff(vertices, axis=0).T) > 0])]  # repeated ones go
     lengths = np.hypot(*np.diff(vertices, axis=0).T)
     ends = vertex_stations(vertices)
     for first in range(0, int(ends[-1]), _RUN):
@@ -84,15 +85,15 @@ def _runs(seam: Seam, grid: Grid) -> Iterator[tuple[np.ndarray, np.ndarray]]:
 def _stations(
     source: OpenRaster, window: PixelWindow, names: tuple[str, ...], points: np.ndarray, normals: np.ndarray
 ) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """For every station of a run that has valid pixels on both sides: (bands,) the left mean less the right one,
-    (bands,) the mean of the variances of both sides, and (2,) column and row of its middle."""
+    """The stations of a run with valid pixels on both sides: (bands,) the left mean less the right one, (bands,) the
+    mean of the variances of both sides, and (2,) column and row of the middle of each."""
     reach = limits.SEAM_FAR_PX + 1
     first, last = (window.column, window.row), (window.column + window.width, window.row + window.height)
-    left, top = np.maximum(np.floor(points.min(axis=0)) - reach, first).astype(int)
-    right, bottom = np.minimum(np.ceil(points.max(axis=0)) + reach, last).astype(int)
+    left, top = np.maximum(np.floor(points.min(axis=0)) - reach, first).astype(int).tolist()
+    right, bottom = np.minimum(np.ceil(points.max(axis=0)) + reach, last).astype(int).tolist()
     if left >= right or top >= bottom:
         return
-    bands, invalid = source.read(PixelWindow(int(left), int(top), int(right - left), int(bottom - top)))
+    bands, invalid = source.read(PixelWindow(left, top, right - left, bottom - top))
     offsets = np.arange(limits.SEAM_NEAR_PX, limits.SEAM_FAR_PX) + 0.5
     sides = []
     for sign in (1, -1):
@@ -112,10 +113,3 @@ def _stations(
             difference = left_values.mean(axis=1) - right_values.mean(axis=1)
             variance = (left_values.var(axis=1) + right_values.var(axis=1)) / 2
             yield difference, variance, points[station].mean(axis=0)
-
-
-def _on_grid(vertices: np.ndarray, grid: Grid) -> np.ndarray:
-    """Map coordinates (n, 2) as columns and rows; repeated points are dropped."""
-    places = grid.to_pixels(vertices)
-    kept = np.concatenate([[True], np.hypot(*np.diff(places, axis=0).T) > 0])
-    return np.asarray(places[kept])

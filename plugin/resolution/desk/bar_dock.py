@@ -56,6 +56,7 @@ from .bar_tool import BarTool
 if TYPE_CHECKING:
     from ..measure.bar_groups import GroupResult
 
+
 class TargetSettings(QObject):
     """The boxes of a target."""
 
@@ -96,7 +97,7 @@ class TargetSettings(QObject):
         )
 
     def add_to(self, form: QFormLayout) -> None:
-        """Its rows."""
+        """Add a row for each setting."""
         form.addRow(tr("Bars"), self.bars)
         form.addRow(tr("Reference"), row(self.reference_group, self.reference_grd, self.grd_of))
         form.addRow(tr("Full amplitude"), self.full_amplitude)
@@ -119,13 +120,13 @@ def choice_box(values: Sequence[str], *words: str) -> QComboBox:
 
 
 def row(*widgets: QWidget) -> QWidget:
-    """Widgets beside each other."""
-    made, layout = QWidget(), QHBoxLayout()
+    """A widget of others beside each other."""
+    box = QWidget()
+    layout = QHBoxLayout(box)
     layout.setContentsMargins(0, 0, 0, 0)
     for widget in widgets:
         layout.addWidget(widget, 1)
-    made.setLayout(layout)
-    return made
+    return box
 
 
 MeasuredLines = dict[tuple[Optional["Segment"], int, float], MeasuredLine]
@@ -172,7 +173,7 @@ _Filter = QgsMapLayerProxyModel.Filter
 
 
 class BarDock(ToolDock):
-    """Owns the map tool, the profile and the tasks."""
+    """The dock; it owns the map tool, the profile and the tasks."""
 
     def __init__(self, iface: QgisInterface) -> None:
         super().__init__(iface, tr("Bar groups"), "SeamInspectorBarDock")
@@ -274,7 +275,7 @@ class BarDock(ToolDock):
         if self._raster is None:
             return None
         map_crs, crs = self._canvas.mapSettings().destinationCrs(), mosaic_crs(self._raster)
-        ends = [found for one in (start, end) if (found := transformed_point(one, map_crs, crs)) is not None]
+        ends = [place for point in (start, end) if (place := transformed_point(point, map_crs, crs)) is not None]
         if len(ends) < 2 or ends[0] == ends[1]:
             return None
         return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, self._raster.grid))
@@ -330,17 +331,17 @@ class BarDock(ToolDock):
         self.verdict.setText(tr("Reading the pictures ..."))
         self._background.start(tr("Read pictures"), job, self._take_image, _IMAGE_KEY)
 
-    def _take_image(self, found: object) -> None:
-        if isinstance(found, Raster):
-            self._raster = found
+    def _take_image(self, image: object) -> None:
+        if isinstance(image, Raster):
+            self._raster = image
             self.draw.setEnabled(True)
             self.verdict.setText(self.draw.toolTip())
         else:
-            assert isinstance(found, Message)
-            self._refuse(found)
+            assert isinstance(image, Message)
+            self._refuse(image)
 
     def _refuse(self, why: Message) -> None:
-        """There is no image to draw on."""
+        """Put the tool away and show why there is no image to draw on."""
         self._leave_tool()
         self.verdict.setText(sentence(why))
 

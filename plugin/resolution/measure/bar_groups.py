@@ -1,4 +1,4 @@
-"""From the lines measured across the bars to the ground resolved distance: all groups judged together."""
+"""The ground resolved distance from the lines measured across the bars: all groups judged together."""
 from __future__ import annotations
 
 import math
@@ -12,7 +12,7 @@ from ...imagery.errors import Message
 from ...imagery.rasters import Raster
 from . import messages
 from . import target as limits
-from .bars import BarReading, MeasuredLine
+from .bars import BarReading, MeasuredLine, mean_value
 from .full_amplitudes import MIN_ALIAS_FREE_PX, PlainPlace, distance_error, with_full_amplitudes
 from .target import DIRECTIONS, GROUP, Target
 
@@ -46,8 +46,13 @@ class GroupResult:
 
     @property
     def reading(self) -> BarReading | None:
-        """What was measured."""
+        """The bars that the line shows in the band; None where it could not be measured."""
         return self.measured.readings.get(self.band)
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Direction and band."""
+        return self.measured.line.direction, self.band
 
     @property
     def is_judged(self) -> bool:
@@ -58,7 +63,7 @@ class GroupResult:
 
 @dataclass(frozen=True)
 class TargetResolution:
-    """What a target says."""
+    """The verdicts on all groups of a target, and its ground resolved distances."""
 
     results: tuple[GroupResult, ...]
     """Verdicts by line and band, in the order of the lines."""
@@ -75,8 +80,8 @@ class TargetResolution:
 
     def worst(self, direction: str) -> float | None:
         """The largest distance of a direction over its bands; None unless every band resolves a group."""
-        found = [value for (where, _), value in self.grd_cm.items() if where == direction]
-        return None if not found or None in found else max(value for value in found if value is not None)
+        distances = [value for (where, _), value in self.grd_cm.items() if where == direction]
+        return None if not distances or None in distances else max(value for value in distances if value is not None)
 
     def interval(self, direction: str) -> tuple[float, float] | None:
         """The finest and the coarsest distance that may be that of a direction, cm; None without a distance.
@@ -92,11 +97,12 @@ class TargetResolution:
     def _ends(self, key: tuple[str, str], grd_cm: float) -> tuple[float, float]:
         """Finest and coarsest distance of a direction and band, cm: where no group surely fails, where all surely
         pass."""
-        own = [one for one in self.results if (one.measured.line.direction, one.band) == key and one.is_judged]
-        own.sort(key=lambda one: -(one.grd_cm or 0))
-        possible = [one.grd_cm for one in takewhile(lambda one: one.may_pass, own) if one.grd_cm is not None]
-        sure = [one.grd_cm for one in takewhile(lambda one: not one.may_fail, own) if one.grd_cm is not None]
-        return min([grd_cm, *possible]), max(grd_cm, sure[-1] if sure else own[0].grd_cm or grd_cm)
+        judged = [group for group in self.results if group.is_judged and group.key == key]
+        judged.sort(key=lambda group: -(group.grd_cm or 0))
+        distances = [group.grd_cm or grd_cm for group in judged]
+        possible = [distances[i] for i, _ in takewhile(lambda pair: pair[1].may_pass, enumerate(judged))]
+        sure = [distances[i] for i, _ in takewhile(lambda pair: not pair[1].may_fail, enumerate(judged))]
+        return min([grd_cm, *possible]), max(grd_cm, sure[-1] if sure else distances[0])
 
     def seen(self, direction: str, observer: str | None = None) -> float | None:
         """Distance of the finest group that an observer tells apart, or all who judged it, before one that is not, cm.
@@ -104,10 +110,8 @@ class TargetResolution:
         None where nobody judged a group, or the coarsest one is not told apart.
         """
         finest = None
-        for line, grd in sorted(
-            {id(one.measured): (one.measured.line, one.grd_cm or 0.0) for one in self.results}.values(),
-            key=lambda pair: -pair[1],
-        ):
+        lines = {id(result.measured): (result.grd_cm or 0.0, result.measured.line) for result in self.results}
+        for grd, line in sorted(lines.values(), key=lambda pair: -pair[0]):
             words = [seen for name, seen in line.seen.items() if observer in (None, name)]
             if line.direction != direction or not words or line.group is None:
                 continue
@@ -118,8 +122,8 @@ class TargetResolution:
 
     @property
     def observers(self) -> tuple[str, ...]:
-        """Who judged any group, in the order of the layer's fields."""
-        return tuple(dict.fromkeys(name for one in self.results for name in one.measured.line.seen))
+        """The observers who judged any group, in the order of the layer's fields."""
+        return tuple(dict.fromkeys(name for result in self.results for name in result.measured.line.seen))
 
     def worst_error(self, direction: str) -> float | None:
         """Standard deviation of that distance; None without one."""
@@ -164,24 +168,21 @@ def judge_lines(raster: Raster, measured: Sequence[MeasuredLine], target: Target
     if contrasts and min(contrasts.values()) < MIN_TARGET_CONTRAST:
         notices.append(messages.TARGET_CONTRAST_LOW(contrast=min(contrasts.values()), least=MIN_TARGET_CONTRAST))
     for place, notice in ((PlainPlace.NOWHERE, messages.NO_PLAIN_PLACE), (PlainPlace.GROUND, messages.PLAIN_IS_GROUND)):
-        if target.full_amplitude == GROUP and any(_is_plain_at(place, one) for one in results):
+        places = {result.reading.plain for result in results if result.reading is not None}
+        if target.full_amplitude == GROUP and place in places:
             notices.append(notice())
     distances = {key: None if result is None else result.grd_cm for key, result in finest.items()}
     errors = {key: None if result is None else result.grd_error_cm for key, result in finest.items()}
     return TargetResolution(tuple(results), distances, errors, contrasts, tuple(notices), off_scale)
 
 
-def _is_plain_at(place: PlainPlace, result: GroupResult) -> bool:
-    return result.reading is not None and result.reading.plain is place
-
-
 def _contrasts(results: Sequence[GroupResult]) -> dict[str, float]:
     """Bars to gaps of the coarsest group by band, DN over DN."""
     contrasts: dict[str, float] = {}
-    for result in sorted(results, key=lambda one: -(one.grd_cm or 0)):
+    for result in sorted(results, key=lambda result: -(result.grd_cm or 0)):
         reading = result.reading
         if reading is not None and reading.gaps and result.band not in contrasts:
-            levels = sorted(float(np.mean([one.value for one in part])) for part in (reading.inner_bars, reading.gaps))
+            levels = sorted(mean_value(part) for part in (reading.inner_bars, reading.gaps))
             if levels[0] > 0:
                 contrasts[result.band] = levels[1] / levels[0]
     return contrasts
@@ -191,16 +192,16 @@ def _countable_lines(measured: Sequence[MeasuredLine], target: Target) -> list[M
     """The lines, out of count those of groups that can't be and all but the first of a group and direction."""
     seen: set[tuple[int | None, str]] = set()
     lines = []
-    for one in measured:
-        key = one.line.group, one.line.direction
-        if one.reason is None and key[0] is not None and not target.has_group(key[0]):
-            far = messages.GROUP_TOO_FAR(group=key[0], reference=target.reference_group)
-            one = MeasuredLine(one.line, one.segment, reason=far)
-        elif one.reason is None and key in seen:
-            one = MeasuredLine(one.line, one.segment, reason=messages.GROUP_TWICE(group=key[0], direction=key[1]))
-        elif one.reason is None:
-            seen.add(key)
-        lines.append(one)
+    for line in measured:
+        group, direction = line.line.group, line.line.direction
+        reason = line.reason
+        if reason is None and group is not None and not target.has_group(group):
+            reason = messages.GROUP_TOO_FAR(group=group, reference=target.reference_group)
+        elif reason is None and (group, direction) in seen:
+            reason = messages.GROUP_TWICE(group=group, direction=direction)
+        elif reason is None:
+            seen.add((group, direction))
+        lines.append(line if reason is line.reason else MeasuredLine(line.line, line.segment, reason=reason))
     return lines
 
 
@@ -230,7 +231,7 @@ def _line_results(measured: MeasuredLine, target: Target, scale: float | None) -
 
 
 def _why_unresolved(reading: BarReading, target: Target) -> Message | None:
-    """Why a reading is no resolved group; None when it is one."""
+    """The reason why a reading is no resolved group; None when it is one."""
     unclear = _why_unclear(reading, target)
     if unclear is None and (reading.amplitude or 0.0) < target.criterion * reading.full_amplitude:
         return messages.BARS_TOO_WEAK(share=reading.share, criterion=target.criterion)
@@ -238,21 +239,21 @@ def _why_unresolved(reading: BarReading, target: Target) -> Message | None:
 
 
 def _why_unclear(reading: BarReading, target: Target) -> Message | None:
-    """Why the bars of a reading are not the group's, however strong they are; None when all of them stand out."""
-    found, noise = len(reading.bars), reading.profile.noise
-    if reading.is_flat or found == 0:
+    """The reason why bars are not the group's, however strong they are; None when all of them stand out."""
+    count, noise = len(reading.bars), reading.profile.noise
+    if reading.is_flat or count == 0:
         return messages.NO_BARS()
-    if found < target.bars or reading.amplitude is None:
-        return messages.BARS_MERGED(found=found, bars=target.bars)
+    if count < target.bars or reading.amplitude is None:
+        return messages.BARS_MERGED(found=count, bars=target.bars)
     if reading.amplitude <= limits.MIN_NOISE_RATIO * noise:
         return messages.BARS_IN_NOISE(amplitude=reading.amplitude, noise=noise)
-    if found > target.bars:
-        return messages.TOO_MANY_BARS(found=found, bars=target.bars)
+    if count > target.bars:
+        return messages.TOO_MANY_BARS(found=count, bars=target.bars)
     return None
 
 
 def _why_aliased(reading: BarReading, cycle: float | None) -> Message | None:
-    """Why bars that stand out can't be the group's; None when they can. ``cycle``: the group's, px; None: unknown."""
+    """The reason why bars can't be the group's; None when they can. ``cycle``: the group's, px; None: unknown."""
     spacing = reading.spacing
     assert spacing is not None
     narrow = spacing if cycle is None else min(cycle, spacing * (1 + MAX_BAR_SPACING_DIFFERENCE))
@@ -268,7 +269,7 @@ def _why_aliased(reading: BarReading, cycle: float | None) -> Message | None:
 def _pixels_per_cm(
     raster: Raster, measured: Sequence[MeasuredLine], target: Target
 ) -> tuple[float | None, Message | None]:
-    """How many pixels a centimetre of the target covers, from the pixel size and from the bars themselves.
+    """The pixels that a centimetre of the target covers, by the pixel size and by the bars themselves.
 
     The bars are believed where both differ: a photograph may have no scale, or a target another number for its
     reference group. Only bars count for it that lie too far apart to be aliased.
@@ -292,11 +293,11 @@ def _spacings(
 ) -> list[tuple[float, float]]:
     """Cycle by number, cm, and spacing, px, of groups with readings that nothing is held against, coarsest first."""
     seen = []
-    for one in measured:
-        group = one.line.group
-        if one.reason is not None or group is None:
+    for line in measured:
+        group = line.line.group
+        if line.reason is not None or group is None:
             continue
-        good = [reading for reading in one.readings.values() if why_not(reading, target) is None]
+        good = [reading for reading in line.readings.values() if why_not(reading, target) is None]
         spacings = [reading.spacing for reading in good if reading.spacing is not None]
         if spacings and float(np.median(spacings)) >= MIN_ALIAS_FREE_PX:
             seen.append((target.cycle_cm(group), float(np.median(spacings))))
@@ -322,7 +323,7 @@ def _without_spurious(
     lost: dict[tuple[str, str], int] = {}  # the first group of a direction and band that is not resolved
     for place in order:
         result = judged[place]
-        key = result.measured.line.direction, result.band
+        key = result.key
         if result.reading is not None:
             finest.setdefault(key, None)  # a band that shows no bars at all resolves nothing
         if not result.is_judged:

@@ -26,7 +26,7 @@ _GROUND = (0.55, 1.25)  # of a cycle from an outer bar's middle: where the groun
 
 
 class PlainPlace(Enum):
-    """Where a target's plain brightness was found."""
+    """The place at which a target's plain brightness was measured."""
 
     GROUPS = "groups"
     """In its own bars and gaps, as the fall of the amplitude from group to group tells."""
@@ -48,7 +48,7 @@ class Extreme:
 
 @dataclass(frozen=True)
 class BarReading:
-    """What a profile shows in one band."""
+    """The bars and gaps of a profile in one band."""
 
     profile: Profile
     bright: bool
@@ -62,15 +62,15 @@ class BarReading:
     full_amplitude: float
     """What the amplitude is a share of, DN: to the darkest place seen, until the target as a whole puts it right."""
     full_error: float
-    """Its standard deviation, DN."""
+    """Standard deviation of the full amplitude, DN."""
     amplitude: float | None
     """Mean of the inner bars less that of the gaps, DN; None for fewer than two bars."""
     amplitude_error: float | None
-    """Its standard deviation, DN: from the noise of the pixels, and from how much bars and gaps differ."""
+    """Standard deviation of the amplitude, DN: from the noise of the pixels, and from how much bars and gaps differ."""
     modulation: float | None
     """(max - min)/(max + min) of the bars and the gaps between them; None for fewer than two bars."""
     plain: PlainPlace | None = None
-    """Where the gaps' plain brightness of the full amplitude was found; None before the target put it right."""
+    """The place of the gaps' plain brightness; None before the target as a whole put the full amplitude right."""
 
     @property
     def spacing(self) -> float | None:
@@ -102,49 +102,66 @@ class BarReading:
 
     @property
     def is_flat(self) -> bool:
-        """Whether nothing rises out of the noise."""
+        """Whether no bar rises out of the noise."""
         return self.full_amplitude <= limits.MIN_NOISE_RATIO * self.profile.noise
 
 
 def read_bars(profile: Profile, bars: int, bright: bool | None = None) -> BarReading:
-    """Find the bars of a group in a profile, bright ones or dark ones; None: whichever there are ``bars`` of.
+    """Find the bars of a group in a profile.
+
+    Parameters
+    ----------
+    profile : Profile
+    bars : int
+        Bars in a group of the target.
+    bright : bool, optional
+        Whether the bars are brighter than the ground; None for whichever there are ``bars`` of.
 
     A bar stands out by a quarter of the profile's range, on the side of a gap at least: the ground beside the outer
     bars may be as bright as they are. Its brightness and place are those of the vertex of a parabola through its middle
     quarter of a cycle, and so are a gap's.
     """
-    beside = (1 - BARS_WITHIN) / 2 * profile.length
-    inner = profile.values[_between(profile, beside, profile.length - beside)]
-    low, high = float(inner.min()), float(inner.max())
+    margin = (1 - BARS_WITHIN) / 2 * profile.length
+    middle = profile.values[_between(profile, margin, profile.length - margin)]
+    low, high = float(middle.min()), float(middle.max())
     if bright is None:
         bright = _is_bright(profile, (low + high) / 2, high - low, bars)
     sign = 1.0 if bright else -1.0
     values, x = sign * profile.values, profile.positions
     places = _bar_places(profile, sign, high - low, bars)
     if len(places) < 2:
-        found = tuple(Extreme(float(place), float(np.interp(place, x, profile.values))) for place in places)
-        return BarReading(profile, bright, found, (), (), high - low, 0.0, None, None, None)
+        extremes = tuple(Extreme(float(place), float(np.interp(place, x, profile.values))) for place in places)
+        return BarReading(profile, bright, extremes, (), (), high - low, 0.0, None, None, None)
     cycle = float(places[-1] - places[0]) / (len(places) - 1)
     between = [np.flatnonzero((x > first) & (x < last)) for first, last in zip(places, places[1:])]
     lows = [x[inside[np.argmin(values[inside])]] for inside in between]
     tops = [_vertex(x, values, float(place), cycle) for place in places]
-    bottoms = [_vertex(x, -values, float(place), cycle) for place in lows]
-    bottoms = [Extreme(one.position, -one.value) for one in bottoms]
-    grounds = [_ground(x, values, top.position, cycle, side) for top, side in ((tops[0], -1), (tops[-1], 1))]
+    bottoms = [_scaled(_vertex(x, -values, float(place), cycle), -1) for place in lows]
+    beside = [_ground(x, values, top.position, cycle, side) for top, side in ((tops[0], -1), (tops[-1], 1))]
+    grounds = [value for value in beside if value is not None]
     inner = tops[1:-1] or tops
-    height, depth = (float(np.mean([one.value for one in part])) for part in (inner, bottoms))
+    height, depth = mean_value(inner), mean_value(bottoms)
     single = profile.error_over(max(2 * cycle * _VERTEX_SHARE, 0.5))
     for part in (inner, bottoms):
         if len(part) > 1:
-            single = max(single, float(np.std([one.value for one in part], ddof=1)))
+            single = max(single, float(np.std([extreme.value for extreme in part], ddof=1)))
     error = single * math.sqrt(1 / len(inner) + 1 / len(bottoms))
-    sides = [sign * max(top.value for top in tops), sign * min(bottom.value for bottom in bottoms)]
-    total = sum(sides)
-    modulation = abs(sides[0] - sides[1]) / total if total > 0 else None
-    signed = [tuple(Extreme(one.position, sign * one.value) for one in group) for group in (tops, bottoms)]
-    plain = tuple(sign * one for one in grounds if one is not None)
-    full = height - min([*(one.value for one in bottoms), *(one for one in grounds if one is not None)])
+    highest, lowest = sign * max(top.value for top in tops), sign * min(bottom.value for bottom in bottoms)
+    total = highest + lowest
+    modulation = abs(highest - lowest) / total if total > 0 else None
+    signed = [tuple(_scaled(extreme, sign) for extreme in part) for part in (tops, bottoms)]
+    plain = tuple(sign * value for value in grounds)
+    full = height - min([*(bottom.value for bottom in bottoms), *grounds])
     return BarReading(profile, bright, signed[0], signed[1], plain, full, error, height - depth, error, modulation)
+
+
+def mean_value(extremes: Sequence[Extreme]) -> float:
+    """The mean brightness of bars or gaps, DN."""
+    return float(np.mean([extreme.value for extreme in extremes]))
+
+
+def _scaled(extreme: Extreme, factor: float) -> Extreme:
+    return Extreme(extreme.position, factor * extreme.value)
 
 
 def _between(profile: Profile, low: float, high: float) -> np.ndarray:
@@ -154,8 +171,8 @@ def _between(profile: Profile, low: float, high: float) -> np.ndarray:
 def _is_bright(profile: Profile, middle: float, extent: float, bars: int) -> bool:
     """Bars are what there are ``bars`` of; where that says nothing clear, what the ground at both ends is not."""
     places = [_bar_places(profile, sign, extent, bars) for sign in (1.0, -1.0)]
-    counts = [abs(len(found) - bars) for found in places]
-    clear = [len(found) == bars and np.ptp(found) >= MIN_CLEAR_SPACING_PX * (bars - 1) for found in places]
+    counts = [abs(len(peaks) - bars) for peaks in places]
+    clear = [len(peaks) == bars and np.ptp(peaks) >= MIN_CLEAR_SPACING_PX * (bars - 1) for peaks in places]
     if clear[0] != clear[1]:
         return bool(clear[0])
     length, beyond, within = profile.length, GROUND_BEYOND * profile.length, GROUND_WITHIN * profile.length
@@ -243,7 +260,7 @@ class BarLine:
 
 @dataclass(frozen=True)
 class MeasuredLine:
-    """What a line showed."""
+    """The readings of one line."""
 
     line: BarLine
     segment: Segment | None
@@ -261,8 +278,18 @@ class MeasuredLine:
 def measure_line(raster: Raster, line: BarLine, bars: int, width: float, band: int | None = None) -> MeasuredLine:
     """Profiles across the bars of one group and what they show; never raises for a line that can't be measured.
 
-    ``width``: px either side that the profile is averaged over. ``band``: the place of the one band that is measured,
-    None for all. Raises RasterError when the raster can't be read.
+    Parameters
+    ----------
+    line : BarLine
+        In pixels of the raster.
+    bars : int
+        Bars in a group of the target.
+    width : float
+        px either side of the line that the profile is averaged over.
+    band : int, optional
+        The place of the only band that is measured; None for all.
+
+    Raises RasterError when the raster can't be read.
     """
     if line.segment is None or line.reason is not None:
         return MeasuredLine(line, None, reason=line.reason)
@@ -273,25 +300,24 @@ def measure_line(raster: Raster, line: BarLine, bars: int, width: float, band: i
     names = raster.band_names
     places = list(range(len(names))) if band is None else [band]
     segment = perpendicular_line(patch, places, line.segment, width)
-    width = _width_within(width, [read_bars(bar_profile(patch, index, segment, width), bars) for index in places], bars)
-    every = {index: read_bars(bar_profile(patch, index, segment, width), bars) for index in places}
-    readings = {names[index]: reading for index, reading in every.items()}
-    clipped = {names[index]: _saturation(patch, index, segment, width, reading) for index, reading in every.items()}
-    reference = readings.get(GREEN)
-    if GREEN in names and reference is None:
-        reference = read_bars(bar_profile(patch, names.index(GREEN), segment, width), bars)
-    shifts = {}
-    for name, reading in readings.items():
-        shift = _shift(reading, reference)
-        if shift is not None:
-            shifts[name] = shift
-    saturated = {name: value for name, value in clipped.items() if value is not None}
+
+    def read(index: int, width: float) -> BarReading:
+        return read_bars(bar_profile(patch, index, segment, width), bars)
+
+    width = _width_within(width, [read(index, width) for index in places], bars)
+    readings = {names[index]: read(index, width) for index in places}
+    clipped = {names[index]: _saturation(patch, index, segment, width, readings[names[index]]) for index in places}
+    green = readings.get(GREEN) or (read(names.index(GREEN), width) if GREEN in names else None)
+    moved = {name: _shift(reading, green) for name, reading in readings.items()}
+    saturated, shifts = (
+        {name: value for name, value in values.items() if value is not None} for values in (clipped, moved)
+    )
     return MeasuredLine(line, segment, readings, saturated, shifts)
 
 
 def _width_within(width: float, readings: Sequence[BarReading], bars: int) -> float:
     """px either side of a line that stay within the bars' length, though their ends are blurred; ``width`` at most."""
-    spacings = [one.spacing for one in readings if len(one.bars) == bars and one.spacing is not None]
+    spacings = [reading.spacing for reading in readings if len(reading.bars) == bars and reading.spacing is not None]
     cycle = min(spacings) if spacings else readings[0].profile.length / (bars + LINE_BEYOND_BARS)
     return min(width, max(0.0, MAX_SWATH * cycle - 0.5))
 
@@ -319,5 +345,5 @@ def _shift(reading: BarReading, reference: BarReading | None) -> float | None:
     """Mean displacement of bars and gaps; None where they don't correspond."""
     if reference is None or len(reading.bars) < 2 or len(reading.bars) != len(reference.bars):
         return None
-    mine, others = ([one.position for one in (*each.bars, *each.gaps)] for each in (reading, reference))
+    mine, others = ([extreme.position for extreme in (*each.bars, *each.gaps)] for each in (reading, reference))
     return float(np.mean(np.subtract(mine, others)))

@@ -1,4 +1,4 @@
-"""What the amplitude of a group is a share of, from what all groups of the target show together."""
+"""The full amplitude, of which a group shows a share: from all groups of the target together."""
 from __future__ import annotations
 
 import math
@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import ndtr
 
-from .bars import MIN_CLEAR_SPACING_PX, BarReading, MeasuredLine, PlainPlace, read_bars
+from .bars import MIN_CLEAR_SPACING_PX, BarReading, MeasuredLine, PlainPlace, mean_value, read_bars
 from .target import COARSEST, DIRECTIONS, Target
 
 MAX_CONTRAST_ERROR = 0.15  # relative: bars that say less of the target's contrast are not asked
@@ -25,7 +25,7 @@ class TargetLevels:
     gap: float
     """Brightness of its gaps, where nothing blurs them."""
     error: float
-    """Its standard deviation."""
+    """Standard deviation of the gaps' brightness, DN."""
     place: PlainPlace
 
 
@@ -39,38 +39,39 @@ def kept_contrast(width: np.ndarray | float) -> np.ndarray:
 
 
 def kept_slope(kept: float) -> float:
-    """How much of the contrast's kept share goes with a relative change of the cycle, where so much is kept."""
+    """The change of the contrast's kept share with a relative change of the cycle, where so much is kept."""
     widths = np.geomspace(0.5, 40, 2000)
     shares = kept_contrast(widths)
     return float(np.interp(kept, shares, np.gradient(shares, np.log(widths))))
 
 
 def target_levels(groups: Sequence[tuple[float, BarReading]]) -> TargetLevels | None:
-    """The plain brightness of a target in one band, by the widths of its groups in any unit and what they show.
+    """The plain brightness of a target in one band; None where no group shows bars.
 
-    None where no group shows bars.
+    Parameters
+    ----------
+    groups : sequence of (float, BarReading)
+        Width of a group's cycle, in any unit, and its reading.
 
     A blur raises gaps by what it takes from the bars, so bars and gaps together say the middle of the target's
     contrast, and the fall of their difference from group to group says how much of it even the coarsest one lost. The
     ground beside the bars counts where the groups don't say otherwise, as it may be other ground.
     """
-    usable = [(cycle, one) for cycle, one in groups if one.amplitude is not None and one.amplitude > 0]
+    usable = [(cycle, reading) for cycle, reading in groups if reading.amplitude is not None and reading.amplitude > 0]
     if not usable:
         return None
     usable.sort(key=lambda pair: -pair[0])
     bright = usable[0][1].bright
     sign = 1.0 if bright else -1.0
-    cycles = np.array([cycle for cycle, one in usable if one.bright == bright])
-    used = [one for _, one in usable if one.bright == bright]
-    tops, bottoms = (
-        np.array([sign * float(np.mean([one.value for one in part])) for part in parts])
-        for parts in ([one.inner_bars for one in used], [one.gaps for one in used])
-    )
+    cycles = np.array([cycle for cycle, reading in usable if reading.bright == bright])
+    used = [reading for _, reading in usable if reading.bright == bright]
+    tops = np.array([sign * mean_value(reading.inner_bars) for reading in used])
+    bottoms = np.array([sign * mean_value(reading.gaps) for reading in used])
     heights = tops - bottoms
-    errors = np.hypot([one.amplitude_error or 0.0 for one in used], MIN_GROUP_ERROR * heights)
+    errors = np.hypot([reading.amplitude_error or 0.0 for reading in used], MIN_GROUP_ERROR * heights)
     middle = float(np.mean((tops + bottoms)[:_COARSE]) / 2)
     contrast, error = _contrast(cycles, heights, errors)
-    beside = [2 * (middle - sign * value) for one in used for value in one.grounds]
+    beside = [2 * (middle - sign * value) for reading in used for value in reading.grounds]
     ground = max(beside, default=0.0)  # the contrast, if the darkest ground beside the bars is the target's own
     seen, close = float(heights.max()), float(errors[0])
     tell = error <= MAX_CONTRAST_ERROR * contrast
@@ -116,9 +117,7 @@ def with_full_amplitudes(measured: Sequence[MeasuredLine], target: Target) -> li
     for direction in DIRECTIONS:
         for band in dict.fromkeys(band for line in lines for band in line.readings):
             groups = _groups(lines, direction, band, target)
-            levels = target_levels([
-                pair for pair in groups if (pair[1].spacing or 0) >= MIN_ALIAS_FREE_PX
-            ])
+            levels = target_levels([pair for pair in groups if (pair[1].spacing or 0) >= MIN_ALIAS_FREE_PX])
             if levels is None:
                 continue
             coarsest = _with_levels(max(groups, key=lambda pair: pair[0])[1], levels)
@@ -143,8 +142,9 @@ def distance_error(reading: BarReading, grd_cm: float, target: Target) -> float 
     """
     criterion = target.criterion
     kept = criterion if target.full_amplitude == COARSEST else criterion / (2 - criterion)
-    by_kept = 1.0 if target.full_amplitude == COARSEST else 2 / (1 + kept) ** 2  # share = 2 kept / (1 + kept)
-    slope = by_kept * kept_slope(kept)
+    slope = kept_slope(kept)
+    if target.full_amplitude != COARSEST:
+        slope *= 2 / (1 + kept) ** 2  # share = 2 kept / (1 + kept)
     return None if reading.share_error is None or not slope else grd_cm * reading.share_error / slope
 
 
@@ -176,7 +176,7 @@ def _groups(
 
 
 def _with_levels(reading: BarReading, levels: TargetLevels) -> BarReading:
-    """Its bars against the target's plain gaps."""
+    """The reading, its full amplitude that of its bars against the target's plain gaps."""
     if not reading.bars:
         return reading
     sign = 1.0 if reading.bright else -1.0

@@ -1,4 +1,4 @@
-"""What a user can be told of ground resolution: of bar targets, minimum heights and the Bayer filter."""
+"""Messages on ground resolution: bar targets, minimum heights and the Bayer filter."""
 from __future__ import annotations
 
 from ...imagery.errors import INFO, WARNING, Message
@@ -8,8 +8,7 @@ TOO_FEW_BARS = Message("A group of {bars} bars can't be measured; a target has a
 GRD_NOT_POSITIVE = Message("The ground resolved distance is {grd} cm; give a positive number of centimetres.")
 STEP_TOO_SMALL = Message("The step from group to group is {step}; give a factor above 1, such as 1.1225.")
 CRITERION_OUT_OF_RANGE = Message("The criterion is {criterion}; give a share of the full amplitude between 0 and 1.")
-FULL_AMPLITUDE_UNKNOWN = Message("There is no full amplitude '{word}'; choose one of {known}.")
-GRD_OF_UNKNOWN = Message("A distance can't be the width of '{word}'; choose one of {known}.")
+WORD_UNKNOWN = Message("'{word}' is none of {known}; choose one of them.")
 BAR_WIDTH_OUT_OF_RANGE = Message("The profile is averaged over {width} px either side; give 0 to {most}.")
 # the layer of lines
 NO_BAR_IMAGE = Message("No image of a bar target is chosen; choose one above, then draw a line across its bars.", INFO)
@@ -124,8 +123,6 @@ GRD_IN_METRES = Message(
 )
 FEW_OBSERVATIONS = Message("{count} passes over the target; the Open Skies treaty asks for {least} at least.", WARNING)
 # the Bayer filter
-BAYER_PATTERN_UNKNOWN = Message("There is no Bayer pattern '{pattern}'; choose one of {known}.")
-DEMOSAIC_UNKNOWN = Message("There is no interpolation '{demosaic}'; choose one of {known}.")
 OPENCV_MISSING = Message(
     "The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, 'python -m pip install "
     "opencv-python-headless' elsewhere); install it, or choose malvar or bilinear."

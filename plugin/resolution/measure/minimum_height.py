@@ -21,7 +21,7 @@ Key = tuple[str, ...]
 
 @dataclass(frozen=True)
 class Observation:
-    """What one pass over the target gave."""
+    """The readings of one pass over the target."""
 
     height_m: float
     """Flying height above the target, m."""
@@ -32,7 +32,7 @@ class Observation:
 
     @property
     def fault(self) -> Message | None:
-        """Why it can't be used; None when it can."""
+        """The reason why it can't be used; None when it can."""
         for grd in self.grds_cm:
             if not 0 < self.height_m <= MAX_HEIGHT_M or not MIN_GRD_CM <= grd <= MAX_GRD_CM:
                 return messages.OBSERVATION_IMPOSSIBLE(
@@ -47,10 +47,6 @@ class Observation:
     def heights_m(self, required_cm: float) -> list[float]:
         """Heights of the required distance by each observer, m: height and distance grow alike."""
         return [self.height_m * (required_cm / grd) for grd in self.grds_cm]
-
-    def observer_spread_m(self, required_cm: float) -> float | None:
-        """Standard deviation of one observer's height, m; None for a single one."""
-        return statistics.stdev(self.heights_m(required_cm)) if len(self.grds_cm) > 1 else None
 
 
 @dataclass(frozen=True)
@@ -81,7 +77,7 @@ class HeightResult:
 
     @property
     def tolerance_percent(self) -> float | None:
-        """How far the mean lies above the reference, %; None without one."""
+        """The mean's distance above the reference, %; None without one."""
         return None if self.reference_m is None else 100 * (self.mean_m - self.reference_m) / self.reference_m
 
 
@@ -91,14 +87,14 @@ References = Mapping[str, float]
 
 def read_references(text: str) -> dict[str, float]:
     """Reference heights as they are typed: ``2714``, or ``DMC 2714; RC20 2015``. Raises SettingsError."""
-    found = {}
+    heights = {}
     for part in filter(None, map(str.strip, text.split(";"))):
         name, _, word = part.rpartition(" ")
         try:
-            found[name.strip(" =:")] = float(word.replace(",", "."))
+            heights[name.strip(" =:")] = float(word.replace(",", "."))
         except ValueError as error:
             raise SettingsError(messages.REFERENCE_HEIGHT_UNREADABLE(word=part)) from error
-    return found
+    return heights
 
 
 def check_heights(required_cm: float, references: References) -> None:
@@ -111,16 +107,19 @@ def check_heights(required_cm: float, references: References) -> None:
 
 
 def doubts(observations: Iterable[Observation]) -> list[Message]:
-    """What no camera resolves, so that the columns or their units may be wrong: once each, with the first such pass."""
-    found: dict[str, Message] = {}
-    for one in observations:
-        for grd in one.grds_cm:
-            resolution = grd / 100 / one.height_m
+    """Warnings of distances that no camera resolves, as of columns or units mixed up: each once, for the first pass."""
+    warnings: dict[str, Message] = {}
+    for observation in observations:
+        height = observation.height_m
+        for grd in observation.grds_cm:
+            resolution, warning = grd / 100 / height, None
             if resolution > MAX_RESOLUTION_RAD:
-                found.setdefault("coarse", messages.COLUMNS_INTERCHANGED(grd=grd, height=one.height_m))
-            elif resolution < MIN_RESOLUTION_RAD and one.height_m <= MAX_AIRCRAFT_HEIGHT_M:
-                found.setdefault("fine", messages.GRD_IN_METRES(grd=grd, height=one.height_m))
-    return list(found.values())
+                warning = messages.COLUMNS_INTERCHANGED
+            elif resolution < MIN_RESOLUTION_RAD and height <= MAX_AIRCRAFT_HEIGHT_M:
+                warning = messages.GRD_IN_METRES
+            if warning is not None:
+                warnings.setdefault(warning.template, warning(grd=grd, height=height))
+    return list(warnings.values())
 
 
 def minimum_heights(
@@ -132,8 +131,8 @@ def minimum_heights(
     """
     check_heights(required_cm, references)
     groups: dict[Key, list[Observation]] = {}
-    for one in observations:
-        groups.setdefault(one.key, []).append(one)
+    for observation in observations:
+        groups.setdefault(observation.key, []).append(observation)
     words = dict.fromkeys(word for key in groups for word in key)
     for name in references:
         if name and name not in words:
@@ -149,8 +148,9 @@ def _result(key: Key, passes: Sequence[Observation], required_cm: float, referen
     notice = None
     if len(passes) < MIN_OBSERVATIONS:
         notice = messages.FEW_OBSERVATIONS(count=len(passes), least=MIN_OBSERVATIONS)
-    several = [(len(one.grds_cm) - 1, one.observer_spread_m(required_cm)) for one in passes]
-    free = sum(count for count, _ in several)
-    spread = math.sqrt(sum(count * (each or 0.0) ** 2 for count, each in several) / free) if free else None
-    heights = tuple(one.minimum_height(required_cm) for one in passes)
-    return HeightResult(key, heights, reference_m, notice, sum(len(one.grds_cm) for one in passes), spread)
+    several = [passage.heights_m(required_cm) for passage in passes]
+    free = sum(len(heights) - 1 for heights in several)
+    squares = sum((len(heights) - 1) * statistics.variance(heights) for heights in several if len(heights) > 1)
+    means = tuple(map(statistics.fmean, several))
+    spread = math.sqrt(squares / free) if free else None
+    return HeightResult(key, means, reference_m, notice, sum(map(len, several)), spread)

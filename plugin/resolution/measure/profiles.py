@@ -1,4 +1,4 @@
-"""From pixels to the profile across the bars of one group.
+"""The profile across the bars of one group, from the pixels.
 
 Places are in pixels of the raster: (column, row), the centre of its first pixel at (0.5, 0.5).
 """
@@ -44,17 +44,17 @@ class Segment:
 
     @property
     def length(self) -> float:
-        """Pixels."""
+        """Length of the line, px."""
         return math.dist(self.start, self.end)
 
     @property
     def middle(self) -> Point:
-        """Half-way."""
+        """Place half-way, px."""
         return (self.start[0] + self.end[0]) / 2, (self.start[1] + self.end[1]) / 2
 
     @property
     def along(self) -> Point:
-        """Its direction, of length 1."""
+        """Unit vector of the direction."""
         return (self.end[0] - self.start[0]) / self.length, (self.end[1] - self.start[1]) / self.length
 
     def turned(self, angle: float) -> Segment:
@@ -170,7 +170,18 @@ def perpendicular_line(patch: Patch, bands: list[int], line: Segment, width: flo
 
 
 def bar_profile(patch: Patch, band: int, line: Segment, width: float) -> Profile:
-    """The profile along a line, averaged over ``width`` px either side.
+    """The profile along a line.
+
+    Parameters
+    ----------
+    patch : Patch
+        The pixels around the line.
+    band : int
+        The place of the band among those of the patch.
+    line : Segment
+        Perpendicular to the bars, px of the raster.
+    width : float
+        px either side of the line that are averaged over.
 
     A smooth curve (cubic splines, knots every half pixel) is fitted to the values of the pixels themselves at their
     distances along the line, so nothing is resampled first, and a line that crosses the bars at many phases of the

@@ -30,6 +30,12 @@ GROUP, COARSEST = FULL_AMPLITUDES
 CYCLE, BAR = DISTANCES
 
 
+def check_word(word: str, known: tuple[str, ...]) -> None:
+    """Raise SettingsError for a word that is none of those known."""
+    if word not in known:
+        raise SettingsError(messages.WORD_UNKNOWN(word=word, known=", ".join(known)))
+
+
 @dataclass(frozen=True)
 class Target:
     """A calibration target and the criterion that its groups are judged by (Walczykowski et al. 2009, section 4)."""
@@ -39,7 +45,7 @@ class Target:
     reference_group: int = DEFAULT_REFERENCE_GROUP
     """Number of the group whose width is known."""
     reference_grd_cm: float = DEFAULT_REFERENCE_GRD_CM
-    """Its distance, cm on the ground: of what ``grd_of`` says."""
+    """Distance of the reference group, cm on the ground: of what ``grd_of`` says."""
     step: float = DEFAULT_GROUP_STEP
     """How many times as wide the next coarser group is."""
     criterion: float = DEFAULT_CRITERION
@@ -61,11 +67,8 @@ class Target:
             raise SettingsError(messages.STEP_TOO_SMALL(step=self.step))
         if not 0 < self.criterion <= 1:
             raise SettingsError(messages.CRITERION_OUT_OF_RANGE(criterion=self.criterion))
-        if self.full_amplitude not in FULL_AMPLITUDES:
-            known = ", ".join(FULL_AMPLITUDES)
-            raise SettingsError(messages.FULL_AMPLITUDE_UNKNOWN(word=self.full_amplitude, known=known))
-        if self.grd_of not in DISTANCES:
-            raise SettingsError(messages.GRD_OF_UNKNOWN(word=self.grd_of, known=", ".join(DISTANCES)))
+        check_word(self.full_amplitude, FULL_AMPLITUDES)
+        check_word(self.grd_of, DISTANCES)
 
     def grd_cm(self, group: int) -> float:
         """Ground resolved distance of a group, cm: of a bar and a gap together, or of one bar (``grd_of``)."""

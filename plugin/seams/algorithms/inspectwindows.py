@@ -156,8 +156,8 @@ class InspectWindows(SeamInspectorAlgorithm):
                 notices.add(result.window_id, [*result.notices, result.judgement.reason])
                 verdicts[result.judgement.verdict] += 1
                 run.progress(sum(verdicts.values()) / drawn.count)
-        run.tell(*notices.told())
-        run.tell(*drawn.told())
+        run.tell(*notices.messages())
+        run.tell(*drawn.notices())
         run.inform(", ".join(f"{verdict_word(verdict.value)}: {verdicts[verdict]}" for verdict in Verdict))
         run.style(output_id, "windows")
         return {

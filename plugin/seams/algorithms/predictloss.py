@@ -118,8 +118,8 @@ class PredictLoss(SeamInspectorAlgorithm):
                 count += 1
                 not_comparable += forecast.reason is not None
                 run.progress(count / drawn.count)
-        run.tell(*notices.told())
-        run.tell(*drawn.told())
+        run.tell(*notices.messages())
+        run.tell(*drawn.notices())
         run.style(output_id, "predicted_windows")
         return {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
 

@@ -12,8 +12,9 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Callable
 
+from ...imagery import messages as imagery_messages
 from ...imagery.clips import read_overview
-from ...imagery.errors import Message, RasterError
+from ...imagery.errors import CancelledError, Message, RasterError
 from ...imagery.reference_systems import metres_per_unit
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.background_tasks import Cancelled, Job
@@ -54,7 +55,7 @@ def write_report(
     def shown() -> Iterator[dict[str, object]]:
         for done, section in enumerate(sections.sections(detailed), 1):
             if cancelled():
-                raise _CancelledError
+                raise CancelledError(imagery_messages.CANCELLED())
             yield section
             progress(done / len(detailed))
 
@@ -81,7 +82,7 @@ def write_report(
             chart_mm=CHART_MM,
             loss_legend=[(f"rgb{colour[:3]}", words) for words, colour in loss_legend()],
         )
-    except _CancelledError:
+    except CancelledError:
         return None
     return notices + sections.notices
 
@@ -102,10 +103,6 @@ def _terms(request: ReportRequest) -> list[tuple[str, str]]:
     parts = {"curves": request.curves, "profiles": request.profiles, "clips": request.block}
     shown = {name for name, part in parts.items() if part}
     return list(reading_terms(request.records, request.min_kept, request.max_ratio, shown))
-
-
-class _CancelledError(Exception):
-    """The report is not wanted any more."""
 
 
 def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:

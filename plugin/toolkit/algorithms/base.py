@@ -1,4 +1,4 @@
-"""What all our algorithms share: names, help, and errors as one clear sentence.
+"""The base of all our algorithms: names, help, and errors as one clear sentence.
 
 Their groups in the toolbox are here too; each name, not translated, is its group's id.
 """
@@ -31,7 +31,6 @@ from ..resources import help_url, icon_path
 from ..translation import sentence, tr
 from . import parameters as common
 from .outputs import refuse_outputs
-from .remembered import with_last_value
 from .run import Run
 
 SEAM_INSPECTION = QT_TR_NOOP("Seam inspection")
@@ -133,7 +132,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
                     run.close(has_failed=True)
                     raise
                 run.close()
-                return run.kept(results)
+                return run.available(results)
             except CancelledError as stopped:
                 run.tell(stopped.message)
                 return {}
@@ -158,7 +157,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
-        return _refused(self, [*self._pages(), *self.NAMED_BY_FORMAT], parameters, context)
+        pages = [name for name in self.PAGES if self.parameterDefinition(name) is not None]
+        return _refused(self, [*pages, *self.NAMED_BY_FORMAT], parameters, context)
 
     def check(self, run: Run) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
@@ -171,22 +171,18 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         raise NotImplementedError
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
-        """What QGIS's own check is given."""
+        """The values for QGIS's own check."""
         return common.without_rasters(self, parameters, self.RASTER_LISTS)
 
-    def _pages(self) -> list[str]:
-        """Those of ``PAGES`` that the algorithm has."""
-        return [name for name in self.PAGES if self.parameterDefinition(name) is not None]
-
     def _missing_packages(self, parameters: dict[str, Any]) -> str:
-        """What lacks for the outputs asked for; empty when nothing does."""
+        """A sentence on packages that lack for the outputs asked for; empty when none does."""
         charts, pages = (any(parameters.get(name) for name in names) for names in (self.DRAWN, self.PAGES))
         return missing_packages_sentence(charts, pages)
 
 
 def _for_qgis(error: SeamInspectorError) -> QgsProcessingException:
-    """What QGIS is told. It never lets go of an exception: frames that hang on it would keep parameters of models,
-    which are deleted, and whatever QGIS makes in their place later would be taken for them, and crash."""
+    """The exception for QGIS, which never lets go of one: frames that hang on it would keep parameters of models, which
+    are deleted, and whatever QGIS makes in their place later would be taken for them, and crash."""
     error.with_traceback(None).__context__ = None
     return QgsProcessingException(sentence(error.message))
 
@@ -201,7 +197,8 @@ _TITLES, _HELP = ("description", "component_description", "model_group"), "help"
 
 
 class ReadyModel(QgsProcessingModelAlgorithm):
-    """Its steps know only their own inputs: one step could write over what the model was given for another."""
+    """A model that comes with the plugin, its values checked as a whole: a step knows only its inputs, and could write
+    over what the model was given for another."""
 
     def createInstance(self) -> QgsProcessingAlgorithm:
         copy = ReadyModel()
@@ -209,14 +206,14 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         copy.setProvider(self.provider())
         copy.setSourceFilePath(self.sourceFilePath())
         for definition in copy.parameterDefinitions():
-            with_last_value(definition)
+            common.with_last_value(definition)
         return copy
 
     def displayName(self) -> str:
         return tr(self.name().replace("_", " ").capitalize())  # ``inspect_mosaic`` is ``Inspect mosaic``
 
     def fromFile(self, path: str) -> bool:
-        """In the user's language: names, help and the group."""
+        """Load the model with names, help and group in the user's language."""
         return super().fromFile(path) and self.loadVariant(_translated(self.toVariant()))
 
     def helpUrl(self) -> str:
@@ -249,10 +246,11 @@ class ReadyModel(QgsProcessingModelAlgorithm):
     def _with_defaults(self, parameters: dict[str, Any]) -> dict[str, Any]:
         """The values with the model's own defaults for those that scripts leave out, where QGIS takes those of its
         steps, and temporary outputs for what is made whether asked for or not."""
-        known = {one.name(): one.defaultValue() for one in self.parameterDefinitions() if not one.isDestination()}
+        inputs = (definition for definition in self.parameterDefinitions() if not definition.isDestination())
+        known = {definition.name(): value for definition in inputs if (value := definition.defaultValue()) is not None}
         needed = dict.fromkeys(self._always_made(), QgsProcessing.TEMPORARY_OUTPUT)
         given = {name: value for name, value in parameters.items() if name not in needed or value is not None}
-        return {**{name: value for name, value in known.items() if value is not None}, **needed, **given}
+        return {**known, **needed, **given}
 
     def _always_made(self) -> Iterator[str]:
         """Names of the model's outputs that are not optional, or that other steps need."""
@@ -273,8 +271,8 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         """Raise SeamInspectorError for what no step is to be asked for."""
         common.check_rasters(self, parameters)
         files = [
-            one.name() for one in self.destinationParameterDefinitions()
-            if isinstance(one, QgsProcessingParameterFileDestination)
+            definition.name() for definition in self.destinationParameterDefinitions()
+            if isinstance(definition, QgsProcessingParameterFileDestination)
         ]  # fmt: skip
         _refused(self, files, parameters, context)
 
@@ -286,8 +284,7 @@ def _refused(
     whose ending says something else than is written."""
     common.check_files(algorithm, parameters)
     leads = refuse_outputs(algorithm, parameters, context)
-    common.check_numbers(algorithm, parameters, context)
-    common.check_systems(algorithm, parameters, context)
+    common.check_values(algorithm, parameters, context)
     run = Run(algorithm, parameters, context)
     run.leads = leads
     run.check_endings(named)

@@ -1,4 +1,4 @@
-"""Where the features of a run go: each layer is whole when the run ends, or it is told that it is not.
+"""The layers that a run writes: each is whole when the run ends, or the user is told that it is not.
 
 A disk that is full shows as a file is closed, if at all: neither QGIS nor GDAL tells. So what was written is counted.
 """
@@ -44,19 +44,14 @@ class _OpenSink:
     has_failed: bool = False
 
     @property
-    def is_spreadsheet(self) -> bool:
-        """Whether a program that calculates will open it."""
-        return self.place is not None and self.place.path.lower().endswith(_SPREADSHEETS)
-
-    @property
     def path(self) -> str:
-        """Where it is to be."""
+        """The place of the finished layer."""
         return self.destination if self.place is None else self.place.path
 
     def count(self, has_closed: bool) -> int:
-        """How many features it holds, as far as that can be told, ``_NOT_THERE`` without it; ``has_closed``: whether
+        """The number of features, as far as it can be told, ``_NOT_THERE`` without the layer; ``has_closed``: whether
         GDAL closed it well."""
-        if not self.written or self.place is None or not self.place.path.lower().endswith(_COUNTED):
+        if not self.written or self.place is None or not self.path.lower().endswith(_COUNTED):
             return self.written if has_closed and not self.has_failed else _NOT_THERE
         return _count(self.place if self.file is None else DataPlace(str(self.file.written)))
 
@@ -68,14 +63,14 @@ class FeatureSinks:
     lost: dict[str, Message] = field(default_factory=dict)
     """What to say of those that could not be written, by their destinations; known when they are closed."""
     beside: dict[str, tuple[str, Message]] = field(default_factory=dict)
-    """Where those are that may not replace an older one, and what to say of it, likewise."""
+    """The places of layers that may not replace an older one, and what to say of each, likewise."""
     has_whole: bool = False
     """Whether another one was written; known likewise."""
     _open: list[_OpenSink] = field(default_factory=list)
 
     def open(self, make: Callable[[str | None], Sink], place: DataPlace | None) -> Sink:
-        """What ``make`` opens at a place that is a file of ours alone or a table in one; it is given the path to write
-        to meanwhile, None for the place itself, and tells the destination.
+        """The sink that ``make`` opens at a place, a file of ours alone or a table in one, and its
+        destination. ``make`` is given the path to write to meanwhile, None for the place itself.
 
         Raises QgsProcessingException where that can't be; an older file is as it was then, and nothing is left of a
         new one.
@@ -96,18 +91,19 @@ class FeatureSinks:
 
         One layer that can't be written does not cost the others; raises QgsProcessingException when none is left.
         """
-        of = next(one for one in self._open if one.sink is sink)
+        layer = next(layer for layer in self._open if layer.sink is sink)
+        is_spreadsheet = layer.place is not None and layer.path.lower().endswith(_SPREADSHEETS)
         for feature in features:
-            if of.has_failed:
+            if layer.has_failed:
                 return
-            if of.is_spreadsheet:
+            if is_spreadsheet:
                 _disarm(feature)
             with gdal_silenced():
-                of.has_failed = not sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
-            of.written += 1
-            if of.has_failed and all(one.has_failed for one in self._open):
+                layer.has_failed = not sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
+            layer.written += 1
+            if layer.has_failed and all(other.has_failed for other in self._open):
                 said = sink.lastError() or tr("A result can't be written; is the disk full?")
-                raise QgsProcessingException(_why_not(of.place, said))
+                raise QgsProcessingException(_why_not(layer.place, said))
 
     def close(self, has_failed: bool = False, is_cancelled: bool = False) -> None:
         """Make layers whole: they are so without their sinks only, which a frame or a cycle may still hold.
@@ -115,58 +111,60 @@ class FeatureSinks:
         What a run that failed or was cancelled has measured replaces nothing.
         """
         while self._open:
-            of = self._open.pop()
+            layer = self._open.pop()
             with gdal_silenced():
                 gdal.ErrorReset()
-                sip.delete(of.sink)
-                held = of.count(gdal.GetLastErrorType() < gdal.CE_Failure)
-            if of.file is None:
-                self._account(of, held)
-            elif has_failed and not of.written:
-                of.file.drop()
+                sip.delete(layer.sink)
+                held = layer.count(gdal.GetLastErrorType() < gdal.CE_Failure)
+            if layer.file is None:
+                self._account(layer, held)
+            elif has_failed and not layer.written:
+                layer.file.drop()
             else:
-                self._settle(of, of.file, held, has_failed or is_cancelled)
+                self._settle(layer, layer.file, held, has_failed or is_cancelled)
 
-    def _settle(self, of: _OpenSink, file: UnfinishedFile, held: int, is_part: bool) -> None:
+    def _settle(self, layer: _OpenSink, file: UnfinishedFile, held: int, is_part: bool) -> None:
         """Let a file with so many features take its place, or not."""
-        if held < of.written and (file.replaces or held <= 0):
+        if held < layer.written and (file.replaces or held <= 0):
             file.drop()
-            self._account(of, _NOT_THERE)
+            self._account(layer, _NOT_THERE)
         elif is_part and file.replaces:
-            self._keep_beside(of, file, lambda part: messages.LAYER_NOT_REPLACED(path=of.path, part=part))
+            self._keep_beside(layer, file, lambda part: messages.LAYER_NOT_REPLACED(path=layer.path, part=part))
         else:
             try:
                 file.keep(_OF_DATABASES)
             except OSError:  # as on Windows, where the older one is open in QGIS
-                self._keep_beside(of, file, lambda part: messages.LAYER_IN_USE(path=of.path, part=part))
+                self._keep_beside(layer, file, lambda part: messages.LAYER_IN_USE(path=layer.path, part=part))
                 return
-            drop_unfinished(Path(of.path))  # what processes left that were killed
-            self._account(of, held)
+            drop_unfinished(Path(layer.path))  # what processes left that were killed
+            self._account(layer, held)
 
-    def _keep_beside(self, of: _OpenSink, file: UnfinishedFile, said: Callable[[str], Message]) -> None:
+    def _keep_beside(self, layer: _OpenSink, file: UnfinishedFile, said: Callable[[str], Message]) -> None:
         """Leave the older file as it is."""
         try:
             path = str(file.keep_beside())
         except OSError:
             file.drop()
-            self._account(of, _NOT_THERE)
+            self._account(layer, _NOT_THERE)
             return
-        self.beside[of.destination] = path, said(path)
+        self.beside[layer.destination] = path, said(path)
         self.has_whole = True
 
-    def _account(self, of: _OpenSink, held: int) -> None:
-        """Tell of a layer that holds so many features."""
-        if held >= of.written:
+    def _account(self, layer: _OpenSink, held: int) -> None:
+        """Note whether a layer holds all that was written to it."""
+        if held >= layer.written:
             self.has_whole = True
         elif held > 0:
-            self.lost[of.destination] = messages.LAYER_IN_PART(path=of.path, held=held, count=of.written)
+            self.lost[layer.destination] = messages.LAYER_IN_PART(path=layer.path, held=held, count=layer.written)
         else:
-            self.lost[of.destination] = messages.LAYER_NOT_WRITTEN(path=of.path)
+            self.lost[layer.destination] = messages.LAYER_NOT_WRITTEN(path=layer.path)
 
 
 def _unfinished(place: DataPlace | None) -> UnfinishedFile | None:
-    """None for what is no file of its own, or must be written in its place. Raises QgsProcessingException for what
-    leads elsewhere by now."""
+    """The file beside a place that is written first; None for a table, and what must be written in its place.
+
+    Raises QgsProcessingException for a path that leads elsewhere by now.
+    """
     if place is None or place.path.startswith("/vsi"):
         return None
     if not leads_as_checked(Path(place.path)):
@@ -180,19 +178,19 @@ def _unfinished(place: DataPlace | None) -> UnfinishedFile | None:
 
 
 def _disarm(feature: QgsFeature) -> None:
-    """What others called their files becomes no formula."""
+    """Escape texts that a spreadsheet would take for formulas: others named their files."""
     for index, value in enumerate(feature.attributes()):
         if isinstance(value, str):
             feature.setAttribute(index, cell_text(value))
 
 
 def _why_not(place: DataPlace | None, said: str) -> str:
-    """In our words for a file; a server has its own reasons."""
+    """The reason why a layer can't be written: our words for a file, those of the server for a table."""
     return said if place is None else sentence(messages.LAYER_NOT_WRITTEN(path=place.path))
 
 
 def _count(place: DataPlace) -> int:
-    """How many features a file holds; ``_NOT_THERE`` for one without the layer."""
+    """The number of features in a file; ``_NOT_THERE`` for one without the layer."""
     with gdal_silenced(), suppress(RuntimeError):
         dataset = open_dataset(place.path, FEATURES)
         layer = dataset and (dataset.GetLayerByName(place.table) if place.table else dataset.GetLayer(0))

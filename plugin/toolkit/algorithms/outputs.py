@@ -73,7 +73,7 @@ def value_text(value: object, context: QgsProcessingContext) -> str:
 
 
 def output_text(value: object, context: QgsProcessingContext) -> str:
-    """What an output's value says; empty where it is not wanted, or goes to memory or to a temporary file."""
+    """The text of an output's value; empty where it is not wanted, or goes to memory or to a temporary file."""
     text = value_text(value.sink if isinstance(value, QgsProcessingOutputLayerDefinition) else value, context)
     return "" if text == QgsProcessing.TEMPORARY_OUTPUT or text.startswith("memory:") else text
 
@@ -97,13 +97,15 @@ def is_file(text: str) -> bool:
 def refuse_outputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> dict[str, str]:
-    """Where the paths of outputs lead through links. Raises SettingsError for outputs that can't be where they are to
+    """The targets of the outputs' paths through links. Raises SettingsError for outputs that can't be where they are to
     go, that are one file, or a file of an input, sidecars included."""
     wanted = []
     for definition in algorithm.destinationParameterDefinitions():
         if text := output_text(parameters.get(definition.name()), context):
             _refuse_impossible(definition, text)
-            wanted.append((title := definition.description(), place := _place(definition, text)))
+            is_sink = isinstance(definition, QgsProcessingParameterFeatureSink)
+            place = table_place(text) if is_sink else DataPlace(text)
+            wanted.append((title := definition.description(), place))
             if place.path != text and os.path.isfile(text):  # though a layer of that name gets another ending
                 wanted.append((title, DataPlace(text)))
     return check_outputs(wanted, _inputs(algorithm, parameters, context), _indexed(algorithm, parameters, context))
@@ -115,10 +117,6 @@ def check_beside_layers(path: Path) -> None:
     context.setProject(project)
     layers = (_places(layer, layer.providerType(), context) for layer in project.mapLayers().values())
     check_outputs([(path.name, DataPlace(str(path)))], chain.from_iterable(layers))
-
-
-def _place(definition: QgsProcessingParameterDefinition, text: str) -> DataPlace:
-    return table_place(text) if isinstance(definition, QgsProcessingParameterFeatureSink) else DataPlace(text)
 
 
 def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) -> None:
@@ -162,13 +160,13 @@ def _check_file(path: str) -> None:
     """Raise OSError where no file can be."""
     if path.endswith(("/", os.sep)):
         raise _system_error(errno.EISDIR)
-    found, folder = _state(path), os.path.dirname(os.path.realpath(path))
+    state, folder = _state(path), os.path.dirname(os.path.realpath(path))
     if is_database(path):
         _state(path + _JOURNAL)
     os.stat(os.path.join(folder, ""))
-    if found is not None and not stat.S_ISREG(found.st_mode):
-        raise _system_error(errno.EISDIR if stat.S_ISDIR(found.st_mode) else errno.EPERM)
-    if not os.access(folder if found is None else path, os.W_OK):
+    if state is not None and not stat.S_ISREG(state.st_mode):
+        raise _system_error(errno.EISDIR if stat.S_ISDIR(state.st_mode) else errno.EPERM)
+    if not os.access(folder if state is None else path, os.W_OK):
         raise _system_error(errno.EACCES)
 
 
@@ -177,7 +175,7 @@ def _system_error(number: int) -> OSError:
 
 
 def _state(path: str) -> os.stat_result | None:
-    """None where there is no such file. Raises OSError where there can be none."""
+    """The state of a file; None where there is none. Raises OSError where there can be none."""
     try:
         return os.stat(path)
     except FileNotFoundError:
@@ -198,30 +196,25 @@ def _is_locked(path: str) -> bool:
 def _inputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> Iterator[DataPlace]:
-    """What each input names."""
+    """The files and tables that each input names."""
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination() and definition.type() not in _OF_WORDS_AND_NUMBERS:
             value = parameters.get(definition.name())
-            yield from _places(value, "ogr" if _is_vector(definition) else "gdal", context)
-
-
-def _is_vector(definition: QgsProcessingParameterDefinition) -> bool:
-    """Whether its values are layers of features, alone or in a list."""
-    if isinstance(definition, QgsProcessingParameterMultipleLayers):
-        return definition.layerType() in _VECTORS
-    return definition.type() in ("source", "vector")
+            is_list = isinstance(definition, QgsProcessingParameterMultipleLayers)
+            is_vector = definition.layerType() in _VECTORS if is_list else definition.type() in ("source", "vector")
+            yield from _places(value, "ogr" if is_vector else "gdal", context)
 
 
 def _places(
     value: object, provider: str, context: QgsProcessingContext, queries: frozenset[str] = frozenset()
 ) -> Iterator[DataPlace]:
-    """What an input's value names: a layer or its id or name, an address of a layer, a path, or a list of those.
+    """The files and tables that a value names: a layer, its id, name or address, a path, or a list of those.
 
     ``queries``: virtual layers on the way to it, which may name each other.
     """
     if isinstance(value, (list, tuple)):
-        for one in value:
-            yield from _places(one, provider, context, queries)
+        for item in value:
+            yield from _places(item, provider, context, queries)
         return
     if isinstance(value, QgsProcessingFeatureSourceDefinition):
         value = value.source
@@ -246,10 +239,10 @@ def _places(
 
 
 def _queried(source: str, context: QgsProcessingContext, queries: frozenset[str]) -> Iterator[DataPlace]:
-    """What a virtual layer is made of: layers that it brings along, and layers of the project that its query names."""
+    """The sources of a virtual layer: layers that it brings along, and layers of the project that its query names."""
     definition = QgsVirtualLayerDefinition.fromUrl(QUrl.fromEncoded(source.encode()))
-    for one in definition.sourceLayers():
-        address = one.reference() if one.isReferenced() else f"{one.provider()}://{one.source()}"
+    for layer in definition.sourceLayers():
+        address = layer.reference() if layer.isReferenced() else f"{layer.provider()}://{layer.source()}"
         yield from _places(address, "ogr", context, queries)
     project = context.project()
     for layer in project.mapLayers().values() if project is not None else ():
@@ -271,7 +264,8 @@ def _indexed(
     """The files that an index of sources names; their paths may start at the index file's folder."""
     from ..layers import layer_path
 
-    for name in (one.name() for one in algorithm.parameterDefinitions() if one.name().upper() == common.SOURCE_INDEX):
+    names = (definition.name() for definition in algorithm.parameterDefinitions())
+    for name in (name for name in names if name.upper() == common.SOURCE_INDEX):
         index = algorithm.parameterAsVectorLayer(parameters, name, context) if parameters.get(name) else None
         if index is not None and "location" in index.fields().names():
             folder = os.path.dirname(layer_path(index))

@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar
 
@@ -26,6 +26,7 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
     QgsProcessingParameterString,
     QgsRasterLayer,
+    QgsSettings,
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
@@ -34,6 +35,7 @@ from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
 from ...imagery.gdal_paths import check_raster_path, is_endless, is_remote
 from .. import messages
+from ..table_fields import LARGEST_WHOLE
 from ..translation import tr
 
 Described = tuple[QgsProcessingParameterDefinition, str]
@@ -58,7 +60,6 @@ RASTER = QgsProcessing.SourceType.TypeRaster
 
 _LAYER_ADDRESS = re.compile(r"^delimitedtext:/*file:/{2}|^file:/{2}|[|?].*$", re.S)
 """What stands around the path of a file in the address of a layer."""
-_LARGEST_WHOLE = 2**31 - 1  # Qt's int; of a larger number QGIS makes another one
 
 
 def choice(
@@ -104,6 +105,29 @@ def flag(name: str, title: str, default: bool = False, optional: bool = False) -
 def words(name: str, title: str) -> QgsProcessingParameterDefinition:
     """A text, which may be left out."""
     return QgsProcessingParameterString(name, title, optional=True)
+
+
+_REMEMBERED = "seam_inspector/remembered/{}"
+"""The setting that keeps what was given for a parameter last, by its name."""
+
+
+def remembered_text(name: str, title: str) -> QgsProcessingParameterDefinition:
+    """A text that may be empty, as contract or client; the form begins with what was given last."""
+    return with_last_value(words(name, title))
+
+
+def with_last_value(definition: QgsProcessingParameterDefinition) -> QgsProcessingParameterDefinition:
+    """The parameter, whose form begins with what was given for its name last, where that is remembered; those of models
+    are written small."""
+    if last := QgsSettings().value(_REMEMBERED.format(definition.name().upper()), ""):
+        definition.setGuiDefaultValueOverride(last)
+    return definition
+
+
+def remember(values: Mapping[str, str]) -> None:
+    """Keep texts for their parameters' forms."""
+    for name, value in values.items():
+        QgsSettings().setValue(_REMEMBERED.format(name), value)
 
 
 def file(
@@ -153,7 +177,7 @@ def result(
 def made_file(
     name: str, title: str, filters: str, optional: bool = False, by_default: bool = True
 ) -> QgsProcessingParameterDefinition:
-    """A file that is made, likewise."""
+    """A file that is made; ``by_default``: where it is optional, unless somebody says no."""
     return QgsProcessingParameterFileDestination(name, title, filters, None, optional, by_default)
 
 
@@ -211,20 +235,24 @@ def report(description: str, filters: str = "HTML (*.html)", by_default: bool = 
     return made_file(REPORT, tr("Report"), filters, optional=True, by_default=by_default), description
 
 
-def check_numbers(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:
-    """Raise SettingsError for NaN, infinite numbers, whole ones that are too large, and words where a number may be
-    left out: QGIS lets them pass."""
+def check_values(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:
+    """Raise SettingsError for what QGIS lets pass: NaN, infinite numbers, whole ones that are too large, words where a
+    number may be left out, and reference systems that there are not."""
     for definition in algorithm.parameterDefinitions():
+        title, given = definition.description(), values.get(definition.name())
+        is_text = isinstance(given, str) and bool(given.strip())
+        is_system = is_text and isinstance(definition, QgsProcessingParameterCrs)
+        if is_system and not algorithm.parameterAsCrs(values, definition.name(), context).isValid():
+            raise SettingsError(messages.NOT_A_SYSTEM(parameter=title, value=given))
         if not isinstance(definition, QgsProcessingParameterNumber):
             continue
-        title, given = definition.description(), values.get(definition.name())
-        if isinstance(given, str) and given.strip() and not _is_number(given):
+        if is_text and not _is_number(str(given)):
             raise SettingsError(messages.NO_NUMBER(parameter=title, value=given))
         value = algorithm.parameterAsDouble(values, definition.name(), context)
         if not math.isfinite(value):
             raise SettingsError(messages.NOT_A_NUMBER(parameter=title, value=value))
-        if definition.dataType() == QgsProcessingParameterNumber.Type.Integer and abs(value) > _LARGEST_WHOLE:
-            raise SettingsError(messages.NUMBER_TOO_LARGE(parameter=title, value=value, most=_LARGEST_WHOLE))
+        if definition.dataType() == QgsProcessingParameterNumber.Type.Integer and abs(value) > LARGEST_WHOLE:
+            raise SettingsError(messages.NUMBER_TOO_LARGE(parameter=title, value=value, most=LARGEST_WHOLE))
 
 
 def _is_number(text: str) -> bool:
@@ -233,16 +261,6 @@ def _is_number(text: str) -> bool:
     except ValueError:
         return False
     return True
-
-
-def check_systems(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:
-    """Raise SettingsError for a reference system that there is not: QGIS takes it for none given."""
-    for definition in algorithm.parameterDefinitions():
-        value = values.get(definition.name())
-        if not (isinstance(definition, QgsProcessingParameterCrs) and isinstance(value, str) and value.strip()):
-            continue
-        if not algorithm.parameterAsCrs(values, definition.name(), context).isValid():
-            raise SettingsError(messages.NOT_A_SYSTEM(parameter=definition.description(), value=value))
 
 
 def check_files(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> None:
@@ -274,8 +292,8 @@ def takes_rasters(definition: QgsProcessingParameterDefinition) -> bool:
 
 def _paths(value: Any) -> Iterator[str]:
     """Paths of one layer or several, those that are given as texts."""
-    for one in value if isinstance(value, (list, tuple)) else (value,):
-        path = _LAYER_ADDRESS.sub("", one) if isinstance(one, str) else ""
+    for item in value if isinstance(value, (list, tuple)) else (value,):
+        path = _LAYER_ADDRESS.sub("", item) if isinstance(item, str) else ""
         if path:
             yield path
 
@@ -289,12 +307,12 @@ def without_rasters(
     can't open without a reason.
     """
     emptied = dict(values)
-    for one in algorithm.parameterDefinitions():
-        name, value = one.name(), values.get(one.name())
-        if isinstance(one, QgsProcessingParameterRasterLayer):
+    for definition in algorithm.parameterDefinitions():
+        name, value = definition.name(), values.get(definition.name())
+        if isinstance(definition, QgsProcessingParameterRasterLayer):
             if isinstance(value, str) and value:
                 emptied[name] = QgsRasterLayer()
-        elif name in values and (name in lists or takes_rasters(one)):
+        elif name in values and (name in lists or takes_rasters(definition)):
             emptied[name] = []
     return emptied
 
@@ -308,7 +326,7 @@ _WORDS = ("name", "source", "kept_source")
 
 def in_users_language(rules: Rules) -> Rules:
     """Names and sources of rules translated, those of the rules in them too; what is none of ours stays."""
-    known = {one.name: getattr(rules, one.name) for one in fields(rules)}  # type: ignore[arg-type]
+    known = {field.name: getattr(rules, field.name) for field in fields(rules)}  # type: ignore[arg-type]
     changed = {name: tr(value) if name in _WORDS else _translated(value) for name, value in known.items()}
     return replace(rules, **changed)  # type: ignore[type-var]
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsGeometry, QgsProcessingFeatureSource
 
 from ...imagery import messages as imagery_messages
-from ...imagery.errors import Message, SettingsError, WindowError
+from ...imagery.errors import Message, RasterError, SettingsError, WindowError
 from ...imagery.grids import NumberedWindow
 from .. import messages
 from ..table_fields import text, whole_number
@@ -17,6 +17,7 @@ from .run import Run
 
 if TYPE_CHECKING:
     from ...imagery.clips import DrawnWindow
+    from ...imagery.rasters import Raster, RasterRef
 
 _LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
 _LEAST_FILLED = 0.9  # of the rectangle around a window; one drawn in another reference system is turned a little
@@ -31,7 +32,7 @@ class WindowFeature(NumberedWindow):
 
 
 class WindowFeatures:
-    """All of them; what a result needs of a window is kept until it is taken."""
+    """The windows of a layer; what a result needs of a window is kept until it is taken."""
 
     def __init__(
         self,
@@ -47,13 +48,13 @@ class WindowFeatures:
         self._transform = run.transform(source, crs)
         self._names = set(source.fields().names())
         self.carried = tuple(name for name in carried if name in self._names)
-        """The fields that do."""
+        """Names of these fields."""
         self._waiting: dict[int, tuple[QgsGeometry | None, dict[str, str | None]]] = {}
         self._numbers = self._given_numbers()
         self._last = max(self._numbers, default=0)
 
     def windows(self) -> Iterator[WindowFeature]:
-        """One per feature, in the layer's order."""
+        """A window for each feature, in the layer's order."""
         from .. import layers
 
         for feature in layers.features(self._source):
@@ -74,8 +75,8 @@ class WindowFeatures:
         """The rectangle as drawn and the carried values, as text, of a window whose result has come."""
         return self._waiting.pop(window_id)
 
-    def told(self) -> list[Message]:
-        """What was done to the windows that were read."""
+    def notices(self) -> list[Message]:
+        """Messages on what was done to the windows that were read."""
         counts = {messages.WINDOWS_RENUMBERED: self._renumbered, messages.WINDOWS_RESHAPED: self._reshaped}
         return [what(count=count) for what, count in counts.items() if count]
 
@@ -89,10 +90,10 @@ class WindowFeatures:
 
     def _number(self, feature: QgsFeature) -> int:
         """The feature's own number when it is the first to have it, else the next free one."""
-        own = _own_number(feature) if "window_id" in self._names else None
-        if own is not None and own in self._numbers:
-            self._numbers.remove(own)
-            return own
+        number = _own_number(feature) if "window_id" in self._names else None
+        if number is not None and number in self._numbers:
+            self._numbers.remove(number)
+            return number
         self._renumbered += "window_id" in self._names
         self._last += 1
         return self._last
@@ -119,13 +120,25 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         self.refs = {name: refs for name, (refs, _) in given.items()}
         """The rasters by parameter."""
         self.left_out = [why for _, left_out in given.values() for why in left_out]
-        """About rasters that can't be used at all."""
+        """Messages on rasters that can't be used at all."""
 
-    def require_rasters(self, usable: Iterable[object]) -> None:
+    def opened(self, refs: Iterable[RasterRef]) -> list[Raster]:
+        """The rasters that can be opened; ``left_out`` tells of the others."""
+        from ...imagery.open_raster import describe
+
+        rasters = []
+        for ref in dict.fromkeys(refs):
+            try:
+                rasters.append(describe(ref))
+            except RasterError as error:
+                self.left_out.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
+        return rasters
+
+    def require_rasters(self, usable: Sequence[object]) -> None:
         """Raise SettingsError, with the reasons, when no raster is left."""
         from ...imagery import limits as imagery_limits
 
-        if not list(usable):
+        if not usable:
             why = tuple(self.left_out[: imagery_limits.MAX_REASONS])
             raise SettingsError(messages.NO_RASTER_USABLE(why=why) if why else messages.NO_RASTERS())
 
@@ -153,5 +166,5 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
                 run.tell(imagery_messages.ABOUT(what=window.window_id, why=window.reason).as_warning())
         if not windows:
             raise SettingsError(messages.NO_WINDOWS())
-        run.tell(*features.told())
+        run.tell(*features.notices())
         return windows

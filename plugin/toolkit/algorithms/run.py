@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 class Run:
-    """What QGIS hands to an algorithm, read by the parameters' names."""
+    """The parameters of a run, read by their names, and its results and messages."""
 
     def __init__(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext,
@@ -48,7 +48,7 @@ class Run:
         self.leads: dict[str, str] = {}  # where the outputs' paths led when they were checked
         self._algorithm = algorithm
         self._sinks = FeatureSinks()
-        self._told: set[str] = set()
+        self._messages: set[str] = set()  # that ``tell_once`` has shown
         self._styles: dict[str, str] = {}  # of layers, by their destinations
 
     def close(self, has_failed: bool = False) -> dict[str, Message]:
@@ -59,8 +59,8 @@ class Run:
             self.tell(said)
         return self._sinks.lost
 
-    def kept(self, results: dict[str, Any]) -> dict[str, Any]:
-        """Results that there are of those of a run that is closed; tells of the others.
+    def available(self, results: dict[str, Any]) -> dict[str, Any]:
+        """The results of a closed run that there are; tells of the others.
 
         Raises SettingsError where all layers are lost.
         """
@@ -68,8 +68,8 @@ class Run:
         if lost and not self._sinks.has_whole:
             raise SettingsError(next(iter(lost.values())))
         self.tell(*lost.values())
-        kept = {name: value for name, value in results.items() if value is not None and value not in lost}
-        return {name: beside[value][0] if value in beside else value for name, value in kept.items()}
+        written = {name: value for name, value in results.items() if value is not None and value not in lost}
+        return {name: beside[value][0] if value in beside else value for name, value in written.items()}
 
     # values
 
@@ -98,7 +98,7 @@ class Run:
         return self._algorithm.parameterAsCrs(self.parameters, name, self.context)
 
     def extent(self, name: str, crs: QgsCoordinateReferenceSystem) -> QgsRectangle:
-        """In a reference system."""
+        """Value of an extent, in a reference system."""
         return self._algorithm.parameterAsExtent(self.parameters, name, self.context, crs)
 
     def extent_crs(self, name: str) -> QgsCoordinateReferenceSystem:
@@ -180,7 +180,7 @@ class Run:
     def transform(
         self, source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem
     ) -> QgsCoordinateTransform:
-        """From the reference system of a layer to another one. Raises WindowError when PROJ has no way."""
+        """The transformation from a layer's reference system to another. Raises WindowError when PROJ has none."""
         from ..reference_systems import transformation
 
         return transformation(source.sourceCrs(), crs, self.context.transformContext())
@@ -188,7 +188,10 @@ class Run:
     # results
 
     def sink(self, name: str, *layout: Any) -> Sink:
-        """Where features go, and its destination; ``layout``: fields, and geometry type and reference system if any."""
+        """The sink of an output of features, and its destination.
+
+        ``layout``: fields, and geometry type and reference system if there are any.
+        """
         text = output_text(self.parameters.get(name), self.context)
         place = table_place(text) if text and is_file(text) else None
 
@@ -216,7 +219,7 @@ class Run:
         self.style(path, self._styles.get(destination, ""))
 
     def optional_sink(self, name: str, *layout: Any) -> Sink:
-        """Like ``sink``; nothing when the output is not wanted."""
+        """The sink of an output and its destination; (None, None) when it is not wanted."""
         return self.sink(name, *layout) if self.parameters.get(name) else (None, None)
 
     def write(self, sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:
@@ -248,11 +251,11 @@ class Run:
             self.context.layerToLoadOnCompletionDetails(destination).name = title
 
     def layer_path(self, name: str) -> str:
-        """Where an output raster goes."""
+        """Path of an output raster."""
         return str(self._algorithm.parameterAsOutputLayer(self.parameters, name, self.context))
 
     def file_path(self, name: str) -> Path | None:
-        """Where an output file goes; None when it is not wanted."""
+        """Path of an output file; None when it is not wanted."""
         wanted = self.parameters.get(name)
         path = self._algorithm.parameterAsFileOutput(self.parameters, name, self.context) if wanted else ""
         return Path(path) if path else None
@@ -302,12 +305,12 @@ class Run:
     def tell_once(self, messages: Iterable[Message]) -> None:
         """Tell those that were not told so before: a raster that can't be compared is not named in every window."""
         for message in messages:
-            if (text := str(message)) not in self._told:
+            if (text := str(message)) not in self._messages:
                 self.tell(message)
-            self._told.add(text)
+            self._messages.add(text)
 
     def inform(self, text: str) -> None:
-        """Tell a fact, translated already."""
+        """Show a fact, translated already."""
         self.feedback.pushInfo(text)
 
     def doing(self, text: str) -> None:
@@ -318,7 +321,7 @@ class Run:
         return bool(self.feedback.isCanceled())
 
     def progress(self, share: float) -> None:
-        """How much is done, 0 to 1."""
+        """Show how much is done, 0 to 1."""
         self.feedback.setProgress(100 * share)
 
     def goes_on(self, share: float) -> bool:

@@ -1,4 +1,4 @@
-"""What is told of many windows, for a log that stays readable: one sentence of each kind, with the windows' numbers."""
+"""Messages on many windows, for a log that stays readable: one sentence of each kind, with the windows' numbers."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
@@ -14,33 +14,33 @@ class WindowNotices:
     """Gathers the sentences window by window. One begins with a word, as QGIS writes it behind its progress' number."""
 
     def __init__(self) -> None:
-        self._found: dict[tuple[object, ...], dict[int, Message]] = {}
+        self._by_kind: dict[tuple[object, ...], dict[int, Message]] = {}
 
     def add(self, window_id: int, notices: Iterable[Message | None]) -> None:
-        """What is to be told of a window; the first of a kind stands for all that it has of it."""
+        """Add messages on a window; the first of a kind stands for all that it has of it."""
         for notice in notices:
             if notice is not None:
-                self._found.setdefault(_kind(notice), {}).setdefault(window_id, notice)
+                self._by_kind.setdefault(_kind(notice), {}).setdefault(window_id, notice)
 
-    def told(self) -> list[Message]:
-        """A sentence of each kind, in the order in which they were found."""
-        return [_about(said) for said in self._found.values()]
+    def messages(self) -> list[Message]:
+        """A sentence of each kind, in the order in which they were added."""
+        return [_about(notices) for notices in self._by_kind.values()]
 
 
 def _kind(message: Message) -> tuple[object, ...]:
-    """Its template with those of the sentences in it."""
+    """The template of a message with those of the messages in it."""
     return (message.template, *(_kind(value) for value in message.values.values() if isinstance(value, Message)))
 
 
-def _about(said: dict[int, Message]) -> Message:
-    (first, what), count = next(iter(said.items())), len(said)
+def _about(notices: dict[int, Message]) -> Message:
+    (first, what), count = next(iter(notices.items())), len(notices)
     if count == 1:
-        told = messages.OF_A_WINDOW(window=first, what=what)
-    elif len(set(map(str, said.values()))) == 1:
-        told = messages.OF_WINDOWS(count=count, windows=_numbers(sorted(said)), what=what)
+        message = messages.OF_A_WINDOW(window=first, what=what)
+    elif len(set(map(str, notices.values()))) == 1:
+        message = messages.OF_WINDOWS(count=count, windows=_numbers(sorted(notices)), what=what)
     else:
-        told = messages.OF_WINDOWS_SUCH_AS(count=count, windows=_numbers(sorted(said)), window=first, what=what)
-    return replace(told, level=what.level)
+        message = messages.OF_WINDOWS_SUCH_AS(count=count, windows=_numbers(sorted(notices)), window=first, what=what)
+    return replace(message, level=what.level)
 
 
 def _numbers(ordered: Sequence[int]) -> str:
@@ -51,5 +51,5 @@ def _numbers(ordered: Sequence[int]) -> str:
             stretches[-1][1:] = [number]
         else:
             stretches.append([number])
-    told = ["\u2013".join(map(str, stretch)) for stretch in stretches[:_MOST_STRETCHES]]
-    return ", ".join(told if len(stretches) <= _MOST_STRETCHES else [*told, "\u2026"])
+    texts = ["\u2013".join(map(str, stretch)) for stretch in stretches[:_MOST_STRETCHES]]
+    return ", ".join(texts if len(stretches) <= _MOST_STRETCHES else [*texts, "\u2026"])

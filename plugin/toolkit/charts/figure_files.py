@@ -16,7 +16,7 @@ from ..translation import local_digits
 
 
 def set_local_ticks(figure: Figure) -> None:
-    """For all axes of a figure that have matplotlib's own numbers, not words or formats of ours."""
+    """Write the numbers of axes in the user's digits, where they are matplotlib's, not words or formats of ours."""
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):
             if type(axis.get_major_formatter()) is ScalarFormatter:

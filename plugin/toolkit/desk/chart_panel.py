@@ -1,4 +1,4 @@
-"""What the tabs with a chart have in common."""
+"""The base of tabs with a chart."""
 from __future__ import annotations
 
 from qgis.PyQt.QtCore import QEvent, Qt

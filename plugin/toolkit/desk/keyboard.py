@@ -32,7 +32,7 @@ class FocusFilter:
         self._is_on = False
 
     def listen(self, is_on: bool) -> None:
-        """From now on, or no more."""
+        """Begin or stop to watch the keyboard."""
         if is_on == self._is_on:
             return
         self._is_on = is_on
@@ -56,7 +56,7 @@ _REPEATED_MS = 50  # longer than a key that repeats is up, shorter than one that
 
 
 class HeldKeys(QObject):
-    """Which keys are down. X repeats a held key by releasing and pressing it within 3 ms, and Qt does not always say
+    """The keys that are down. X repeats a held key by releasing and pressing it within 3 ms, and Qt does not always say
     so: a release that a press follows within 50 ms is none.
     """
 
@@ -99,7 +99,7 @@ class HeldKeys(QObject):
             QApplication.instance().applicationStateChanged.disconnect(self._leave)
 
     def close(self) -> None:
-        """No key is down any more, and nobody is told so."""
+        """Forget the keys that are down; no signal tells of it."""
         for key in list(self._pressed):
             self.forget(key)
 

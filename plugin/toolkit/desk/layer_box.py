@@ -18,14 +18,14 @@ _UUID = re.compile(r"_[0-9a-f]{8}(_[0-9a-f]{4}){3}_[0-9a-f]{12}$")  # what QGIS 
 
 
 def missing_text(layer_id: str) -> str:
-    """How a layer that is not in the project is shown: by the name it had when it was loaded."""
+    """Text for a layer that is not in the project: by the name it had when it was loaded."""
     return filled(tr("missing: {name}"), name=_UUID.sub("", layer_id))
 
 
 def vectors_without(field: str) -> list[QgsVectorLayer]:
     """The project's vector layers that lack a field."""
-    found = QgsProject.instance().mapLayers().values()
-    return [layer for layer in found if isinstance(layer, QgsVectorLayer) and field not in layer.fields().names()]
+    layers = QgsProject.instance().mapLayers().values()
+    return [layer for layer in layers if isinstance(layer, QgsVectorLayer) and field not in layer.fields().names()]
 
 
 class LayerBox(QgsMapLayerComboBox):
@@ -59,7 +59,7 @@ class LayerBox(QgsMapLayerComboBox):
             self.setCurrentIndex(0)
 
     def leave_out(self, layers: Sequence[QgsVectorLayer]) -> None:
-        """Layers not to be offered."""
+        """Offer these layers no more."""
         ids = {layer.id() for layer in layers}
         if ids != self._left_out:
             self._left_out = ids

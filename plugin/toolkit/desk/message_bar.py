@@ -1,4 +1,4 @@
-"""What the desk tells: messages in QGIS's message bar, some with a button to go on with, and many in its log."""
+"""Messages of the desk in QGIS's message bar, some with a button to go on with, and many in its log."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
@@ -27,14 +27,14 @@ def bar_level(message: Message) -> int:
 
 
 def write_log(messages: Iterable[Message]) -> None:
-    """One line each, on the plugin's own page, without a notice in the message bar. The page is rich text."""
+    """Write a line each to the plugin's page of the log, without a notice in the message bar. The page is rich text."""
     for message in messages:
         text = escape(sentence(message), quote=False)
         QgsMessageLog.logMessage(text, tr("Seam Inspector"), _LEVELS[message.level], False)
 
 
 class BarQuestion(QObject):
-    """One at a time; it stays until it is answered or dismissed, or the project is closed."""
+    """A question in the message bar, one at a time, until it is answered or dismissed, or the project closes."""
 
     def __init__(self, bar: QgsMessageBar, parent: QObject) -> None:
         super().__init__(parent)
@@ -64,7 +64,7 @@ class BarQuestion(QObject):
         return self._item is not None and not sip.isdeleted(self._item)
 
     def close(self) -> None:
-        """Leave nothing behind."""
+        """Dismiss the question and follow the project no more."""
         QgsProject.instance().cleared.disconnect(self.dismiss)
         self.dismiss()
 

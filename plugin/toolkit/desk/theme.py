@@ -52,15 +52,15 @@ def plain_icon(*pixmaps: QPixmap) -> QIcon:
     return icon
 
 
-def contrast(one: QColor, other: QColor) -> float:
+def contrast(colour: QColor, other: QColor) -> float:
     """Contrast of two colours, 1 to 21, as WCAG 2.1 defines it."""
-    darker, lighter = sorted((_luminance(one), _luminance(other)))
+    darker, lighter = sorted((_luminance(colour), _luminance(other)))
     return (lighter + 0.05) / (darker + 0.05)
 
 
-def blended(one: QColor, other: QColor, share: float) -> QColor:
-    """So much of one colour in another."""
-    pairs = zip(one.getRgb()[:3], other.getRgb()[:3])
+def blended(colour: QColor, other: QColor, share: float) -> QColor:
+    """A colour mixed into another one by a share."""
+    pairs = zip(colour.getRgb()[:3], other.getRgb()[:3])
     return QColor(*(round(share * a + (1 - share) * b) for a, b in pairs))
 
 

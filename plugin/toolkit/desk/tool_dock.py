@@ -71,7 +71,7 @@ _MESSAGE_SECONDS = 8
 
 
 class ToolDock(QgsDockWidget):
-    """``close_desk`` lets go of all that a dock owns."""
+    """A dock with a map tool; ``close_desk`` lets go of all that it owns."""
 
     tool: DrawingTool
     draw: QAction
@@ -112,7 +112,7 @@ class ToolDock(QgsDockWidget):
         self.visibilityChanged.connect(self._clear_map)
 
     def _clear_map(self, *_: object) -> None:
-        """What lies on the map goes with the desk, whose keys and buttons would take it off."""
+        """Clear the map when the desk goes, whose keys and buttons would take off what lies on it."""
         if self.isHidden():  # and not only behind another dock
             self._leave_tool()
 

@@ -108,7 +108,7 @@ class ClippedLabel(QWidget):
             self.update()
 
     def set_lines(self, fewest: int, most: int) -> None:
-        """Be as high as the text needs, from now on."""
+        """Set between how many lines the height follows the text."""
         if (fewest, most) != (self._fewest, self._most):
             self._fewest, self._most = fewest, most
             self._fit()
@@ -151,7 +151,7 @@ class ClippedLabel(QWidget):
             painter.drawText(self.contentsRect(), _WRAPPED, with_units(self._fitting(self.fontMetrics())))
 
     def _fitting(self, metrics: QFontMetrics) -> str:
-        """Text as far as there are lines for it."""
+        """The text as far as there are lines for it."""
         if self._fits(metrics, self._text, self._lines):
             return self._text
         shortest, longest = 0, len(self._text)
@@ -170,7 +170,7 @@ class ClippedLabel(QWidget):
 
 
 def with_units(text: str) -> str:
-    """No line breaks between a number and its unit."""
+    """The text without line breaks between a number and its unit."""
     return re.sub(r"(?<=\d) (?=(?:%|m²|m|px)(?!\w))", "\u00a0", text)
 
 
@@ -198,7 +198,7 @@ class FittingToolBar(QToolBar):
         self._fit()
 
     def sizeHint(self) -> QSize:
-        """With all words."""
+        """The size with all words."""
         return QSize(self._whole, super().sizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -20,11 +20,12 @@ from markupsafe import Markup, escape
 from qgis.core import Qgis
 
 from ...imagery.atomic_files import whole_file
+from ...imagery.documents import plugin_version
 from ...imagery.errors import Message, printable
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import is_geographic
 from ..reference_systems import reference_system
-from ..resources import plugin_commit, plugin_version, reports_path
+from ..resources import plugin_commit, reports_path
 from ..translation import filled, formatted, language, sentence, shown_number, tr
 
 _SHORT_COMMIT = 12  # digits
@@ -32,7 +33,7 @@ MOST_RASTERS = 40  # listed one by one: a page of them
 
 
 class MeasuredRaster(NamedTuple):
-    """What a report says of one raster: a row of its table."""
+    """A row of a report's table of rasters."""
 
     role: str
     """What it is to the measurement: mosaic, orthoimage, image."""
@@ -48,12 +49,12 @@ class MeasuredRaster(NamedTuple):
 
 @dataclass(frozen=True)
 class HowMeasured:
-    """How the figures of a report came about."""
+    """The settings and rasters that the figures of a report come from."""
 
     settings: Sequence[tuple[str, str]] = ()
     """Names and values: wavelet, limits, files."""
     rasters: Sequence[MeasuredRaster] = ()
-    """Those that were measured, in an order that their reader knows."""
+    """The rasters that were measured, in an order that their reader knows."""
     made_on: date | None = None
     """The day of the measurement; None for today."""
 
@@ -66,8 +67,8 @@ class HowMeasured:
     def software(self) -> str:
         """Names and versions of the programs, ours to the commit where that is known."""
         commit = plugin_commit()[:_SHORT_COMMIT]
-        own = f"{plugin_version()} ({commit})" if commit else plugin_version()
-        return f"Seam Inspector {own}, QGIS {Qgis.version()}"
+        version = f"{plugin_version()} ({commit})" if commit else plugin_version()
+        return f"Seam Inspector {version}, QGIS {Qgis.version()}"
 
     @property
     def listed(self) -> Sequence[MeasuredRaster]:
@@ -76,7 +77,7 @@ class HowMeasured:
 
     @property
     def left_out(self) -> int:
-        """How many more there are."""
+        """The number of rasters beyond those listed."""
         return len(self.rasters) - len(self.listed)
 
 
@@ -96,11 +97,11 @@ def measured_raster(role: str, raster: Raster | RasterRef) -> MeasuredRaster:
 
 def each_raster(role: str, rasters: Iterable[Raster | RasterRef]) -> list[MeasuredRaster]:
     """Facts of several rasters, each path once."""
-    return list({facts.path: facts for facts in (measured_raster(role, one) for one in rasters)}.values())
+    return list({facts.path: facts for facts in (measured_raster(role, raster) for raster in rasters)}.values())
 
 
 def whole_path(address: str) -> str:
-    """What somebody else finds a file or a layer in it by, wherever the program was started; others as they are."""
+    """The address of a file or a layer in it, from whatever folder it is read; other addresses as they are."""
     path, bar, layer = address.partition("|")
     return f"{os.path.abspath(path)}{bar}{layer}" if path and os.path.exists(path) else address
 
@@ -151,7 +152,7 @@ def sentences_once(notices: Iterable[Message]) -> list[str]:
 
 @cache
 def environment() -> Environment:
-    """Where templates are found, and what they know besides what they are given."""
+    """The environment of the templates: their folder, and the functions and filters that they all have."""
     made = Environment(
         loader=FileSystemLoader(reports_path()), autoescape=True, undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True, finalize=_shown,
@@ -196,7 +197,7 @@ def _cell_width(value: object) -> str:
 def _css_text(words: str) -> str:
     """Words as a string of CSS, in which nothing but letters and digits means what it says."""
     short = words if len(words) <= _LONGEST_FOOT else words[: _LONGEST_FOOT - 1] + "…"
-    return re.sub(r"[^A-Za-z0-9 ]", lambda one: f"\\{ord(one.group()):x} ", short)
+    return re.sub(r"[^A-Za-z0-9 ]", lambda letter: f"\\{ord(letter.group()):x} ", short)
 
 
 def _filled_columns(

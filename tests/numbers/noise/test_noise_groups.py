@@ -11,11 +11,11 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.clips import DrawnWindow
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster, PixelBlock
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, PixelBlock, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.measure import group_noise, noise_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
-from seam_inspector.plugin.noise.measure.noise_plan import GroupedImage, NoiseRequest, Part, Plan, describe_images
+from seam_inspector.plugin.noise.measure.noise_plan import GroupedImage, NoiseRequest, Part, Plan
 from seam_inspector.plugin.noise.measure.window_choice import choose_windows
 
 from tests.numbers.synthetic import ORIGIN, decompose, orthoimage, patchy_texture, texture, wkt, write_raster
@@ -24,9 +24,7 @@ MakeRaster = Callable[..., str]
 
 
 def images(paths: Sequence[str], group: int = 1) -> list[GroupedImage]:
-    found, notices = describe_images([RasterRef(path) for path in paths], group)
-    assert notices == []
-    return found
+    return [GroupedImage(describe(RasterRef(path)), group) for path in paths]
 
 
 def measure(plan: Plan, levels: int = 3) -> list[ClipNoise]:

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from osgeo import ogr
 from seam_inspector.plugin.imagery.lines import find_seams
+from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.measure import group_noise, noise_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
-from seam_inspector.plugin.noise.measure.noise_plan import describe_images
 from seam_inspector.plugin.radiometry.measure.assessment import Assessment
 
 from tests.numbers.radiometry.judging import checked
@@ -18,9 +18,7 @@ from tests.numbers.synthetic import decompose, luminance, read_pixels
 
 
 def check(*paths: Path, most: int = 3) -> list[ClipNoise]:
-    images, notices = describe_images([RasterRef(str(path)) for path in paths], 1)
-    assert notices == []
-    plan = noise_plan.plan_chosen(images, 3)
+    plan = noise_plan.plan_chosen([noise_plan.GroupedImage(describe(RasterRef(str(path))), 1) for path in paths], 3)
     return [one for request in plan.requests[:most] for one in group_noise.measure_request(request, "coif3", 3)]
 
 

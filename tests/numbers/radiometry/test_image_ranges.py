@@ -5,8 +5,9 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.radiometry.measure.assessment import RadiometricOutcome, decide_image, judge
-from seam_inspector.plugin.radiometry.measure.image_statistics import ImageRange, LargestValue, range_of_set
+from seam_inspector.plugin.radiometry.measure.image_statistics import LargestValue, range_of_set
 from seam_inspector.plugin.radiometry.measure.rules import RuleSet
 
 from tests.numbers.radiometry.jrc import default_rules
@@ -71,8 +72,8 @@ def test_the_set_says_it_where_its_values_end_at_a_depth(make_raster: MakeRaster
 def test_bands_that_end_at_different_values(make_raster: MakeRaster) -> None:
     colours = np.stack([sheet(380, 150, 1000), sheet(2500, 900, 4095, 1), sheet(800, 150, 1500, 2)])
     found = measured(make_raster("a.tif", colours), default_rules())
-    assert found.kept().largest_value == found.largest_value == LargestValue(4095, True)
-    kept, whole = (judge(one, default_rules(), ImageRange((0, 4095))) for one in (found.kept(), found))
+    assert found.trimmed().largest_value == found.largest_value == LargestValue(4095, True)
+    kept, whole = (judge(one, default_rules(), (0, 4095)) for one in (found.trimmed(), found))
     assert kept.checked_figures == whole.checked_figures
 
 
@@ -98,8 +99,7 @@ def test_more_than_14_bits_are_16(make_raster: MakeRaster) -> None:
 )
 def test_the_range_of_a_set(images: list[LargestValue], high: float | None) -> None:
     found = range_of_set(images)
-    assert found.available == (None if high is None else (0, high))
-    assert (found.why is None) is (high is not None)
+    assert isinstance(found, Message) if high is None else found == (0, high)
 
 
 def test_16_bits_with_a_sign_have_no_range_of_their_own(make_raster: MakeRaster) -> None:

@@ -13,7 +13,7 @@ def told(*notices: tuple[int, list[Message | None]]) -> list[str]:
     gathered = WindowNotices()
     for window, said in notices:
         gathered.add(window, said)
-    return [str(message) for message in gathered.told()]
+    return [str(message) for message in gathered.messages()]
 
 
 def test_one_window_is_named_in_its_sentence() -> None:
@@ -40,7 +40,7 @@ def test_ten_thousand_windows_make_a_short_line_that_keeps_its_level() -> None:
     gathered = WindowNotices()
     for number in range(1, 20000, 2):
         gathered.add(number, [NOTHING])
-    (line,) = gathered.told()
+    (line,) = gathered.messages()
     assert line.level is WARNING
     assert str(line).startswith("In 10000 windows (1, 3, 5, ")
     assert len(str(line)) < 150

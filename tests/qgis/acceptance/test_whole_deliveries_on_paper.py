@@ -147,7 +147,7 @@ def height_of(curve: Line2D, x: float) -> float:
 ])
 def test_a_file_is_what_its_name_says(output: str, name: str, tmp_path: Path) -> None:
     wanted = {"DEFECTS": None, "REPORT": None, output: str(tmp_path / name)}
-    assert_refused("acceptmosaic", f"{name} says something else", SEAMS=[seams([0.5])], **wanted)
+    assert_refused("acceptmosaic", f"{name} has the wrong ending", SEAMS=[seams([0.5])], **wanted)
     assert not list(tmp_path.iterdir())
 
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import drop_unfinished
-from ....imagery.documents import xml_root
+from ....imagery.documents import plugin_version, xml_root
 from ....imagery.errors import Message, SettingsError
 from ....imagery.file_identity import OF_NO_CONSEQUENCE, local_state, local_states, remote_state
 from ....imagery.gdal_paths import is_remote, local_file, with_parts
@@ -149,13 +149,6 @@ def _said_beside(path: str) -> str:
             parent.remove(child)
     kept = [band for band in root if len(band) or (band.text or "").strip()]
     return "".join(re.sub(r"\s+", " ", tostring(one, "unicode")) for one in kept)
-
-
-def plugin_version() -> str:
-    """The plugin's version; that of what measures is the package's, wherever it is installed."""
-    metadata = Path(__file__).parents[4] / "metadata.txt"
-    found = re.search(r"^version=(.*)$", metadata.read_text(encoding="utf-8"), re.M) if metadata.is_file() else None
-    return found.group(1).strip() if found else ""
 
 
 _KIND = "Seam Inspector: journal of a scan"

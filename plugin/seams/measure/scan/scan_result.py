@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from typing import Callable
 
 from ....imagery import limits as imagery_limits
+from ....imagery.documents import plugin_version
 from ....imagery.errors import Message, RasterError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
 from ....imagery.lines import points_at, vertex_stations
@@ -25,7 +26,6 @@ from ..window_placing import PlacedWindow, WindowIndex
 from . import messages
 from .lines.seam_pieces import SeamPiece
 from .lines.seam_tracing import SourcePolygon
-from .scan_journal import plugin_version
 from .scan_settings import ScanSettings
 
 MOST_GRAIN = 1.5 / 255
