@@ -90,9 +90,6 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
     ("planinspection", "count", {
         "SEAMS": _files("scan_seams.gpkg"), "PLAN": "count", "COUNT": 3, "UNIT": "windows", "SIDE": 12.8,
         "MOSAIC": _file("scan/mosaic.tif"), "SHEETS": _file("sheets.gpkg")}),
-    ("planinspection", "risk", {
-        "SEAMS": _files("scan_seams.gpkg"), "PLAN": "risk", "GOOD_SHARE": 1.0, "PRODUCERS_RISK": 5.0,
-        "BAD_SHARE": 8.0, "CONSUMERS_RISK": 10.0, "CORRELATION": 0.1, "MIN_KEPT": 0.7}),
     ("acceptmosaic", "limits", {
         "SEAMS": _files("scan_seams.gpkg"), "MIN_KEPT": 0.7, "MAX_SHARE": 2.0, "MAX_RUN": 50.0, "MIN_MEASURED": 90.0,
         "MOSAIC": _files("scan/mosaic.tif"), "LOSS": _files("scan_loss.tif"), "WINDOWS": _file("windows.gpkg"),

@@ -1,35 +1,36 @@
-"""``acceptmosaic`` with proof: of each failure the window that the seams' own subject measures there.
+"""``acceptmosaic`` with proof: of each failure the same place in the orthoimages that the mosaic was made from.
 
 The decision knows no orthoimages and the inspection no decisions; here the two meet.
 """
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from .acceptance.acceptmosaic import AcceptMosaic
+from .imagery.grids import PixelWindow
 from .seams.algorithms.block_parameters import gathered_sources, given_sources
 from .toolkit.algorithms import parameters as common
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from .acceptance.paper.proofs import Proof, ProofPanel, Prover
-    from .imagery.grids import Extent
+    from .acceptance.paper.proofs import ProofPanel, Prover
     from .imagery.rasters import Raster, RasterRef
     from .seams.measure.inspection import Block
     from .seams.measure.source_images import Source
     from .seams.measure.window.window_request import WindowRequest
-    from .seams.measure.window.window_result import WindowResult
     from .toolkit.algorithms.run import Run
 
 _MOST_IMAGES = 2
-_PROFILE_PX = 290, 210  # 70 mm on paper with letters of 8 points
+_AROUND_M = 40.0  # side of the ground by which orthoimages are cut: it tells which of them is followed where
+_SNAPPED_PX = 8  # windows are trimmed to a multiple of it
 
 
 class ProvenAcceptMosaic(AcceptMosaic):
-    """Measures the 40 m of each failure where least is kept."""
+    """Shows the middle of the piece that kept least of each failure beside its orthoimages."""
 
     def prepare(self, run: Run) -> None:
         super().prepare(run)
@@ -52,51 +53,41 @@ class ProvenAcceptMosaic(AcceptMosaic):
         self._wkt = first.wkt
         return tuple(one.ref for one in self._sources)
 
-    def prover(self, run: Run, min_kept: float) -> Prover | None:
+    def prover(self) -> Prover | None:
         sources: Sequence[Source] = getattr(self, "_sources", ())
         if not sources:
             return None
 
-        def prove(mosaic: Raster, extent: Extent, piece: Extent, sides: tuple[str, str]) -> Proof | None:
+        def prove(mosaic: Raster, part: PixelWindow, sides: tuple[str, str]) -> Sequence[ProofPanel]:
             from .seams.measure.inspection import Block
 
-            block = Block(mosaic, tuple(sources))
-            return proof_of(block, extent, piece, sides, min_kept) if mosaic.wkt == self._wkt else None
+            return proof_panels(Block(mosaic, tuple(sources)), part, sides) if mosaic.wkt == self._wkt else ()
 
         return prove
 
 
-def proof_of(block: Block, extent: Extent, piece: Extent, sides: tuple[str, str], min_kept: float) -> Proof | None:
-    """The part of a place where most was lost, in the mosaic, its orthoimages and their cut; of the piece alone where
-    the place can't be measured, as beside pixels without data, and its middle where neither can. None where no
-    orthoimage shows the place.
+def proof_panels(block: Block, part: PixelWindow, sides: tuple[str, str]) -> Sequence[ProofPanel]:
+    """A part of the mosaic, of its orthoimages and of their cut, by what is measured in the 40 m around it; empty where
+    no orthoimage shows it.
 
-    ``piece``: what holds the piece of seam that failed, of which the profile is: sound seams lie around it.
     ``sides``: what the two orthoimages beside the seam are called; those of other names that lie there are left out
     where both are found.
     """
-    from .acceptance.paper.proofs import PROOF_PX, Proof
-    from .seams.measure.inspection import InspectionSettings, inspect_window, window_request
-    from .seams.report.clip_parts import PlacedLoss, most_lost
+    from .seams.measure.inspection import InspectionSettings, window_request
 
-    settings = InspectionSettings(min_kept=min_kept)
-    request, of_piece = (
-        replace(one, sources=_beside(one.sources, sides))
-        for one in (window_request(block, 1, place, settings) for place in (extent, piece))
-    )
-    result, measured = map(inspect_window, (request, of_piece))
-    if result.loss is None and measured.loss is not None:
-        request, result = of_piece, measured
-    window = request.window
-    if window is None or not request.sources:
-        return None
-    side = min(PROOF_PX, window.width, window.height)
-    row, column = (window.height - side) // 2, (window.width - side) // 2
-    if result.loss is not None and result.window is not None:
-        row, column = most_lost(window, PlacedLoss(result.window, result.loss), side)
-    panels = tuple(_panels(request, (row, column, side)))
-    part = replace(window, column=window.column + column, row=window.row + row, width=side, height=side)
-    return Proof(panels, part, _profile(measured, min_kept)) if len(panels) > 1 else None
+    grid = block.mosaic.grid
+    more = max(math.ceil(_AROUND_M / grid.ground_sample_distance) - part.width, 0) // 2 + _SNAPPED_PX
+    around = PixelWindow(part.column - more, part.row - more, part.width + 2 * more, part.height + 2 * more)
+    around = around.moved_into(grid.columns, grid.rows).cut_to(grid.columns, grid.rows)
+    request = window_request(block, 1, grid.window_extent(around), InspectionSettings())
+    window, sources = request.window, _beside(request.sources, sides)
+    if window is None or not sources:
+        return ()
+    row, column = part.row - window.row, part.column - window.column
+    if min(row, column) < 0 or row + part.height > window.height or column + part.width > window.width:
+        return ()
+    panels = tuple(_panels(replace(request, sources=sources), (row, column, part.width, part.height)))
+    return panels if len(panels) > 1 else ()
 
 
 def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, ...]:
@@ -107,8 +98,8 @@ def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, 
     return named if len({source_stem(one.ref.name) for one in named}) == _MOST_IMAGES else tuple(sources)
 
 
-def _panels(request: WindowRequest, part: tuple[int, int, int]) -> Iterator[ProofPanel]:
-    """Panels of a part, given by row, column and side in the window."""
+def _panels(request: WindowRequest, part: tuple[int, int, int, int]) -> Iterator[ProofPanel]:
+    """Panels of a part, given by row, column, width and height in the window."""
     from .acceptance.paper.proofs import CUT_PANEL, IMAGE_PANEL, MOSAIC_PANEL, ProofPanel
     from .imagery.limits import has_colours
     from .seams.clip_pictures import make_pictures
@@ -129,16 +120,6 @@ def _panels(request: WindowRequest, part: tuple[int, int, int]) -> Iterator[Proo
         yield ProofPanel(IMAGE_PANEL, image.raster, _part(image.pixels, part))
 
 
-def _part(pixels: np.ndarray, part: tuple[int, int, int]) -> np.ndarray:
-    row, column, side = part
-    return pixels[row : row + side, column : column + side]
-
-
-def _profile(result: WindowResult, min_kept: float) -> str:
-    from .seams.charts.profile_painter import ShownProfile
-    from .seams.report.window_charts import profile_svg
-
-    if result.profile is None:
-        return ""
-    shown = ShownProfile(result.profile, result.ground_sample_distance, min_kept, frozenset({1}))
-    return profile_svg(shown, _PROFILE_PX)
+def _part(pixels: np.ndarray, part: tuple[int, int, int, int]) -> np.ndarray:
+    row, column, width, height = part
+    return pixels[row : row + height, column : column + width]

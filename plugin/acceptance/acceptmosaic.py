@@ -79,9 +79,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             "nobody judged counts as not measured."
         ), advanced=True)
         add_paper(self)
-        self.addDescribed(*common.chart(tr(
-            "The plan's operating characteristic; without a plan, how many metres kept how much."
-        )))
+        self.addDescribed(*common.chart(tr("How many metres kept how much.")))
         self.addOutput(QgsProcessingOutputString(DECISION, tr("accepted, rejected or undecided")))
         self.addNumbers({
             ACCEPTED: tr("Accepted (1), rejected (0), or nothing where it is undecided"),
@@ -126,7 +124,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
 
         return tuple(self._images) or tuple(map(RasterRef, scanned))
 
-    def prover(self, run: Run, min_kept: float) -> Prover | None:
+    def prover(self) -> Prover | None:
         return None
 
     def execute(self, run: Run) -> dict[str, Any]:
@@ -192,6 +190,6 @@ def _paths(refs: Sequence[RasterRef]) -> list[str]:
 
 def _save_chart(path: Path, decision: Decision) -> None:
     from ..toolkit.charts.figure_files import save_figure
-    from .paper.charts import kept_figure, oc_figure
+    from .paper.charts import kept_figure
 
-    save_figure(kept_figure(decision) if decision.plan is None else oc_figure(decision.plan), path)
+    save_figure(kept_figure(decision), path)

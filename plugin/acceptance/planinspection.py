@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from qgis.core import QgsProcessingOutputString
 from qgis.PyQt.QtCore import QT_TR_NOOP
@@ -16,18 +16,13 @@ from ..toolkit.translation import tr
 from . import stated_rules as stated
 from .measure import acceptance_rules as limits
 from .measure import messages
-from .measure.sampling_plans import INSPECTION_LEVELS, SEVERITIES
+from .measure.sampling_plans import INSPECTION_LEVELS
 from .sheet_index import add_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
-if TYPE_CHECKING:
-    from .measure.sampling_risks import StatedRisk
-
 SEAMS, UNIT, SIDE, PIECE, SHEET_FIELD, COUNT = "SEAMS", "UNIT", "SIDE", "PIECE", "SHEET_FIELD", "COUNT"
-GOOD_SHARE, PRODUCERS_RISK = "GOOD_SHARE", "PRODUCERS_RISK"
-BAD_SHARE, CONSUMERS_RISK, CORRELATION = "BAD_SHARE", "CONSUMERS_RISK", "CORRELATION"
 OUTPUT, SAMPLE_SIZE, ACCEPTANCE_NUMBER, CODE_LETTER = "OUTPUT", "SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "CODE_LETTER"
-RISK, BY_COUNT = "risk", "count"
+BY_COUNT = "count"
 PIECES, WINDOWS = "pieces", "windows"
 
 
@@ -37,8 +32,8 @@ class PlanInspection(SeamInspectorAlgorithm):
     ID = "planinspection"
     NAME = QT_TR_NOOP("Plan an inspection")
     HELP = QT_TR_NOOP(
-        "Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks "
-        "for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for 'Accept or "
+        "Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859 asks "
+        "for, or as large as you say. The sample comes as pieces of seam for 'Accept or "
         "reject a delivery', or as windows that open in the desk to be judged. The same seed draws the same sample."
     )
     RASTER_LISTS = (SEAMS,)
@@ -48,13 +43,12 @@ class PlanInspection(SeamInspectorAlgorithm):
             "Layers 'Seams' of scans, a sheet each, or plain seamlines: these are cut into pieces first."
         ))
         add_sheets(self)
-        self.addDescribed(common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, stated.ISOLATED, RISK, BY_COUNT)), tr(
+        self.addDescribed(common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, stated.ISOLATED, BY_COUNT)), tr(
             "How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an "
-            "isolated lot; risk, as few as keep the risks below; count, as many as you say."
+            "isolated lot; count, as many as you say."
         ))
         add_plan_parameters(self)
         self.addDescribed(common.whole(COUNT, tr("Count"), 50, 1), tr("How many are drawn with the plan 'count'."))
-        self._add_risks()
         self.addDescribed(common.choice(UNIT, tr("Unit"), (PIECES, WINDOWS)), tr(
             "pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic's pixels."
         ))
@@ -108,70 +102,30 @@ class PlanInspection(SeamInspectorAlgorithm):
             raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))
         plan, count = None, min(run.whole(COUNT), size)
         if run.word(stated.PLAN) != BY_COUNT:
-            risk = self._risk(run) if run.word(stated.PLAN) == RISK else None
-            plan, said = planned(run, lot, size, risk, None if risk is None else self._correlation(run))
+            plan, said = planned(run, size)
             count = plan.sample_size
         sample = drawn_sample(lot, count, run.whole(SEED))
-        run.tell(*said if plan else [messages.PLANNED_BY_COUNT(size=len(sample), lot=size)])
+        run.tell(said if plan else messages.PLANNED_BY_COUNT(size=len(sample), lot=size))
         if plan is not None and len(sample) < plan.sample_size:
             run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=len(sample)))
         on = None if self._mosaic is None or run.word(UNIT) != WINDOWS else (self._mosaic, run.real(SIDE))
         return {
             OUTPUT: write_sample(run, OUTPUT, sample, replace(delivery, lot_size=size), on),
             SAMPLE_SIZE: len(sample),
-            ACCEPTANCE_NUMBER: None if plan is None else plan.rejection_number - 1,
+            ACCEPTANCE_NUMBER: None if plan is None else plan.acceptance_number,
             LOT_SIZE: size,
             CODE_LETTER: None if plan is None else plan.code_letter or None,
         }
 
-    def _add_risks(self) -> None:
-        share = tr("Of the plan 'risk', in percent of the pieces.")
-        self.addDescribed(common.real(GOOD_SHARE, tr("Good: failing pieces (%)"), 1.0, 0.0), share, advanced=True)
-        self.addDescribed(common.real(PRODUCERS_RISK, tr("Producer's risk (%)"), 5.0, 0.0), tr(
-            "How often a lot that is good may be rejected."
-        ), advanced=True)
-        self.addDescribed(common.real(BAD_SHARE, tr("Bad: failing pieces (%)"), 8.0, 0.0), share, advanced=True)
-        self.addDescribed(common.real(CONSUMERS_RISK, tr("Consumer's risk (%)"), 10.0, 0.0), tr(
-            "How often a lot that is bad may be accepted."
-        ), advanced=True)
-        self.addDescribed(common.real(CORRELATION, tr("Correlation along a seam"), None, 0.0, optional=True), tr(
-            "Intraclass correlation of the pieces of one seam, 0 to 1; the sample grows with it. Empty: as a scan's "
-            "kept_1 says, or 0.3 without one."
-        ), advanced=True)
-        self.addDescribed(
-            common.real(stated.MIN_KEPT, tr("Least share of detail kept"), stated.LIMITS[stated.MIN_KEPT], 0.0),
-            tr("What counts as failed where the correlation along seams is taken from a scan."),
-            advanced=True,
-        )
-
     def _check(self, run: Run) -> None:
         """Raise SettingsError for what can't be planned."""
-        plan = stated.known_word(run, stated.PLAN, (stated.ISO2859, stated.ISOLATED, RISK, BY_COUNT))
+        plan = stated.known_word(run, stated.PLAN, (stated.ISO2859, stated.ISOLATED, BY_COUNT))
         for name in stated.QUALITIES:
             stated.standard_quality(run, name)
         stated.known_word(run, stated.INSPECTION_LEVEL, INSPECTION_LEVELS)
-        stated.known_word(run, stated.SEVERITY, SEVERITIES)
         stated.check_limit(LOT_SIZE, run.whole(LOT_SIZE))
         stated.check_limit(PIECE, run.real(PIECE))
-        stated.check_limit(stated.MIN_KEPT, run.real(stated.MIN_KEPT), 1.0)
-        if plan == RISK:
-            self._risk(run).check()
-            self._correlation(run)
         if plan == BY_COUNT and run.whole(COUNT) < 1:
             raise SettingsError(messages.COUNT_NOT_POSITIVE(count=run.whole(COUNT)))
         if stated.known_word(run, UNIT, (PIECES, WINDOWS)) == WINDOWS and not run.parameters.get(common.MOSAIC):
             raise SettingsError(messages.WINDOWS_WITHOUT_MOSAIC())
-
-    @staticmethod
-    def _risk(run: Run) -> StatedRisk:
-        from .measure.sampling_risks import StatedRisk
-
-        return StatedRisk(*(run.real(name) / 100 for name in (GOOD_SHARE, PRODUCERS_RISK, BAD_SHARE, CONSUMERS_RISK)))
-
-    @staticmethod
-    def _correlation(run: Run) -> float | None:
-        if run.parameters.get(CORRELATION) is None:
-            return None
-        correlation = run.real(CORRELATION)
-        stated.check_limit(CORRELATION, correlation, 1.0)
-        return correlation

@@ -32,9 +32,9 @@ from .delivery_layers import SeamLayer, common_system, metres_in_unit, read_deli
 from .measure import messages
 from .measure.delivered_rows import united_settings
 from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, in_order
-from .measure.inspection_plan import cut_pieces, plan_of_risk, plan_sentence, risk_sentences
+from .measure.inspection_plan import cut_pieces, plan_sentence
 from .measure.sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
-from .measure.sampling_risks import StatedRisk, operating_characteristic
+from .measure.sampling_risks import operating_characteristic
 from .sheet_index import with_sheets
 
 _STEP = 0.01  # of a piece: raster steps up to that are straightened where no mosaic says how large they are
@@ -116,22 +116,18 @@ def delivered_lot(
     return delivery, found
 
 
-def planned(
-    run: Run, lot: Sequence[DeliveredPiece], size: int, risk: StatedRisk | None, correlation: float | None
-) -> tuple[SamplingPlan, list[Message]]:
-    """The plan of stated risks or of a standard, and in words how many are inspected, and what that risks."""
-    if risk is not None:
-        by_risk = plan_of_risk(lot, size, risk, correlation, run.real(stated.MIN_KEPT))
-        return by_risk.plan, [*risk_sentences(by_risk, risk)]
+def planned(run: Run, size: int) -> tuple[SamplingPlan, Message]:
+    """The plan of a standard for a lot of a size, and in words how many are inspected, and what that risks."""
     if run.word(stated.PLAN) == stated.ISOLATED:
         plan = isolated_lot_plan(size, stated.standard_quality(run, stated.LQ))
     else:
-        level, severity = run.word(stated.INSPECTION_LEVEL), run.word(stated.SEVERITY)
-        plan = single_sampling_plan(size, stated.standard_quality(run, stated.AQL), level, severity)
-    return plan, [messages.PLANNED_BY_STANDARD(
-        size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1,
+        plan = single_sampling_plan(
+            size, stated.standard_quality(run, stated.AQL), run.word(stated.INSPECTION_LEVEL)
+        )
+    return plan, messages.PLANNED_BY_STANDARD(
+        size=plan.sample_size, lot=size, acceptance=plan.acceptance_number,
         plan=plan_sentence(plan, operating_characteristic(plan)),
-    )]
+    )
 
 
 def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: float) -> PixelWindow:

@@ -10,7 +10,6 @@ from qgis.core import (
     QgsCsException,
     QgsGeometry,
     QgsGeometryEngine,
-    QgsLineString,
     QgsPoint,
     QgsRectangle,
     QgsSpatialIndex,
@@ -26,12 +25,11 @@ from ..toolkit.translation import tr
 from .measure import messages
 
 if TYPE_CHECKING:
-    from .measure.delivery import DeliveredPiece, Delivery, SheetOutline, SheetPart
+    from .measure.delivery import Delivery, SheetOutline
 
 SHEETS = "SHEETS"
 COMPLETE, FINDINGS, LOCATION, STATE = "complete", "findings", "location", "state"
 """Fields of 'Check a delivery': whether nothing was found at a sheet, what was, its file, and its ``SheetState``."""
-_SHORTEST = 1e-6  # of a piece: shorter parts are rounding
 _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
 """The first that a layer has says what its sheets are called; of a file's path its name."""
 
@@ -61,13 +59,6 @@ class _Sheets:
         here = self._index.intersects(QgsRectangle(*place, *place))
         return (self.outlines[i][0] for i in sorted(here) if self._engines[i].intersects(point))
 
-    def cutting(self, line: QgsGeometry) -> Iterator[QgsGeometry]:
-        """What of a line lies in each sheet that does not hold all of it."""
-        shape = line.constGet()
-        for i in sorted(self._index.intersects(line.boundingBox())):
-            if self._engines[i].intersects(shape) and not self._engines[i].contains(shape):
-                yield line.intersection(self.outlines[i][1])
-
 
 def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
     """The parameter SHEETS."""
@@ -78,7 +69,7 @@ def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
 
 
 def with_sheets(delivery: Delivery, run: Run) -> Delivery:
-    """The pieces with the sheets that they lie in, and all outlines, where SHEETS is given.
+    """The pieces with the sheets that their middles lie in, and all outlines, where SHEETS is given.
 
     Pieces in no sheet keep theirs, which is told.
 
@@ -105,15 +96,14 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
             if states.get(name) in (None, SheetState.NOT_ORDERED.value):  # a file more of that name
                 states[name] = text(row[STATE])
     found = [next(sheets.at(piece.middle), None) for piece in delivery.pieces]
-    cut = [_sheet_parts(sheets, piece, sheet or piece.sheet) for piece, sheet in zip(delivery.pieces, found)]
     outside = sum(sheet is None for sheet in found)
     if outside == len(found):
         raise SettingsError(messages.SHEETS_ELSEWHERE())
     if outside:
         run.tell(messages.PIECES_OFF_SHEETS(count=outside))
     pieces = tuple(
-        replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0], sheet_parts=parts)
-        for piece, sheet, parts in zip(delivery.pieces, found, cut)
+        replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0])
+        for piece, sheet in zip(delivery.pieces, found)
     )
     made = tuple(
         replace(one, findings=findings.get(one.name, ()), state=SheetState.of_word(states.get(one.name, "")))
@@ -171,38 +161,3 @@ def _sheet_outlines(outlines: list[tuple[str, QgsGeometry]]) -> tuple[SheetOutli
         polygons = outline.asMultiPolygon() if outline.isMultipart() else [outline.asPolygon()]
         own += [np.array([(point.x(), point.y()) for point in ring]) for polygon in polygons for ring in polygon]
     return tuple(SheetOutline(name, tuple(own)) for name, own in rings.items())
-
-
-def _sheet_parts(sheets: _Sheets, piece: DeliveredPiece, sheet: str) -> tuple[SheetPart, ...]:
-    """A piece cut at the borders; what lies in no sheet, or in several, goes to the sheet of its middle. Empty where
-    all of it lies there."""
-    from .measure.delivery import SheetPart
-
-    line = QgsGeometry(QgsLineString(*piece.vertices.T.tolist()))
-    length = line.length()
-    borders = {0.0, 1.0}
-    for inside in sheets.cutting(line) if length else ():
-        ends = (point for part in inside.asGeometryCollection() for point in _ends(part))
-        borders |= {min(max(line.lineLocatePoint(point) / length, 0.0), 1.0) for point in ends}
-    if len(borders) == 2:
-        return ()
-    stops = sorted(borders)
-    parts: list[SheetPart] = []
-    for start, stop in zip(stops, stops[1:]):
-        if stop - start < _SHORTEST:
-            continue
-        here = list(sheets.at(piece.point((start + stop) / 2)))
-        name = sheet if sheet in here or not here else here[0]
-        begin = parts[-1].stop if parts else 0.0
-        if parts and parts[-1].sheet == name:
-            begin = parts.pop().start
-        parts.append(SheetPart(name, begin, stop))
-    if len(parts) < 2:
-        return ()
-    return (*parts[:-1], replace(parts[-1], stop=1.0))
-
-
-def _ends(part: QgsGeometry) -> Iterator[QgsGeometry]:
-    vertices = list(part.vertices())
-    if vertices:
-        yield from (QgsGeometry(vertices[place].clone()) for place in (0, -1))

@@ -4,7 +4,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsProcessingParameterNumber
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SettingsError
@@ -12,7 +11,7 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.parameters import in_users_language
 from ..toolkit.algorithms.run import Run
-from ..toolkit.translation import filled, tr
+from ..toolkit.translation import filled, formatted, tr
 from .measure import acceptance_rules as limits
 from .measure import messages
 from .measure.acceptance_rules import (
@@ -25,22 +24,13 @@ from .measure.acceptance_rules import (
     load_acceptance_rules,
     ready_files,
 )
-from .measure.sampling_plans import (
-    DEFAULT_LEVEL,
-    DEFAULT_LQ,
-    INSPECTION_LEVELS,
-    LIMITING_QUALITIES,
-    NORMAL,
-    SEVERITIES,
-    SHARE_AQLS,
-    word_of,
-)
+from .measure.sampling_plans import AQLS, DEFAULT_LEVEL, DEFAULT_LQ, INSPECTION_LEVELS, LIMITING_QUALITIES, word_of
 
 READY_RULES, RULES = "READY_RULES", "RULES"
 MIN_KEPT, MAX_SHARE, MAX_RUN, MIN_MEASURED = "MIN_KEPT", "MAX_SHARE", "MAX_RUN", "MIN_MEASURED"
-PLAN, AQL, LQ, INSPECTION_LEVEL, SEVERITY = "PLAN", "AQL", "LQ", "INSPECTION_LEVEL", "SEVERITY"
+PLAN, AQL, LQ, INSPECTION_LEVEL = "PLAN", "AQL", "LQ", "INSPECTION_LEVEL"
 ALL, ISO2859, ISOLATED = "all", "iso2859", "iso2859_2"
-QUALITIES = {AQL: (SHARE_AQLS, limits.STANDARD_AQL), LQ: (LIMITING_QUALITIES, DEFAULT_LQ)}
+QUALITIES = {AQL: (AQLS, limits.STANDARD_AQL), LQ: (LIMITING_QUALITIES, DEFAULT_LQ)}
 """What the standards have of each, and what is taken where none is given."""
 LIMITS = {
     MIN_KEPT: limits.STANDARD_KEPT,
@@ -50,7 +40,7 @@ LIMITS = {
 }
 """What parameters that are numbers hold when nobody changes them."""
 DEFAULTS: dict[str, object] = {
-    **LIMITS, PLAN: ALL, AQL: limits.STANDARD_AQL, LQ: DEFAULT_LQ, INSPECTION_LEVEL: DEFAULT_LEVEL, SEVERITY: NORMAL
+    **LIMITS, PLAN: ALL, AQL: limits.STANDARD_AQL, LQ: DEFAULT_LQ, INSPECTION_LEVEL: DEFAULT_LEVEL
 }
 
 _ORIGINS = {
@@ -114,9 +104,9 @@ def with_standard_words(parameters: dict[str, Any]) -> dict[str, Any]:
     return {**parameters, **{name: word for name, word in words.items() if word is not None}}
 
 
-def _given(run: Run) -> dict[str, object]:
+def _given(run: Run) -> dict[str, Any]:
     """Raises SettingsError for what can't be."""
-    values: dict[str, object] = {}
+    values: dict[str, Any] = {}
     for name, most in ((MIN_KEPT, 1.0), (MAX_SHARE, 100.0), (MAX_RUN, None), (MIN_MEASURED, 100.0)):
         value = run.real(name)
         check_limit(name, value, most)
@@ -124,75 +114,67 @@ def _given(run: Run) -> dict[str, object]:
     values[PLAN] = known_word(run, PLAN, (ALL, ISO2859, ISOLATED))
     values.update({name: standard_quality(run, name) for name in QUALITIES})
     values[INSPECTION_LEVEL] = known_word(run, INSPECTION_LEVEL, INSPECTION_LEVELS)
-    values[SEVERITY] = known_word(run, SEVERITY, SEVERITIES)
     return values
 
 
-def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
-    def limit(name: str) -> float:
-        return float(str(given[name]))
+_NAMES = {
+    ALL: QT_TR_NOOP("at least {MIN_KEPT} % kept, at most {MAX_SHARE} % failed, at most {MAX_RUN} m without a break, at "
+                    "least {MIN_MEASURED} % measured"),
+    ISO2859: QT_TR_NOOP("at least {MIN_KEPT} % kept, at least {MIN_MEASURED} % measured, sampled at level "
+                        "{INSPECTION_LEVEL}, AQL {AQL}"),
+    ISOLATED: QT_TR_NOOP("at least {MIN_KEPT} % kept, at least {MIN_MEASURED} % measured, sampled as an isolated lot, "
+                         "LQ {LQ} %"),
+}  # fmt: skip
+_CHECKS = {MAX_SHARE: (FAILED_SHARE, 100), MAX_RUN: (LONGEST_FAILURE, 1), MIN_MEASURED: (MEASURED_SHARE, 100)}
+"""What each limit is of, and how many of the parameter's units are one of the rule's."""
 
+
+def _of_parameters(given: dict[str, Any]) -> AcceptanceRules:
     def source(name: str) -> str:
         if given[name] != DEFAULTS[name]:
             return filled(tr("stated for this decision ({parameter})"), parameter=name)
         text = tr("the software's default ({parameter}): {origin}")
         return filled(text, parameter=name, origin=tr(_ORIGINS[name]))
 
-    kept, least = limit(MIN_KEPT), 100 * limit(MIN_KEPT)
-    measured = AcceptanceRule(MEASURED_SHARE, limit(MIN_MEASURED) / 100, source(MIN_MEASURED))
-    of_all = {"kept": least, "measured": limit(MIN_MEASURED)}
-    if given[PLAN] == ISO2859:
-        aql, level, severity = (str(given[name]) for name in (AQL, INSPECTION_LEVEL, SEVERITY))
-        name = tr("at least {kept:g} % kept, at least {measured:g} % measured, sampled at level {level}, AQL {aql}")
-        sampling = SamplingRule(aql, level, severity, source(PLAN))
-        words = filled(name, level=level, aql=float(aql), **of_all)
-        return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)
-    if given[PLAN] == ISOLATED:
-        sampling = SamplingRule("", "", "", source(PLAN), str(given[LQ]))
-        name = tr("at least {kept:g} % kept, at least {measured:g} % measured, sampled as an isolated lot, LQ {lq:g} %")
-        words = filled(name, lq=float(sampling.lq), **of_all)
-        return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)
-    rules = (
-        AcceptanceRule(FAILED_SHARE, limit(MAX_SHARE) / 100, source(MAX_SHARE)),
-        AcceptanceRule(LONGEST_FAILURE, limit(MAX_RUN), source(MAX_RUN)),
-        measured,
+    plan, shown = given[PLAN], {**given, MIN_KEPT: 100 * given[MIN_KEPT]}
+    numbers = {name: float(value) if name in (AQL, LQ) else value for name, value in shown.items()}
+    words = {name: formatted(one, "g") if isinstance(one, float) else one for name, one in numbers.items()}
+    sampling = None
+    if plan == ISO2859:
+        sampling = SamplingRule(given[AQL], given[INSPECTION_LEVEL], source(PLAN))
+    elif plan == ISOLATED:
+        sampling = SamplingRule("", "", source(PLAN), given[LQ])
+    rules = tuple(
+        AcceptanceRule(check, given[name] / scale, source(name)) for name, (check, scale) in _CHECKS.items()
+        if plan == ALL or name == MIN_MEASURED
     )
-    name = tr("at least {kept:g} % kept, at most {share:g} % failed, at most {run:g} m without a break, at least "
-              "{measured:g} % measured")
-    words = filled(name, share=limit(MAX_SHARE), run=limit(MAX_RUN), **of_all)
-    return AcceptanceRules(words, kept, source(MIN_KEPT), rules)
+    return AcceptanceRules(filled(tr(_NAMES[plan]), **words), given[MIN_KEPT], source(MIN_KEPT), rules, sampling)
 
 
 def _as_parameters(rules: AcceptanceRules) -> dict[str, object]:
     """What a file says, in the parameters' units."""
-    plan = ALL if rules.sampling is None else ISOLATED if rules.sampling.lq else ISO2859
-    said: dict[str, object] = {MIN_KEPT: rules.least_kept, PLAN: plan}
-    for name, check, scale in (
-        (MAX_SHARE, FAILED_SHARE, 100), (MAX_RUN, LONGEST_FAILURE, 1), (MIN_MEASURED, MEASURED_SHARE, 100)
-    ):
-        limit = rules.limit(check)
-        if limit is not None:
+    said: dict[str, object] = {MIN_KEPT: rules.least_kept, PLAN: ALL}
+    for name, (check, scale) in _CHECKS.items():
+        if (limit := rules.limit(check)) is not None:
             said[name] = round(limit * scale, 9)
-    if plan == ISOLATED and rules.sampling is not None:
-        said[LQ] = rules.sampling.lq
+    if rules.sampling is not None and rules.sampling.lq:
+        said.update({PLAN: ISOLATED, LQ: rules.sampling.lq})
     elif rules.sampling is not None:
-        said[AQL], said[INSPECTION_LEVEL] = rules.sampling.aql, rules.sampling.inspection_level
-        said[SEVERITY] = rules.sampling.severity
+        said.update({PLAN: ISO2859, AQL: rules.sampling.aql, INSPECTION_LEVEL: rules.sampling.inspection_level})
     return said
 
 
 LOT_SIZE, SEED = "LOT_SIZE", "SEED"
-_WHOLE = QgsProcessingParameterNumber.Type.Integer
 _LARGEST_SEED = 2**31 - 1
 
 
 def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
-    """LOT_SIZE, AQL, LQ, INSPECTION_LEVEL, SEVERITY and SEED."""
+    """LOT_SIZE, AQL, LQ, INSPECTION_LEVEL and SEED."""
     algorithm.addDescribed(common.whole(LOT_SIZE, tr("Lot size"), 0, 0), tr(
         "How many pieces of seam the whole lot has; 0: as many as the layers hold."
     ))
     algorithm.addDescribed(
-        common.choice(AQL, tr("Acceptance quality limit (AQL)"), SHARE_AQLS, limits.STANDARD_AQL),
+        common.choice(AQL, tr("Acceptance quality limit (AQL)"), AQLS, limits.STANDARD_AQL),
         tr("The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1."),
     )
     algorithm.addDescribed(common.choice(LQ, tr("Limiting quality (LQ)"), LIMITING_QUALITIES, DEFAULT_LQ), tr(
@@ -203,9 +185,6 @@ def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
         common.choice(INSPECTION_LEVEL, tr("Inspection level"), INSPECTION_LEVELS, DEFAULT_LEVEL),
         tr("How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest."),
     )
-    algorithm.addDescribed(common.choice(SEVERITY, tr("Inspection"), SEVERITIES, NORMAL), tr(
-        "Normal; tightened after two of five lots were rejected; reduced after ten that were accepted."
-    ), advanced=True)
     algorithm.addDescribed(common.whole(SEED, tr("Seed"), limits.STANDARD_SEED, 0, _LARGEST_SEED), tr(
         "Of the drawing: the same seed draws the same sample again."
     ), advanced=True)

@@ -19,8 +19,7 @@ from seam_inspector.plugin.photos.measure.transformations import PlaneModel
 
 CODE = ("plugin", "tests", "demo", "benchmarks")
 FAMILIES = (
-    "RECOMMEND_", "ACCEPTED", "REJECTED", "UNDECIDED", "OBSERVERS_AGREE", "OBSERVERS_WITHOUT", "TOOL_AGREES",
-    "TOOL_WITHOUT", "WINDOWS_RENUMBERED", "WINDOWS_RESHAPED",
+    "RECOMMEND_", "ACCEPTED", "REJECTED", "UNDECIDED", "WINDOWS_RENUMBERED", "WINDOWS_RESHAPED",
 )  # fmt: skip
 """Messages that stand in a table without their values, one of which is taken and called: all take the same values."""
 NO_ERROR = ("CancelledError",)

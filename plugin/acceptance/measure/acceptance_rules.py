@@ -10,15 +10,7 @@ from ...imagery.documents import RuleObject, read_rules, ready_rules
 from ...imagery.errors import SettingsError
 from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from . import messages
-from .sampling_plans import (
-    DEFAULT_LEVEL,
-    INSPECTION_LEVELS,
-    LIMITING_QUALITIES,
-    NORMAL,
-    SEVERITIES,
-    SHARE_AQLS,
-    word_of,
-)
+from .sampling_plans import AQLS, DEFAULT_LEVEL, INSPECTION_LEVELS, LIMITING_QUALITIES, word_of
 
 STANDARD_KEPT = STANDARD_LEAST_KEPT  # of the finest detail's variance: where a piece is called significant
 STANDARD_FAILED_SHARE = 0.02  # Beeldmateriaal Nederland: 2 % may deviate if it is not contiguous
@@ -39,15 +31,13 @@ KEY_OF_LIMIT = {KEPT: "least", MEASURED_SHARE: "least", FAILED_SHARE: "most", LO
 
 @dataclass(frozen=True)
 class SamplingRule:
-    """Single sampling by attributes as ISO 2859-1 plans it, or ISO 2859-2 for an isolated lot."""
+    """Single sampling by attributes as ISO 2859-1 plans it in normal inspection, or ISO 2859-2 for an isolated lot."""
 
     aql: str
     """Acceptance quality limit as the standard writes it: nonconforming pieces per hundred; empty for an isolated
     lot."""
     inspection_level: str
     """``S-1``..``S-4``, ``I``, ``II`` or ``III``."""
-    severity: str
-    """``normal``, ``tightened`` or ``reduced``."""
     source: str
     """Where the plan comes from."""
     lq: str = ""
@@ -186,8 +176,8 @@ def _limit(one: RuleObject, check: str) -> float:
 
 def _sampling(one: RuleObject) -> SamplingRule:
     is_isolated = "lq" in one.content
-    one.allow(("check", "lq", "source") if is_isolated else ("check", "aql", "level", "severity", "source"))
-    key, known = ("lq", LIMITING_QUALITIES) if is_isolated else ("aql", SHARE_AQLS)
+    one.allow(("check", "lq", "source") if is_isolated else ("check", "aql", "level", "source"))
+    key, known = ("lq", LIMITING_QUALITIES) if is_isolated else ("aql", AQLS)
     word = word_of(one.content.get(key), known)
     if word is None:
         given = one.content.get(key)
@@ -195,7 +185,6 @@ def _sampling(one: RuleObject) -> SamplingRule:
             place=one.place, name=one.file, key=key.upper(), value=given, known=", ".join(known)
         ))  # fmt: skip
     if is_isolated:
-        return SamplingRule("", "", "", one.source(), word)
+        return SamplingRule("", "", one.source(), word)
     level = one.word("level", INSPECTION_LEVELS) if "level" in one.content else DEFAULT_LEVEL
-    severity = one.word("severity", SEVERITIES) if "severity" in one.content else NORMAL
-    return SamplingRule(word, level, severity, one.source())
+    return SamplingRule(word, level, one.source())

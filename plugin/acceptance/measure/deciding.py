@@ -23,20 +23,18 @@ import numpy as np
 from ...imagery.errors import Exceeding, Message, SettingsError, Stated
 from ...imagery.file_identity import states_in
 from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES, PieceState
-from ...imagery.statistics import Interval
+from ...imagery.statistics import DECIDED
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
-from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, Observers, RuleOutcome
+from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, RuleOutcome
 from .delivery import DeliveredLayer, Delivery, Seal, SheetState
-from .failure_runs import crossing_count, cut_failures, failure_runs, unknown_runs
+from .failure_runs import failure_runs, unknown_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
     ends_within,
-    failed_interval,
     is_unclear,
     known_within,
     metre_figures,
-    observers,
     seen_state,
     sheet_figures,
     state_of,
@@ -57,8 +55,8 @@ def decide(
     is drawn then. ``by_observer``: pieces fail by what operators saw in their windows, not by what they kept. Raises
     SettingsError for a lot size that can't be.
     """
-    seen = observers(delivery.windows)
-    if by_observer and seen is None:
+    words = (word for window in delivery.windows for word in (window.observer, window.observer_2))
+    if by_observer and not any(word in DECIDED for word in words):
         raise SettingsError(messages.NO_WINDOW_JUDGED(count=len(delivery.windows)))
     windows = list(windows_over(delivery))
     states = [
@@ -77,7 +75,7 @@ def decide(
         for piece, state, over in zip(delivery.pieces, states, windows)
     )  # fmt: skip
     unknown = unknown_runs(delivery.pieces, states, delivery.unit_m)
-    whole, sheets = metre_figures(pieces, runs, unknown), sheet_figures(delivery, pieces, runs, unknown)
+    whole, sheets = metre_figures("", pieces, runs, unknown), sheet_figures(delivery, pieces, runs, unknown)
     longest = [pieces[number] for number in runs[0].pieces] if runs else []
     outcomes = _Ruling(whole, pieces, longest, rules).outcomes()
     sheet_outcomes: list[AcceptanceOutcome | None] = [None] * len(sheets)
@@ -90,33 +88,42 @@ def decide(
     unknown = () if longest_rule is None else tuple(run for run in unknown if not longest_rule.passes(run.length_m))
     if lot is not None:
         outcomes.insert(0, lot.rule_outcome)
-    outcome = outcome_of(outcomes)
-    unseen, unsealed = [*_unseen(delivery, sheets if lot is None else (), rules)], [*_unsealed(delivery)]
-    lacking = [*_lacking(delivery, whole, rules), *unseen]
-    if (lacking or unsealed) and outcome is AcceptanceOutcome.ACCEPTED:
+    outcome, sure = outcome_of(outcomes), [*_against_any(delivery)]
+    lacking = [*_lacking(delivery, whole, rules), *_unseen(delivery, sheets if lot is None else (), rules)]
+    unsealed = [*_unsealed(delivery)]
+    if sure or ((lacking or unsealed) and outcome is AcceptanceOutcome.ACCEPTED):
         outcome = AcceptanceOutcome.UNDECIDED
-    if delivery.doubled_m > MOST_DOUBLED * sum(piece.length_m for piece in delivery.pieces):
-        outcome, lacking = AcceptanceOutcome.UNDECIDED, [messages.SEAMS_DOUBLED(metres=delivery.doubled_m), *lacking]
-    if strange := [*_strange_files(delivery)]:
-        outcome, lacking = AcceptanceOutcome.UNDECIDED, [*strange, *lacking]
-    interval = failed_interval(pieces)
+    doubts = [*sure, *(() if outcome is AcceptanceOutcome.REJECTED else lacking)]
+    by_rules = messages.BY_RULES(rules=rules.name)
+    why = _why(rules, outcomes, outcome, doubts, unsealed)
+    advice = [advice for _, advice in doubts]
+    advice += [*_advice_by_rules(whole, pieces, outcomes, delivery, rules), *(advice for _, advice in unsealed)]
     sentences = (
-        _headline(rules, outcomes, outcome, by_observer, lacking, unsealed),
-        *(_would_decide(whole, pieces, outcomes, delivery, rules) if outcome is AcceptanceOutcome.UNDECIDED else ()),
-        *((messages.WOULD_SEE_SHEETS(),) if unseen and outcome is AcceptanceOutcome.UNDECIDED else ()),
+        _headline(outcome, messages.BY_EYE(rules=by_rules) if by_observer else by_rules, why),
+        *(advice[:1] if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *_layers(delivery),
-        *_figures(whole, interval, runs, rules),
+        *_figures(whole, runs, rules),
         *_unknown_rows(unknown),
-        *_borders(delivery, pieces, runs, rules),
         *_sample_sentences(delivery, lot is not None),
         *(() if lot is None else lot.notices),
         *(_by_observer(delivery) if by_observer else ()),
-        *_observers_sentences(seen),
     )
     return Decision(
-        outcome, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), tuple(sheet_outcomes), interval,
-        pieces, runs, unknown, None if lot is None else lot.outcome, seen, by_observer,
+        outcome, why, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), tuple(sheet_outcomes), pieces,
+        runs, unknown, None if lot is None else lot.outcome, by_observer,
     )  # fmt: skip
+
+
+def _headline(outcome: AcceptanceOutcome, rules: Message, why: Message) -> Message:
+    return {
+        AcceptanceOutcome.ACCEPTED: messages.ACCEPTED(rules=rules, why=why),
+        AcceptanceOutcome.REJECTED: messages.REJECTED(rules=rules, why=why),
+        AcceptanceOutcome.UNDECIDED: messages.UNDECIDED(rules=rules, why=why),
+    }[outcome]
+
+
+Doubt = tuple[Message, Message]
+"""Why a delivery can't be accepted as it is given, and what would decide it."""
 
 
 def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
@@ -127,69 +134,79 @@ def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
     return AcceptanceOutcome.UNDECIDED if None in passed else AcceptanceOutcome.ACCEPTED
 
 
-def _strange_files(delivery: Delivery) -> Iterator[Message]:
-    """Which files are not those that were scanned, and which layers are of others: what was measured is not, or not
-    only, what is given."""
+def _against_any(delivery: Delivery) -> Iterator[Doubt]:
+    """Why nothing is decided: what was measured is not, or not only, what is given."""
     files = delivery.files
     if files.not_scanned:
-        yield messages.FILES_NOT_SCANNED(names=_first_names(files.not_scanned))
+        yield messages.FILES_NOT_SCANNED(names=_first_names(files.not_scanned)), messages.WOULD_SCAN_AGAIN()
     if files.changed:
-        yield messages.FILES_CHANGED(count=len(files.changed), names=_first_names(files.changed))
+        count, names = len(files.changed), _first_names(files.changed)
+        yield messages.FILES_CHANGED(count=count, names=names), messages.WOULD_SCAN_AGAIN()
     if others := files.layers_of_others:
-        yield messages.LAYERS_OF_OTHERS(count=len(others), names=_first_names(others))
+        reason = messages.LAYERS_OF_OTHERS(count=len(others), names=_first_names(others))
+        yield reason, messages.WOULD_GIVE_MOSAICS()
+    if delivery.doubled_m > MOST_DOUBLED * sum(piece.length_m for piece in delivery.pieces):
+        yield messages.SEAMS_DOUBLED(metres=delivery.doubled_m), messages.WOULD_LEAVE_OUT()
 
 
-def _unsealed(delivery: Delivery) -> Iterator[Message]:
+def _unsealed(delivery: Delivery) -> Iterator[Doubt]:
     """Which layers are not as their scan left them."""
     names = {seal: [one.name for one in delivery.layers if one.seal is seal] for seal in Seal}
+    advice = messages.WOULD_GIVE_LAYER()
     if changed := names[Seal.BROKEN]:
-        yield messages.LAYERS_WERE_CHANGED(count=len(changed), names=_first_names(changed))
+        yield messages.LAYERS_WERE_CHANGED(count=len(changed), names=_first_names(changed)), advice
     if moved := names[Seal.OTHER_SYSTEM]:
-        yield messages.LAYERS_WERE_MOVED(count=len(moved), names=_first_names(moved))
-    if unsealed := names[Seal.MISSING]:
-        yield messages.LAYERS_WITHOUT_SEAL(count=len(unsealed), names=_first_names(unsealed))
+        yield messages.LAYERS_WERE_MOVED(count=len(moved), names=_first_names(moved)), advice
+    if missing := names[Seal.MISSING]:
+        yield messages.LAYERS_WITHOUT_SEAL(count=len(missing), names=_first_names(missing)), advice
 
 
-def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) -> Iterator[Message]:
+def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) -> Iterator[Doubt]:
     """What is missing of the delivery, so that it can't be accepted."""
     if gone := delivery.files.gone:
-        yield messages.FILES_GONE(count=len(gone), names=_first_names(gone))
+        yield messages.FILES_GONE(count=len(gone), names=_first_names(gone)), messages.WOULD_SCAN_AGAIN()
     if delivery.lacking_m:
-        yield messages.SEAMS_LACK(metres=delivery.lacking_m)
+        yield messages.SEAMS_LACK(metres=delivery.lacking_m), messages.WOULD_GIVE_LAYER()
     for layer in delivery.layers:
         if layer.hidden_m:
-            yield messages.SEAMS_HIDDEN(name=layer.name, metres=layer.hidden_m)
+            yield messages.SEAMS_HIDDEN(name=layer.name, metres=layer.hidden_m), messages.WOULD_GIVE_LAYER()
+        if names := layer.settings.get("may_be_copies"):
+            yield messages.SOURCES_ARE_MOSAIC(names=names), messages.WOULD_GIVE_ORIGINALS()
     least, unseen = rules.limit(MEASURED_SHARE), sum(layer.unseen_m for layer in delivery.layers)
     if least is not None and unseen and (seen := whole.measured_m / (whole.judged_m + unseen)) < least:
-        yield messages.SEAMS_UNSEEN(metres=unseen, value=seen, limit=least)
+        yield messages.SEAMS_UNSEEN(metres=unseen, value=seen, limit=least), messages.WOULD_GIVE_ORTHOIMAGES()
     for layer in delivery.layers:
         if least is not None and layer.unexplained > 1 - least:
-            yield messages.MOSAIC_LACKS(name=layer.name, share=layer.unexplained, limit=1 - least)
-    yield from unseen_seams(delivery, whole, rules)
+            reason = messages.MOSAIC_LACKS(name=layer.name, share=layer.unexplained, limit=1 - least)
+            yield reason, messages.WOULD_GIVE_ORTHOIMAGES()
+    for reason in unseen_seams(delivery, whole, rules):
+        yield reason, messages.WOULD_GIVE_SEAMS()
 
 
 def _unseen(
     delivery: Delivery, sheets: Sequence[MetreFigures], rules: AcceptanceRules
-) -> Iterator[Message]:
+) -> Iterator[Doubt]:
     """What of the delivery nobody has looked at, so that it can't be accepted; ``sheets``: that were to be measured."""
     for layer in delivery.layers:
         if layer.unread:
             place = layer.settings.get("unread_at", "")
-            yield messages.MOSAIC_PARTLY_READ(name=layer.name, share=layer.unread, place=place)
+            yield (messages.MOSAIC_PARTLY_READ(name=layer.name, share=layer.unread, place=place),
+                   messages.WOULD_SEE_SHEETS())
     # One scan of many sheets may leave a corner of one: what may be lost without a break.
     most = (rules.limit(LONGEST_FAILURE) or 0.0) if delivery.outlines else 0.0
     blank = [layer.name for layer in delivery.layers if layer.is_blank]
-    if not delivery.is_part:
+    if not delivery.is_part and any(one.measured_m for one in sheets):
         blank += [one.name for one in sheets if one.judged_m > most and not one.measured_m]
-    if blank:
-        yield messages.SHEETS_NOT_MEASURED(count=len(blank), names=_first_names(blank))
     of_state = {state: [one.name for one in delivery.outlines if one.state is state] for state in SheetState}
+    advice = messages.WOULD_SEE_SHEETS()
+    if blank:
+        yield messages.SHEETS_NOT_MEASURED(count=len(blank), names=_first_names(blank)), advice
     if names := of_state[SheetState.LEFT_OUT]:
-        yield messages.SHEETS_LEFT_OUT(count=len(names), names=_first_names(names))
+        yield messages.SHEETS_LEFT_OUT(count=len(names), names=_first_names(names)), advice
     if names := of_state[SheetState.DAMAGED]:
-        yield messages.SHEETS_DAMAGED(count=len(names), names=_first_names(names))
+        yield messages.SHEETS_DAMAGED(count=len(names), names=_first_names(names)), advice
     if names := of_state[SheetState.OVERLAPS]:
-        yield messages.SHEETS_OVERLAP(count=len(names), names=_first_names(names))
+        yield messages.SHEETS_OVERLAP(count=len(names), names=_first_names(names)), advice
 
 
 def _sheet_outcomes(
@@ -200,7 +217,7 @@ def _sheet_outcomes(
     None is accepted on a layer that is not as its scan left it, none decided on where files are not those of the scan.
     """
     trusted = {one.name for one in delivery.layers if one.seal in (Seal.WHOLE, Seal.NOT_ASKED)}
-    all_trusted, strange = len(trusted) == len(delivery.layers), any(_strange_files(delivery))
+    all_trusted, strange = len(trusted) == len(delivery.layers), any(_against_any(delivery))
     of_sheet: dict[str, list[DecidedPiece]] = {}
     for one in pieces:
         of_sheet.setdefault(one.piece.sheet, []).append(one)
@@ -311,28 +328,19 @@ def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
     return replace(outcome, value=None, passed=None, sentence=messages.RUN_NOT_IN_SAMPLE())
 
 
-def _headline(
-    rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], outcome: AcceptanceOutcome, by_observer: bool,
-    lacking: Sequence[Message], unsealed: Sequence[Message],
+def _why(
+    rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], outcome: AcceptanceOutcome, doubts: Sequence[Doubt],
+    unsealed: Sequence[Doubt],
 ) -> Message:
-    """The reasons are all rules that were kept, those that were broken, or those that can't be told; at the end
-    which layers are ``unsealed``."""
+    """All rules that were kept, those that were broken, or what is open; at the end which layers are unsealed."""
     wanted = {AcceptanceOutcome.ACCEPTED: True, AcceptanceOutcome.REJECTED: False}.get(outcome)
-    reasons = [one.sentence for one in outcomes if one.passed is wanted]
-    if outcome is not AcceptanceOutcome.REJECTED:
-        reasons = [*lacking, *reasons]
-    by_tool, by_eye = {
-        AcceptanceOutcome.ACCEPTED: (messages.ACCEPTED, messages.ACCEPTED_BY_EYE),
-        AcceptanceOutcome.REJECTED: (messages.REJECTED, messages.REJECTED_BY_EYE),
-        AcceptanceOutcome.UNDECIDED: (messages.UNDECIDED, messages.UNDECIDED_BY_EYE),
-    }[outcome]
-    reasons += unsealed
+    reasons = [reason for reason, _ in doubts] + [one.sentence for one in outcomes if one.passed is wanted]
+    reasons += [reason for reason, _ in unsealed]
     if rules.is_of_file:
         listed = reduce(lambda first, also: messages.WITH(first=first, also=also), _limits(rules))
-        reasons.insert(0, messages.LIMITS_ARE(limits=listed))
+        reasons.append(messages.LIMITS_ARE(limits=listed))
     once = [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
-    why = reduce(lambda first, also: messages.AND(why=first, also=also), once)
-    return (by_eye if by_observer else by_tool)(rules=rules.name, why=why)
+    return reduce(lambda first, also: messages.AND(why=first, also=also), once)
 
 
 def _limits(rules: AcceptanceRules) -> Iterator[Message]:
@@ -344,56 +352,33 @@ def _limits(rules: AcceptanceRules) -> Iterator[Message]:
     yield messages.LIMIT_OF_MEASURED(limit=Stated(rules.limit(MEASURED_SHARE) or 0.0))
 
 
-def _would_decide(
+def _advice_by_rules(
     whole: MetreFigures, pieces: Sequence[DecidedPiece], outcomes: Sequence[RuleOutcome], delivery: Delivery,
     rules: AcceptanceRules,
 ) -> Iterator[Message]:
-    """What to do about each thing that is open."""
+    """What would decide the rules that are open, what decides most of them first."""
     is_open = {one.check: one for one in outcomes if one.passed is None}
-    if whole.not_measured_m and (MEASURED_SHARE in is_open or not whole.measured_m):
-        least = next((one.limit for one in outcomes if one.check == MEASURED_SHARE), 0.0)
-        wanted = max(least * whole.judged_m - whole.measured_m, 0.0)
-        yield messages.WOULD_MEASURE(wanted=wanted, lacking=whole.not_measured_m)
-    elif not whole.judged_m:
-        yield messages.WOULD_LOOK()
-    longest = is_open.get(LONGEST_FAILURE)
-    by_intervals = longest is not None and (longest.value or 0.0) > longest.limit
-    if longest is not None and not (by_intervals or delivery.is_part or MEASURED_SHARE in is_open):
-        if whole.longest_unknown_m > longest.limit:
-            yield messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
-        if _hiding_m(pieces, rules.rule(LONGEST_FAILURE)):
-            yield messages.WOULD_CUT(piece=Stated(longest.limit / 2))
-    if whole.measured_m and (FAILED_SHARE in is_open or by_intervals) and not delivery.is_part:
-        yield from _would_narrow(whole, pieces, rules, FAILED_SHARE in is_open)
     if delivery.is_part and LONGEST_FAILURE in is_open:
         yield messages.WOULD_GIVE_SCAN()
-    yield from _would_match(delivery)
-    if any(layer.unexplained for layer in delivery.layers):
-        yield messages.WOULD_GIVE_ORTHOIMAGES()
-    if any(unseen_seams(delivery, whole, rules)):
-        yield messages.WOULD_GIVE_SEAMS()
-
-
-def _would_match(delivery: Delivery) -> Iterator[Message]:
-    """Files and layers that belong together."""
-    files = delivery.files
-    if files.not_scanned or files.changed or files.gone:
-        yield messages.WOULD_SCAN_AGAIN()
-    if files.layers_of_others:
-        yield messages.WOULD_GIVE_MOSAICS()
-    if delivery.lacking_m or any(layer.hidden_m for layer in delivery.layers) or any(_unsealed(delivery)):
-        yield messages.WOULD_GIVE_LAYER()
-
-
-def _would_narrow(
-    whole: MetreFigures, pieces: Sequence[DecidedPiece], rules: AcceptanceRules, is_share: bool
-) -> Iterator[Message]:
-    """Shorter pieces, or a verdict on those that are unclear: whichever leaves more open."""
-    within, limit = _open_ends(pieces, rules, whole), rules.limit(FAILED_SHARE) or 0.0
-    if is_share and within > known_within(pieces, rules.least_kept):
+    if not whole.judged_m:
+        yield messages.WOULD_LOOK()
+    if (lacking := whole.not_measured_m) and (MEASURED_SHARE in is_open or not whole.measured_m):
+        wanted = max((rules.limit(MEASURED_SHARE) or 0.0) * whole.judged_m - whole.measured_m, 0.0)
+        has_sources = any(states_in(one.settings.get(SOURCE_FILES, "")) for one in delivery.layers)
+        yield messages.WOULD_MEASURE(wanted=wanted, lacking=lacking) if has_sources else (
+            messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
+        )
+    longest = is_open.get(LONGEST_FAILURE)
+    if longest is not None and (longest.value or 0.0) <= longest.limit:
+        if _hiding_m(pieces, rules.rule(LONGEST_FAILURE)):
+            yield messages.WOULD_CUT(piece=Stated(longest.limit / 2))
+        yield messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
+    within = _open_ends(pieces, rules, whole)
+    if FAILED_SHARE in is_open and within > known_within(pieces, rules.least_kept):
         piece = float(np.median([one.piece.length_m for one in pieces]))
-        yield messages.WOULD_SHORTEN(piece=piece, within=within, allowed=limit * whole.measured_m)
-    elif count := sum(one.is_unclear for one in pieces):
+        allowed = (rules.limit(FAILED_SHARE) or 0.0) * whole.measured_m
+        yield messages.WOULD_SHORTEN(piece=piece, within=within, allowed=allowed)
+    if (count := sum(one.is_unclear for one in pieces)) and is_open:
         yield messages.WOULD_TELL_APART(count=count, metres=whole.unclear_m)
 
 
@@ -407,6 +392,10 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
         yield messages.SEAMS_ELSEWHERE_UNKNOWN(names=_first_names(names))
     for one in layers:
         yield from _seen(one)
+    if names := [one.name for one in layers if one.settings.get("seams") == "found"]:
+        yield messages.SEAMS_FOUND(name=_first_names(names))
+    if names := [one.name for one in layers if one.settings.get("seams") == "given"]:
+        yield messages.SEAMS_GIVEN(name=_first_names(names))
     for name in dict.fromkeys(name for one in layers for name in one.settings):
         values = list(dict.fromkeys(one.settings[name] for one in layers if name in one.settings))
         if len(values) > 1 and name in COMPARED_SETTINGS:
@@ -434,14 +423,8 @@ def _seen(layer: DeliveredLayer) -> Iterator[Message]:
         place = "; ".join(map(str, SeenGround.of_settings(layer.settings).unexplained_at))
         yield messages.SCAN_UNEXPLAINED(name=layer.name, share=layer.unexplained, place=place)
     yield from ground_sentences(layer.name, layer.settings)
-    if names := layer.settings.get("may_be_copies"):
-        yield messages.SOURCES_MAY_BE_COPIES(name=layer.name, names=names)
     if names := layer.settings.get("not_given"):
         yield messages.SOURCES_NOT_GIVEN(name=layer.name, names=names)
-    if layer.settings.get("seams") == "found":
-        yield messages.SEAMS_FOUND(name=layer.name)
-    elif layer.settings.get("seams") == "given":
-        yield messages.SEAMS_GIVEN(name=layer.name)
 
 
 TOLD_UNEXPLAINED = 0.03
@@ -470,13 +453,9 @@ def _sample_sentences(delivery: Delivery, by_plan: bool) -> Iterator[Message]:
             yield messages.SAMPLE_ONLY()
 
 
-def _figures(
-    whole: MetreFigures, interval: Interval | None, runs: Sequence[FailureRun], rules: AcceptanceRules
-) -> Iterator[Message]:
-    if interval is not None:
-        yield messages.SHARE_INTERVAL(
-            failed=whole.failed_m, measured=whole.measured_m, share=interval.value, low=interval.low, high=interval.high
-        )
+def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceRules) -> Iterator[Message]:
+    if whole.failed_share is not None:
+        yield messages.METRES_FAILED(failed=whole.failed_m, measured=whole.measured_m, share=whole.failed_share)
     if runs and whole.longest_failure_m is not None:
         longest, (x, y) = runs[0], runs[0].place
         yield messages.LONGEST_WHERE(metres=longest.length_m, x=x, y=y, sheets=", ".join(longest.sheets))
@@ -484,6 +463,10 @@ def _figures(
         yield messages.WITHOUT_DETAIL(metres=whole.no_detail_m, all=whole.total_m)
     if whole.not_measured_m:
         yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m)
+    worst = (whole.failed_m + whole.not_measured_m) / whole.judged_m if whole.judged_m else 0.0
+    share = rules.rule(FAILED_SHARE)
+    if share is not None and share.passes(whole.failed_share or 0.0) and not share.passes(worst):
+        yield messages.MAY_HIDE(worst=worst, limit=Stated(share.limit))
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))
     if rules.least_kept <= 0:
@@ -499,20 +482,6 @@ def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:
         yield messages.MORE_ROWS_NOT_MEASURED(count=len(rows) - _NAMED)
 
 
-def _borders(
-    delivery: Delivery, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun], rules: AcceptanceRules
-) -> Iterator[Message]:
-    """What sheets cut, and what that may change; a sample is cut everywhere."""
-    if delivery.is_part:
-        return
-    if runs and (count := crossing_count(delivery)):
-        within = math.hypot(known_within(pieces, rules.least_kept), ends_within(pieces))
-        yield messages.SHEETS_APART(count=count, within=math.sqrt(2) * within)  # of two sums as uncertain as this one
-    if cut := cut_failures(delivery, runs):
-        numbers = _first_names([str(run.number) for run in cut])
-        yield messages.CUT_AT_EDGES(count=len(cut), metres=sum(run.length_m for run in cut), numbers=numbers)
-
-
 def _by_observer(delivery: Delivery) -> Iterator[Message]:
     yield messages.BY_OBSERVER()
     left, bottom, right, top = np.array([window.extent for window in delivery.windows]).T * delivery.unit_m
@@ -520,14 +489,3 @@ def _by_observer(delivery: Delivery) -> Iterator[Message]:
     piece = float(np.median([piece.length_m for piece in delivery.pieces]))
     if side > _WIDE * piece:
         yield messages.WINDOWS_WIDER_THAN_PIECES(side=side, piece=piece)
-
-
-def _observers_sentences(seen: Observers | None) -> Iterator[Message]:
-    for found, agree, without_kappa in () if seen is None else (
-        (seen.both, messages.OBSERVERS_AGREE, messages.OBSERVERS_WITHOUT_KAPPA),
-        (seen.with_tool, messages.TOOL_AGREES, messages.TOOL_WITHOUT_KAPPA),
-    ):
-        if found is not None and (kappa := found.kappa) is not None:
-            yield agree(count=found.count, agreed=found.agreed, kappa=kappa.value, low=kappa.low, high=kappa.high)
-        elif found is not None:
-            yield without_kappa(count=found.count, agreed=found.agreed)

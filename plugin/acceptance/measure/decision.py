@@ -4,11 +4,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-import numpy as np
-
 from ...imagery.errors import Message
 from ...imagery.seam_totals import PieceState
-from ...imagery.statistics import Agreement, Interval
 from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .sampling_plans import OperatingCharacteristic, SamplingPlan
@@ -158,24 +155,17 @@ class PlanOutcome:
     """Inspected items that failed."""
 
 
-@dataclass(frozen=True)
-class Observers:
-    """What operators saw in the windows, against each other and against the tool."""
-
-    both: Agreement | None
-    """The two operators; None where only one judged."""
-    with_tool: Agreement | None
-    """The first operator (first) against the tool, which 'sees' what it calls significant; None where nobody judged."""
-
-
 @dataclass(frozen=True, eq=False)
 class Decision:
     """What is done with a delivery, and why."""
 
     outcome: AcceptanceOutcome
     """Accepted, rejected or undecided."""
+    why: Message
+    """Its reasons: all rules that were kept, those that were broken, or what is open."""
     sentences: tuple[Message, ...]
-    """The decision with its reasons first, then what would decide it where it is undecided, then what it rests on."""
+    """The decision with its reasons first, then the one thing that would decide it where it is undecided, then what it
+    rests on."""
     rules: AcceptanceRules
     """The rules by which it was taken."""
     delivery: Delivery
@@ -188,8 +178,6 @@ class Decision:
     """In the order of ``Delivery.sheets``; one without seams has no pieces."""
     sheet_outcomes: tuple[AcceptanceOutcome | None, ...]
     """Outcome of each sheet by itself, by the same limits; None for one without seams, or where a sample decides."""
-    failed_share: Interval | None
-    """Share of the measured metres that failed, with its 95 % interval; None where nothing was measured."""
     pieces: tuple[DecidedPiece, ...]
     """In the delivery's order."""
     runs: tuple[FailureRun, ...]
@@ -199,8 +187,6 @@ class Decision:
     may be; the longest first."""
     plan: PlanOutcome | None = None
     """None with all inspected."""
-    observers: Observers | None = None
-    """None without windows."""
     by_observer: bool = False
     """Whether pieces failed by what operators saw, whatever they kept."""
 
@@ -222,50 +208,42 @@ class Decision:
 
 @dataclass(frozen=True, eq=False)
 class Defect:
-    """A failure without a break."""
+    """A failure without a break, with its pieces."""
 
-    number: int
-    """1 for the longest."""
-    sheets: tuple[str, ...]
-    length_m: float
-    lines: tuple[np.ndarray, ...]
-    """(n, 2) x and y of each piece, in the delivery's reference system."""
-    place: tuple[float, float]
-    """A point half-way along it."""
-    worst: DecidedPiece
-    """The piece that kept least."""
-    unclear_m: float
-    """Metres of it in pieces whose interval holds the limit."""
-    band_width_m: float | None
-    """Width of its widest band; None where none is known."""
-    cause: str
-    """Cause of the inspected window nearest to the worst piece, else of another one on it; empty without any."""
-    remarks: tuple[str, ...]
-    """What operators wrote of the windows on it."""
+    run: FailureRun
+    pieces: tuple[DecidedPiece, ...]
+    """In the order in which they follow each other."""
+
+    @property
+    def worst(self) -> DecidedPiece:
+        """The piece that kept least."""
+        return min(self.pieces, key=lambda one: float("inf") if one.piece.kept_1 is None else one.piece.kept_1)
+
+    @property
+    def unclear_m(self) -> float:
+        """Metres of it in pieces whose interval holds the limit."""
+        return sum(one.piece.length_m for one in self.pieces if one.is_unclear)
+
+    @property
+    def band_width_m(self) -> float | None:
+        """Width of its widest band; None where none is known."""
+        return max((one.piece.band_width_m for one in self.pieces if one.piece.band_width_m is not None), default=None)
+
+    @property
+    def cause(self) -> str:
+        """Cause of the inspected window nearest to the worst piece, else of another one on it; empty without any."""
+        return next((one.cause for one in self._windows() if one.cause), "")
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What operators wrote of the windows on it."""
+        return tuple(dict.fromkeys(words for one in self._windows() for words in (one.remark, one.remark_2) if words))
+
+    def _windows(self) -> list[SeenWindow]:
+        """Those that lie on any of the pieces, each once, those of the worst one in front."""
+        return list({one.window_id: one for piece in (self.worst, *self.pieces) for one in piece.windows}.values())
 
 
 def defects_of(decision: Decision) -> tuple[Defect, ...]:
     """The longest first."""
-    return tuple(_defect(decision, run) for run in decision.runs)
-
-
-def _defect(decision: Decision, run: FailureRun) -> Defect:
-    pieces = [decision.pieces[number] for number in run.pieces]
-    worst = min(pieces, key=_kept)
-    widths = [one.piece.band_width_m for one in pieces if one.piece.band_width_m is not None]
-    windows = _windows([worst, *pieces])
-    return Defect(
-        run.number, run.sheets, run.length_m, tuple(one.piece.vertices for one in pieces), run.place, worst,
-        sum(one.piece.length_m for one in pieces if one.is_unclear), max(widths, default=None),
-        next((one.cause for one in windows if one.cause), ""),
-        tuple(dict.fromkeys(words for one in windows for words in (one.remark, one.remark_2) if words)),
-    )  # fmt: skip
-
-
-def _kept(one: DecidedPiece) -> float:
-    return float("inf") if one.piece.kept_1 is None else one.piece.kept_1
-
-
-def _windows(pieces: list[DecidedPiece]) -> list[SeenWindow]:
-    """Those that lie on any of the pieces, each once, those of the first piece in front."""
-    return list({one.window_id: one for piece in pieces for one in piece.windows}.values())
+    return tuple(Defect(run, tuple(decision.pieces[number] for number in run.pieces)) for run in decision.runs)

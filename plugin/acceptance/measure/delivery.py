@@ -13,15 +13,6 @@ from ...imagery.grids import Extent
 from ...imagery.lines import vertex_stations
 
 
-@dataclass(frozen=True)
-class SheetPart:
-    """The part of a piece that lies in a sheet, as shares of its length along its line."""
-
-    sheet: str
-    start: float
-    stop: float
-
-
 @dataclass(frozen=True, eq=False)
 class DeliveredPiece:
     """A piece of seam as the scan measured it."""
@@ -29,7 +20,7 @@ class DeliveredPiece:
     number: int
     """Its place among all pieces of the delivery, from 0."""
     sheet: str
-    """The layer it comes from."""
+    """The layer it comes from, or the sheet in which its middle lies."""
     seam_id: str
     """Which seam of its sheet; empty where the layer does not say."""
     station_m: float | None
@@ -63,18 +54,6 @@ class DeliveredPiece:
     """The loss in just noticeable differences of contrast at 2x; None where the scan says nothing of it."""
     has_detail: bool = True
     """False on ground that has nothing to lose, as the scan says."""
-    sheet_parts: tuple[SheetPart, ...] = ()
-    """In order, from end to end, where the piece crosses borders of sheets; empty: all of it lies in ``sheet``."""
-
-    @property
-    def sheets(self) -> tuple[str, ...]:
-        """Its own first."""
-        return self.sheet, *(part.sheet for part in self.sheet_parts)
-
-    @property
-    def in_sheets(self) -> tuple[SheetPart, ...]:
-        """What of it lies in which sheet, in order."""
-        return self.sheet_parts or (SheetPart(self.sheet, 0.0, 1.0),)
 
     @property
     def seam(self) -> tuple[str, str]:
@@ -289,7 +268,7 @@ class Delivery:
     @property
     def sheets(self) -> tuple[str, ...]:
         """Their names in order: those with seams, and those whose outlines were given."""
-        own = {name for one in self.pieces for name in one.sheets}
+        own = {one.sheet for one in self.pieces}
         return tuple(sorted(own | {one.name for one in self.outlines}, key=in_words))
 
     def sheet_rings(self) -> dict[str, list[np.ndarray]]:

@@ -13,35 +13,8 @@ from . import messages
 from .acceptance_rules import SAMPLING, SamplingRule
 from .decision import PlanOutcome, RuleOutcome
 from .delivery import DeliveredPiece, Delivery
-from .measured_pieces import state_of
 from .sampling_plans import OperatingCharacteristic, SamplingPlan, isolated_lot_plan, single_sampling_plan
-from .sampling_risks import (
-    RiskPlan,
-    StatedRisk,
-    intraclass_correlation,
-    operating_characteristic,
-    plan_by_risk,
-    stratified_sample,
-    typical_cluster_size,
-)
-
-STANDARD_CORRELATION = 0.3  # where no scan says it: what software does to a seam it does along much of it
-
-
-def plan_of_risk(
-    pieces: Sequence[DeliveredPiece], lot_size: int, risk: StatedRisk, correlation: float | None, least_kept: float
-) -> RiskPlan:
-    """Plan by stated risks. ``correlation``: None to estimate it from what pieces kept, where a scan measured them."""
-    seams = [piece.seam for piece in pieces]
-    if correlation is None:
-        states = [state_of(piece, least_kept) for piece in pieces]
-        known = [
-            (state is PieceState.FAILED, seam) for state, seam in zip(states, seams)
-            if state in (PieceState.PASSED, PieceState.FAILED)
-        ]  # fmt: skip
-        correlation = intraclass_correlation(*zip(*known)) if known else None
-        correlation = STANDARD_CORRELATION if correlation is None else correlation
-    return plan_by_risk(lot_size, risk, correlation, typical_cluster_size(seams))
+from .sampling_risks import operating_characteristic, stratified_sample
 
 
 def drawn_sample(pieces: Sequence[DeliveredPiece], count: int, seed: int) -> list[DeliveredPiece]:
@@ -68,26 +41,11 @@ def cut_pieces(seams: Sequence[Seam], sheet: str, piece_m: float, unit_m: float)
     return found
 
 
-def risk_sentences(found: RiskPlan, risk: StatedRisk) -> Iterator[Message]:
-    """The plan with the risks that it keeps, and whether these are larger than what was stated."""
-    plan = found.plan
-    yield messages.PLANNED_BY_RISK(
-        size=plan.sample_size, lot=plan.lot_size, acceptance=plan.acceptance_number, good=risk.good_share,
-        producers=found.producers_risk, bad=risk.bad_share, consumers=found.consumers_risk,
-    )
-    if found.correlation > 0:
-        yield messages.PLANNED_FOR_LIKENESS(correlation=found.correlation, effect=found.design_effect)
-    if found.producers_risk > risk.producers_risk or found.consumers_risk > risk.consumers_risk:
-        yield messages.RISKS_NOT_KEPT(
-            lot=plan.lot_size, producers=risk.producers_risk, consumers=risk.consumers_risk
-        )
-
-
 def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
     """Plan of the standard that a rule names. Raises SettingsError for a lot of fewer than two items."""
     if rule.lq:
         return isolated_lot_plan(lot_size, rule.lq)
-    return single_sampling_plan(lot_size, rule.aql, rule.inspection_level, rule.severity)
+    return single_sampling_plan(lot_size, rule.aql, rule.inspection_level)
 
 
 def plan_sentence(plan: SamplingPlan, risks: OperatingCharacteristic) -> Message:
@@ -146,16 +104,13 @@ def sampled_lot(
     needed = min(plan.sample_size, len(measured)) if plan.is_whole_lot and given is None else plan.sample_size
     outcome = PlanOutcome(plan, operating_characteristic(plan), used_seed, len(inspected), failed)
     ruled = _rule_outcome(outcome, rule, max(needed - len(inspected), 0))
-    told = list(_notices(plan, used_seed, len(measured), given))
-    if ruled.passed and failed > plan.acceptance_number:
-        told.append(messages.PLAN_BETWEEN(acceptance=plan.acceptance_number, rejection=plan.rejection_number))
-    return SampledLot(outcome, ruled, set(sample), tuple(told))
+    return SampledLot(outcome, ruled, set(sample), tuple(_notices(plan, used_seed, len(measured), given)))
 
 
 def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> RuleOutcome:
     """``missing``: pieces of the sample that were not measured, each of which might have failed."""
     plan, failed = outcome.plan, outcome.nonconforming
-    most = plan.rejection_number - 1
+    most = plan.acceptance_number
     passed = False if failed > most else True if failed + missing <= most else None
     if passed is None:
         sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)

@@ -32,21 +32,10 @@ RULES_AND_PARAMETER = Message(
 TWO_RULES = Message("Both the ready rules '{ready}' and the rules in {name} are given; choose one of them.")
 RULES_SAY_NOTHING = Message("nothing of it", INFO)
 # plans of sampling
-LOT_EMPTY = Message("There are no pieces of seam to plan an inspection of; choose layers with lines.")
 LOT_TOO_SMALL = Message("The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.")
 LOT_SMALLER_THAN_GIVEN = Message(
     "The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is "
     "given."
-)
-QUALITIES_CROSSED = Message(
-    "Lots with {good:g} % failing pieces should be accepted and with {bad:g} % rejected; the first has to be smaller, "
-    "both between 0 and 100."
-)
-RISK_OUT_OF_RANGE = Message(
-    "The producer's risk is {producers:g} % and the consumer's {consumers:g} %; both have to lie between 0 and 100."
-)
-QUALITIES_TOO_NEAR = Message(
-    "No plan tells {good:g} % from {bad:g} % with these risks; set them farther apart, or allow larger risks."
 )
 COUNT_NOT_POSITIVE = Message("A sample of {count} pieces was asked for; give 1 or more.")
 WINDOWS_WITHOUT_MOSAIC = Message("Windows are placed on the mosaic's pixels; give MOSAIC, or take pieces as the unit.")
@@ -62,29 +51,16 @@ ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the refere
 PLANNED_BY_STANDARD = Message(
     "{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO
 )
-PLANNED_BY_RISK = Message(
-    "{size} of {lot} pieces are inspected and up to {acceptance} may fail: with {good:.2%} failing pieces a lot is "
-    "rejected with {producers:.1%}, with {bad:.2%} accepted with {consumers:.1%}.", INFO
-)
-PLANNED_FOR_LIKENESS = Message(
-    "Pieces of one seam are correlated ({correlation:.2f}), which makes the sample {effect:.2f} times as large; the "
-    "risks are those of a production that such lots come from.", INFO
-)
-RISKS_NOT_KEPT = Message(
-    "The lot is too small for risks of {producers:.1%} and {consumers:.1%}: not even all {lot} pieces keep both, since "
-    "pieces of one seam are alike and there are few seams; plan for more seams at once, or take larger risks.", WARNING
-)
 SAMPLE_LARGER_THAN_GIVEN = Message(
     "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING
 )
 PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.", INFO)
 # the decision: {why} and {also} are reasons from below
-ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
-REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
-UNDECIDED = Message("Undecided by '{rules}': {why}.", INFO)
-ACCEPTED_BY_EYE = Message("Accepted by the observers' verdicts and '{rules}': {why}.", INFO)
-REJECTED_BY_EYE = Message("Rejected by the observers' verdicts and '{rules}': {why}.", INFO)
-UNDECIDED_BY_EYE = Message("Undecided by the observers' verdicts and '{rules}': {why}.", INFO)
+ACCEPTED = Message("Accepted by {rules}: {why}.", INFO)
+REJECTED = Message("Rejected by {rules}: {why}.", INFO)
+UNDECIDED = Message("Undecided by {rules}: {why}.", INFO)
+BY_EYE = Message("the observers' verdicts and {rules}", INFO)
+BY_RULES = Message("'{rules}'", INFO)
 AND = Message("{why}; {also}", INFO)
 LIMITS_ARE = Message("the limits are {limits}", INFO)
 WITH = Message("{first}, {also}", INFO)
@@ -138,6 +114,9 @@ LAYERS_OF_OTHERS = Message("layers of seams are of mosaics that are not given: {
 FILES_GONE = Message("files of the scanned mosaic are not found any more: {count} ({names})", INFO)
 SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
 SEAMS_HIDDEN = Message("rows of {name} were changed so that {metres:.0f} m which its scan failed pass", INFO)
+SOURCES_ARE_MOSAIC = Message(
+    "orthoimages are the mosaic wherever they were compared, so that they hide every loss that it has: {names}", INFO
+)
 SEAMS_UNSEEN = Message(
     "parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no "
     "figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO
@@ -170,34 +149,22 @@ BY_LQ = Message(
     "{consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected", INFO
 )
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
-PLAN_BETWEEN = Message(
-    "As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is "
-    "accepted, and the next one is inspected normally.", WARNING
-)
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO
 )
 # what the decision rests on
-SHARE_INTERVAL = Message(
-    "{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}. Of many more seams made in the same way "
-    "{low:.2%} to {high:.2%} would fail (95 % interval); this does not decide.", INFO
-)
+METRES_FAILED = Message("{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.", INFO)
 NOT_MEASURED = Message(
     "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING
+)
+MAY_HIDE = Message(
+    "What was not measured is taken to be as good as the rest. If all of it had failed, {worst:.1%} would have, and "
+    "{limit:.1%} may.", WARNING
 )
 UNCLEAR = Message(
     "{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO
 )
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
-CUT_AT_EDGES = Message(
-    "Failures that end at the edge of a sheet where no seam goes on: {count}, {metres:.1f} m (no. {numbers}); they may "
-    "be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.", WARNING
-)
-SHEETS_APART = Message(
-    "Sheets were scanned apart, so pieces begin anew where seams cross their borders ({count}). With other pieces, "
-    "as in one scan of all sheets, the failed metres may differ by {within:.0f} m (95 % interval), and by what only "
-    "one of the scans can measure.", INFO
-)
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO
@@ -209,17 +176,20 @@ ROW_NOT_MEASURED = Message(
 MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
+    "What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field "
+    "'reason' of the seams says why each was not; scan with a longer PIECE, or judge windows there by eye (JUDGE "
+    "observer).", WARNING
+)
+WOULD_MEASURE_ALONE = Message(
     "What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
-    "orthoimages beside them, scan with a longer PIECE, or judge windows there by eye (JUDGE observer); the field "
-    "'reason' of the seams says why each was not measured.", WARNING
+    "orthoimages beside them, or judge windows there by eye (JUDGE observer).", WARNING
 )
 WOULD_LOOK = Message(
     "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING
 )
 WOULD_TELL_APART = Message(
-    "What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, "
-    "pieces: {count}). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.",
-    WARNING
+    "What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). "
+    "Judge windows on them by eye (JUDGE observer).", WARNING
 )
 WOULD_SHORTEN = Message(
     "What would decide it: a scan with a shorter PIECE. Failures end inside of pieces, so a sum of pieces of "
@@ -248,8 +218,7 @@ WOULD_GIVE_MOSAICS = Message(
 )
 WOULD_MEASURE_ROWS = Message(
     "What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
-    "windows there by eye (JUDGE observer), or scan with a longer PIECE; the field 'reason' of the seams says why each "
-    "was not measured.", WARNING
+    "windows there by eye (JUDGE observer); the field 'reason' of the seams says why each was not measured.", WARNING
 )
 WOULD_CUT = Message(
     "What would decide it: a scan with a PIECE of {piece:.0f} m or less, half of the longest failure that is allowed: "
@@ -258,6 +227,11 @@ WOULD_CUT = Message(
 WOULD_SEE_SHEETS = Message(
     "What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; "
     "leave out the layer of a sheet without seams.", WARNING
+)
+WOULD_LEAVE_OUT = Message("What would decide it: layers without what was scanned twice.", WARNING)
+WOULD_GIVE_ORIGINALS = Message(
+    "What would decide it: a scan with the whole orthoimages as they were rectified, in the place of those that are "
+    "the mosaic.", WARNING
 )
 # the layers that are decided on
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
@@ -311,22 +285,6 @@ WINDOWS_WIDER_THAN_PIECES = Message(
     "The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen "
     "beside it, too; plan windows with a SIDE of a piece.", WARNING
 )
-OBSERVERS_AGREE = Message(
-    "Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to "
-    "{high:.2f}.", INFO
-)
-OBSERVERS_WITHOUT_KAPPA = Message(
-    "Both operators judged {count} windows and agreed on {agreed}; one of them gave one verdict only, so there is no "
-    "kappa.", INFO
-)
-TOOL_AGREES = Message(
-    "The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} "
-    "to {high:.2f}.", INFO
-)
-TOOL_WITHOUT_KAPPA = Message(
-    "The operator judged {count} windows and the tool agreed on {agreed}; one of them gave one verdict only, so "
-    "there is no kappa.", INFO
-)
 # layers
 NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
 LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; check the path.")
@@ -368,8 +326,8 @@ LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
 QUALITY_UNKNOWN = Message("The {parameter} {value} is none of the standard's; known are {known}.")
 LQ_UNKNOWN = Message(
-    "{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; inspect the whole lot instead "
-    "(PLAN all), or draw a sample by stated risks ('Plan an inspection', PLAN risk with BAD_SHARE {value})."
+    "{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; take the next smaller one, or "
+    "inspect the whole lot (PLAN all)."
 )
 WORD_UNKNOWN = Message("{parameter} is '{value}'; known are {known}.")
 
@@ -392,30 +350,27 @@ SEAMS_ELSEWHERE_UNKNOWN = Message(
     "no row: {names}.", INFO
 )
 SCAN_UNEXPLAINED = Message(
-    "{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are "
-    "in no figure and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING
+    "The scan of {name} found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there "
+    "are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING
 )
 SCAN_UNSEEN = Message(
-    "{name}: the mosaic passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, "
-    "the longest around {place}.", WARNING
+    "The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is "
+    "measured, the longest around {place}.", WARNING
 )
 SCAN_UNCHANGED = Message(
-    "{name}: along {metres:.0f} m of the given seamlines the mosaic shows one orthoimage on both sides; they are no "
+    "Along {metres:.0f} m of the seamlines given for {name} the mosaic shows one orthoimage on both sides; they are no "
     "seams.", WARNING
 )
 SCAN_NODATA = Message(
-    "{name}: {share:.1%} of the mosaic within its outline have no pixels, most of it around {place}.", INFO
+    "Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.", INFO
 )
 SCAN_PARTLY = Message(
-    "{name}: {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.", INFO
+    "In {name} {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.", INFO
 )
 SOURCES_NOT_GIVEN = Message(
-    "{name}: the seamlines name orthoimages that the scan was not given ({names}); seams beside them are not measured.",
+    "The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not "
+    "measured.",
     WARNING
-)
-SOURCES_MAY_BE_COPIES = Message(
-    "{name}: orthoimages that are the mosaic, or nearly so, wherever they were compared ({names}). Where such an image "
-    "was made from the mosaic it hides every loss: make sure that it is an original.", WARNING
 )
 SCANNED_APART = Message(
     "{count} mosaics were scanned one by one: a seam along the border between two of them is in no figure. Scan sheets "
@@ -426,11 +381,12 @@ SOURCES_BELIEVED = Message(
     "sure that they are the ones that the mosaic was made from.", INFO
 )
 SEAMS_GIVEN = Message(
-    "{name}: the seams are those of the given seamlines; one that lacks shows where it is longer than some 150 pixels.",
+    "The seams of {name} are those of the given seamlines; one that lacks shows where it is longer than some 150 "
+    "pixels.",
     INFO
 )
 SEAMS_FOUND = Message(
-    "{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "
+    "In {name} the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "
     "SEAMLINES to measure all of them.", WARNING
 )
 RADIOMETRY_NO_TABLE = Message(

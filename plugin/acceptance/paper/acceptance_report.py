@@ -1,6 +1,7 @@
 """REPORT: the decision on paper, which an officer signs. One HTML page that prints on A4."""
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -8,17 +9,17 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+from ...imagery.rasters import Raster
 from ...imagery.seam_totals import PieceState
-from ...imagery.statistics import Agreement
 from ...toolkit.charts.figure_files import svg_text
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import HowMeasured, each_raster, save_page, system_name
 from ...toolkit.resources import plugin_commit
-from ...toolkit.translation import filled, formatted, sentence, shown_number, tr
+from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
-from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Observers, PlanOutcome
+from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, PlanOutcome
 from ..measure.seen_ground import SeenGround
-from .charts import STATE_COLOURS, empty_share, oc_figure, pale, seams_figure
+from .charts import STATE_COLOURS, pale, seams_figure
 from .defect_files import DefectPicture
 from .inspection_record import InspectionRecord, file_name
 from .paper_head import iso_date
@@ -30,6 +31,7 @@ from .words import (
     SHEET_COLOURS,
     check_word,
     failing_sentence,
+    jnd_words,
     metres,
     outcome_limit,
     outcome_title,
@@ -37,8 +39,8 @@ from .words import (
     outcome_word,
     plan_words,
     share,
+    share_beside,
     sheet_word,
-    whole_share,
 )
 
 MOST_ROWS = 300
@@ -49,6 +51,8 @@ MOST_IMAGES = 1000
 """Listed with their dates: some 25 pages."""
 _LONG = 12
 """Rows of a list above which it is folded up."""
+_MOST_REASONS = 3  # why seams were not measured, of most metres
+_NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail
 OUTCOME_STATES = {
     AcceptanceOutcome.ACCEPTED: "good", AcceptanceOutcome.REJECTED: "bad", AcceptanceOutcome.UNDECIDED: "open",
@@ -63,21 +67,24 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
     decision, defects = record.decision, record.defects
     kept = () if decision.by_observer else (decision.rules.kept_source,)
     sources = list(dict.fromkeys([*kept, *(one.source for one in decision.outcomes)]))
-    is_sample = decision.delivery.sampled_numbers is not None
     figure = seams_figure(decision, defects[:MOST_ROWS], record.mosaics)
     sheet_words = [sheet_word(outcome, one) for one, outcome in zip(decision.sheets, decision.sheet_outcomes)]
+    parts, texts = [*_parts(record)], [_defect_text(one, decision.rules.least_kept) for one in defects[:MOST_ROWS]]
+    is_undecided = decision.outcome is AcceptanceOutcome.UNDECIDED
     save_page(
         path,
         "acceptance",
         _how(record),
         title=record.head.title or tr("Acceptance of an orthophoto mosaic"),
         head=[*record.head.rows],
-        verdict=_verdict(decision),
+        verdict=_verdict(decision, parts),
+        advice=sentence(decision.sentences[1]) if is_undecided and len(decision.sentences) > 1 else "",
         failing=failing_sentence(decision),
+        judged=_judged_bands(record.mosaics),
         figures=_key_figures(decision),
-        parts=[*_parts(record)],
+        parts=parts,
         radiometry=[*_radiometry_rows(record)],
-        sentences=[sentence(one) for one in decision.sentences[1:]],
+        sentences=[sentence(one) for one in decision.sentences[1 + is_undecided :]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
         sheets=[_sheet_row(*one, decision.by_observer) for one in zip(decision.sheets, sheet_words)],
@@ -86,22 +93,15 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         findings=[(one.name, "; ".join(one.findings)) for one in decision.delivery.outlines if one.findings],
         map=None if figure is None else svg_text(figure),
         map_legend=_legend(decision),
-        is_sample=is_sample,
+        is_sample=decision.delivery.sampled_numbers is not None,
         by_observer=decision.by_observer,
-        defects=[_defect_text(one) for one in defects[:MOST_ROWS]],
+        defects=texts,
         defect_count=len(defects),
         unknown=[*_unknown_rows(decision)],
         unknown_count=len(decision.unknown_runs),
-        has_words=any(one.cause or one.remarks for one in defects[:MOST_ROWS]),
-        has_images=any(one.worst.piece.left_source or one.worst.piece.right_source for one in defects[:MOST_ROWS]),
-        has_bands=any(one.band_width_m is not None for one in defects[:MOST_ROWS]),
-        has_visibility=any(one.worst.piece.visibility is not None for one in defects[:MOST_ROWS]),
-        pictures=_pictures(defects, pictures),
-        proofs=[*_proofs(defects, pictures)],
-        picture_count=len(pictures),
+        has={name for name in ("words", "images", "band", "visibility") if any(one[name] for one in texts)},
+        pictures=[*_pictures(texts, pictures)],
         plan=None if decision.plan is None else _plan_facts(decision.plan),
-        plan_chart=None if decision.plan is None else svg_text(oc_figure(decision.plan)),
-        observers=_observer_rows(decision.observers),
         layers=_Listing.of(record.seams[:MOST_LAYERS], 1),
         layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
         images=_Listing.of(
@@ -158,10 +158,28 @@ def _how(record: InspectionRecord) -> HowMeasured:
     return HowMeasured(settings, rasters, record.made_at.date())
 
 
-def _verdict(decision: Decision) -> tuple[str, str, str]:
-    """A state, a word, and the first sentence of the decision."""
-    first = sentence(decision.sentences[0]) if decision.sentences else ""
-    return OUTCOME_STATES[decision.outcome], outcome_title(decision.outcome), first
+def _verdict(decision: Decision, parts: Sequence[tuple[str, str, str, bool]]) -> tuple[str, str, str, str]:
+    """A state, what is decided, why, and what came of the other parts; green is a delivery without any finding."""
+    seams = filled(tr("Seams: {verdict}"), verdict=outcome_title(decision.outcome))
+    others = " ".join(f"{_capital(name)}: {word}." for name, word, _, _ in parts[-2:])
+    has_findings = any(speaks_against for _, _, _, speaks_against in parts[1:])
+    state = "open" if has_findings and decision.accepted else OUTCOME_STATES[decision.outcome]
+    return state, seams, f"{_capital(sentence(decision.why))}.", others
+
+
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
+def _judged_bands(mosaics: Sequence[Raster]) -> str:
+    """Which bands the detail was judged in, and which were not; empty where no mosaic is given."""
+    if not mosaics:
+        return ""
+    names = mosaics[0].band_names
+    judged = [name for name in ("red", "green", "blue") if name in names] if mosaics[0].has_luminance else names[:1]
+    others = [band_title(name) for name in names if name not in judged]
+    words = filled(tr("Judged in the bands: {bands}"), bands=", ".join(map(band_title, judged)))
+    return words + (filled(tr("; not judged: {bands}"), bands=", ".join(others)) if others else "") + "."
 
 
 def _key_figures(decision: Decision) -> list[tuple[str, str]]:
@@ -173,7 +191,7 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
             filled(tr("measured, of the {metres} on ground with detail"), metres=metres(whole.judged_m)))),
         (metres(whole.failed_m), tr("of it failed")),
         *([] if decision.by_observer or whole.failed_unclear_share is None else [
-            (share(whole.failed_unclear_share, 1), tr("of these may keep enough, by their 95 % intervals"))
+            (share(whole.failed_unclear_share, 1), tr("of these may keep enough (95 %)"))
         ]),
         (share(whole.failed_share), tr("of what was measured failed")),
         *([] if longest is None else [(metres(longest), tr("failed without a break"))]),
@@ -181,22 +199,23 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
 
 
 def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
-    """What of the delivery was checked, what came of it, in figures, and whether it speaks against the delivery."""
+    """What of the delivery was checked, what came of it, in figures, and whether it speaks against the delivery; the
+    files and radiometry last."""
     decision, count = record.decision, len(record.decision.sheets)
     failures = filled(tr("failures: {count}, in sheets: {sheets} of {all}"),
         count=len(decision.runs), sheets=sum(one.failed_count > 0 for one in decision.sheets), all=count)
-    yield tr("detail kept along the seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
+    yield tr("seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
+    if decision.whole.not_measured_m:
+        yield tr("seams that were not measured"), metres(decision.whole.not_measured_m), _unmeasured(decision), False
     yield from _ground_parts(decision)
     found = sum(bool(one.findings) for one in decision.delivery.outlines)
+    name = tr("completeness and form of the files")
     if decision.delivery.is_checked:
         words = filled(tr("sheets with findings: {count} of {all}"), count=found, all=count)
-        result = tr("With findings") if found else tr("No findings")
-        yield tr("completeness and form of the files"), result, words, found > 0
+        result = filled(tr("{count} {count:finding|findings}"), count=found) if found else tr("No findings")
+        yield name, result, words, found > 0
     else:
-        empty = empty_share(record.mosaics, decision.delivery.outlines)
-        words = tr("'Check a delivery' checks it") if empty is None else filled(
-            tr("about {share} of the area has no data; 'Check a delivery' checks it"), share=share(empty, 1))
-        yield tr("completeness and form of the files"), tr("Not checked"), words, False
+        yield name, tr("Not checked"), tr("'Check a delivery' checks it"), False
     outcomes = [one.outcome for one in record.radiometry]
     worst = next((one for one in _WORST_FIRST if one in outcomes), None)
     words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(outcomes),
@@ -205,6 +224,18 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
         yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
     else:
         yield tr("radiometry"), outcome_title(worst), words, worst is not AcceptanceOutcome.ACCEPTED
+
+
+def _unmeasured(decision: Decision) -> str:
+    """Why pieces were not measured, in the scan's words, with the metres of each; those of most metres first."""
+    metres_of: dict[str, tuple[str, float]] = {}
+    for one in decision.pieces:
+        if one.state is PieceState.NOT_MEASURED:
+            reason = tr("no reason is given") if decision.by_observer or not one.piece.reason else one.piece.reason
+            first, length = metres_of.get(alike := _NUMBER.sub("", reason), (reason, 0.0))
+            metres_of[alike] = first, length + one.piece.length_m
+    most = sorted(metres_of.values(), key=lambda pair: -pair[1])[:_MOST_REASONS]
+    return "; ".join(f"{metres(length)}: {reason.rstrip('.')}" for reason, length in most)
 
 
 def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
@@ -276,8 +307,9 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str,
         source = 0
     else:
         kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
-        least = filled(tr("at least {least} in each piece"), least=whole_share(decision.rules.least_kept))
-        words = check_word(KEPT), whole_share(min(kept, default=None)), least
+        limit = decision.rules.least_kept
+        least = filled(tr("at least {least} in each piece"), least=share_beside(limit, limit))
+        words = check_word(KEPT), share_beside(min(kept, default=None), limit), least
         source = 1 + sources.index(decision.rules.kept_source)
     yield dict(zip(_RULE_KEYS, (*words, which, False, source)))
     for one in decision.outcomes:
@@ -318,26 +350,27 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
     return entries
 
 
-def _defect_text(one: Defect) -> dict[str, Any]:
-    """A failure in the report's table: ``images`` are the two orthoimages, each with its date."""
+def _defect_text(one: Defect, least_kept: float) -> dict[str, Any]:
+    """A failure in words: ``images`` are the two orthoimages, each with its date; ``pieces`` what each of its pieces
+    kept, as the decision took it."""
     piece = one.worst.piece
-    kept = whole_share(piece.kept_1)
+    kept = share_beside(piece.kept_1, least_kept)
     if piece.kept_low is not None and piece.kept_high is not None:
         kept += f" ({shown_number(100 * piece.kept_low, 0)} - {shown_number(100 * piece.kept_high, 0)})"
     sides = ((piece.left_source, iso_date(piece.left_date)), (piece.right_source, iso_date(piece.right_date)))
+    cause, remark = tr(one.cause) if one.cause else "", "; ".join(one.remarks)
     return {
-        "number": one.number,
-        "sheets": ", ".join(one.sheets),
-        "length": metres(one.length_m),
+        "number": one.run.number,
+        "sheets": ", ".join(one.run.sheets),
+        "length": metres(one.run.length_m),
         "kept": kept,
+        "pieces": ", ".join(share_beside(own.piece.kept_1, least_kept) for own in one.pieces),
         "unclear": filled(tr("{length} unclear"), length=metres(one.unclear_m)) if one.unclear_m else "",
         "band": "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
-        "visibility": "" if piece.visibility is None else f"{formatted(piece.visibility, '.1f')}\u00a0JND",
-        "unseen": tr("not visible") if piece.visibility is not None and piece.visibility < 1 else "",
-        "cause": tr(one.cause) if one.cause else "",
+        "visibility": jnd_words(piece.visibility),
+        "words": "; ".join(filter(None, (cause, remark))),
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
-        "place": [formatted(along, ".1f") for along in one.place],
-        "remark": "; ".join(one.remarks),
+        "place": [formatted(along, ".1f") for along in one.run.place],
     }
 
 
@@ -353,51 +386,30 @@ def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
 
 
 def _pictures(
-    defects: Sequence[Defect], pictures: Mapping[int, DefectPicture]
-) -> Iterator[tuple[DefectPicture, str]]:
-    """With what is said below each."""
-    for one in defects:
-        if (picture := pictures.get(one.number)) is not None and picture.proof is None:
-            text = _defect_text(one)
-            kept = filled(tr("{kept} kept"), kept=text["kept"])
-            parts = [f"{one.number}", text["sheets"], text["length"], kept]
-            caption = ", ".join(part for part in parts if part)
-            yield picture, f"{caption}. {_shown(picture)}"
-
-
-def _proofs(defects: Sequence[Defect], pictures: Mapping[int, DefectPicture]) -> Iterator[dict[str, Any]]:
-    """A page for each failure that is proved."""
-    for one in defects:
-        picture = pictures.get(one.number)
-        if picture is not None and picture.proof is not None:
-            proof = picture.proof
-            titles = {MOSAIC_PANEL: tr("The mosaic"), CUT_PANEL: tr("Its orthoimages, cut hard")}
-            dates = dict(_defect_text(one)["images"])
-            panels = [
-                (encoded(panel.pixels, "JPEG", _PROOF_QUALITY), panel.pixels.shape[1],
-                 titles.get(panel.kind) or _image_title(panel.name, dates))
-                for panel in proof.panels
-            ]  # fmt: skip
-            yield {"text": _defect_text(one), "picture": picture, "shown": _shown(picture), "panels": panels,
-                   "profile": proof.profile_svg}
+    texts: Sequence[Mapping[str, Any]], pictures: Mapping[int, DefectPicture]
+) -> Iterator[dict[str, Any]]:
+    """The failures that are shown: where each lies, and its worst piece pixel by pixel."""
+    titles = {MOSAIC_PANEL: tr("The mosaic"), CUT_PANEL: tr("Its orthoimages, cut hard")}
+    for text in texts:
+        if (picture := pictures.get(text["number"])) is not None:
+            dates, across = dict(text["images"]), metres(picture.side_m)
+            yield {
+                "text": text,
+                "around": encoded(picture.around, "JPEG"),
+                "columns": picture.around.shape[1],
+                "shown": filled(tr("{across} across") if picture.is_whole else tr("a part of it, {across} across"),
+                    across=across),
+                "panels": [
+                    (encoded(panel.pixels, "JPEG", _PROOF_QUALITY), panel.pixels.shape[1],
+                     titles.get(panel.kind) or _image_title(panel.name, dates))
+                    for panel in picture.panels
+                ],
+            }  # fmt: skip
 
 
 def _image_title(name: str, dates: Mapping[str, str]) -> str:
     day = dates.get(name) or dates.get(name.rpartition(".")[0], "")
     return filled(tr("Orthoimage {name}"), name=f"{name} ({day})" if day else name)
-
-
-def _shown(picture: DefectPicture) -> str:
-    """What its panels show."""
-    across = metres(picture.side_m)
-    if picture.detail_m is None:
-        return filled(tr("{across} across."), across=across)
-    first = filled(tr("Left: {across} across"), across=across) if picture.is_whole else (
-        filled(tr("Left: a part of it, {across} across"), across=across)
-    )
-    return filled(tr("{first}; right: where least is kept, {detail} across in full size."),
-        first=first, detail=metres(picture.detail_m)
-    )
 
 
 def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:
@@ -418,19 +430,3 @@ def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:
     if found.seed is not None:
         facts.append((tr("seed of the drawing"), str(found.seed)))
     return facts
-
-
-def _observer_rows(observers: Observers | None) -> list[list[str]]:
-    if observers is None:
-        return []
-    pairs = ((tr("first and second observer"), observers.both), (tr("first observer and tool"), observers.with_tool))
-    return [[name, *_agreement(found)] for name, found in pairs if found is not None and found.count]
-
-
-def _agreement(found: Agreement) -> list[str]:
-    kappa = found.kappa
-    words = "" if kappa is None else (
-        f"{shown_number(kappa.value)} ({shown_number(kappa.low)} - {shown_number(kappa.high)})"
-    )
-    counts = (found.count, found.agreed, found.both_visible, found.first_alone, found.second_alone)
-    return [*map(str, counts), words or tr("can't be told")]

@@ -1,4 +1,4 @@
-"""Charts of a decision: where seams failed, and how a plan of sampling decides."""
+"""Charts of a decision: how many metres kept how much, and where seams failed."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -11,12 +11,11 @@ from matplotlib import patheffects
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
-from matplotlib.path import Path
-from scipy.spatial import cKDTree
 
 from ...imagery.clips import read_overview
 from ...imagery.errors import RasterError, printable
 from ...imagery.grids import Extent
+from ...imagery.lines import vertex_stations
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import extent_on, metres_per_unit
 from ...imagery.seam_totals import PieceState
@@ -24,10 +23,9 @@ from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure
 from ...toolkit.charts.round_ticks import round_below
 from ...toolkit.picture_stretch import cut_range
-from ...toolkit.translation import filled, formatted, shown_number, tr
-from ..measure.decision import Decision, Defect, PlanOutcome
-from ..measure.delivery import SheetOutline, extent_of
-from ..measure.sampling_risks import acceptance_probability
+from ...toolkit.translation import filled, formatted, tr
+from ..measure.decision import Decision, Defect
+from ..measure.delivery import extent_of
 from .words import SHEET_COLOURS
 
 _SIZE = (6.2, 3.4)  # inches
@@ -79,11 +77,10 @@ _CORNER_PT = 24.0  # a coordinate's length, about: none lies on another at a cor
 _NAME_PT, _LETTER_PT = 6.0, 3.6  # a sheet's name, and how wide a letter of it is about
 _HALO = [patheffects.withStroke(linewidth=1.6, foreground="white")]
 _NAME_COLOUR, _LEAST_LETTERS = "#57606a", 12
-_MOST_STEPS = 4000
 _CROWDED_NAMES_PT = (45.0, 9.0)  # likewise of sheets
 _CROWDED_PT = (18.0, 9.0)  # across and up: numbers of failures are not nearer to each other than that
-_BESIDE_PT, _TURNS, _MANY = (8.0, 16.0, 26.0), 8, 100
-"""Where a number may stand: how far from its place, in how many directions; of many failures only the nearest."""
+_BESIDE_PT = 11.0 * np.array([(1, 1), (-1, 1), (1, -1), (-1, -1)])
+"""Where a number may stand beside its place."""
 
 
 def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequence[Raster] = ()) -> Figure | None:
@@ -112,39 +109,29 @@ def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
         axes.imshow(pixels, extent=(left, right, bottom, top), aspect="auto", zorder=0, interpolation="bilinear")
     _draw_coordinates(axes, placed, bounds)
     _draw_sheets(axes, placed, decision, outlines)
-    paths = []
     for state, colour in STATE_COLOURS.items():
-        lines = [one.piece.vertices for one in decision.pieces if one.state is state]
-        if lines:
-            paths.append(_thinned(placed(np.concatenate(lines)), np.cumsum([len(line) for line in lines]) - 1))
-            axes.plot(*paths[-1].T, color=colour, linewidth=_WIDTHS[state], solid_capstyle="round")
-    seams = cKDTree(np.concatenate([_points_along(path) for path in paths]))
-    _draw_numbers(axes, {one.number: placed(np.array([one.place]))[0] for one in defects}, seams)
+        lines = [_thinned(placed(one.piece.vertices)) for one in decision.pieces if one.state is state]
+        if lines:  # one path, which is small in the page's SVG
+            axes.plot(*np.concatenate(lines).T, color=colour, linewidth=_WIDTHS[state], solid_capstyle="round")
+    _draw_numbers(axes, {one.run.number: placed(np.array([one.run.place]))[0] for one in defects})
     axes.set_xlim(-36 * _WIDTH, 36 * _WIDTH)
     axes.set_ylim(-36 * height - 72 * _STRIP, 36 * height)
     _draw_scale_bar(axes, scale, -36 * height - 72 * _STRIP)
     return figure
 
 
-def _draw_numbers(axes: Axes, places: Mapping[int, np.ndarray], seams: cKDTree) -> None:
-    """Draw the numbers of failures, each beside its place and joined to it, as near as it does not lie on seams; those
-    without room are left out."""
-    turns = np.linspace(0, 2 * np.pi, _TURNS, endpoint=False) + np.pi / _TURNS
-    around = np.array([(np.cos(turn), np.sin(turn)) for turn in turns])
-    offsets = np.concatenate([far * around for far in _BESIDE_PT[: None if len(places) <= _MANY else 1]])
+def _draw_numbers(axes: Axes, places: Mapping[int, np.ndarray]) -> None:
+    """Draw the numbers of failures, each beside its place; those without room are left out."""
     taken = np.zeros((0, 2))
     for number, place in places.items():
-        free = (np.abs(place + offsets[:, np.newaxis] - taken) > _CROWDED_PT).any(axis=2).all(axis=1)
-        if not free.any():
-            continue
-        apart, _ = seams.query(place + offsets)
-        beside = place + offsets[int(np.where(free, np.minimum(apart, _BESIDE_PT[0]), -1.0).argmax())]
-        taken = np.append(taken, beside[np.newaxis], axis=0)
-        axes.annotate(
-            str(number), place, beside, fontsize=7, fontweight="bold", color=PAPER.text, path_effects=_HALO, zorder=4,
-            ha="center", va="center",
-            arrowprops={"arrowstyle": "-", "color": PAPER.text, "linewidth": 0.5, "shrinkA": 3},
-        )
+        beside = next((at for at in place + _BESIDE_PT if (np.abs(at - taken) > _CROWDED_PT).any(axis=1).all()), None)
+        if beside is not None:
+            taken = np.append(taken, beside[np.newaxis], axis=0)
+            axes.annotate(
+                str(number), place, beside, fontsize=7, fontweight="bold", color=PAPER.text, path_effects=_HALO,
+                zorder=4, ha="center", va="center",
+                arrowprops={"arrowstyle": "-", "color": PAPER.text, "linewidth": 0.5, "shrinkA": 3},
+            )
 
 
 def pale(colour: str) -> str:
@@ -170,26 +157,6 @@ def _backdrop(mosaics: Sequence[Raster], bounds: Extent, wkt: str) -> Iterator[t
                 shown = np.rint((_PALEST + (1 - _PALEST) * share) * _GREYS) * (255 / _GREYS)
                 shown[~block.valid] = 255
                 yield np.repeat(shown.astype(np.uint8)[..., np.newaxis], 3, axis=2), extent
-
-
-def empty_share(mosaics: Sequence[Raster], outlines: Sequence[SheetOutline]) -> float | None:
-    """About which share of the sheets, without outlines of the mosaics, has no data, 0 to 1; None where that can't be
-    told without reading too many pixels."""
-    empty = whole = 0.0
-    for mosaic in mosaics:
-        with suppress(RasterError):
-            found = read_overview(mosaic, mosaic.extent, _BACKDROP_PX)
-            if found is None:
-                return None
-            valid, (left, bottom, right, top) = found[0].valid, found[1]
-            rows, columns = valid.shape
-            x, y = np.meshgrid((np.arange(columns) + 0.5) / columns, (np.arange(rows) + 0.5) / rows)
-            middles = np.stack([left + (right - left) * x, top - (top - bottom) * y], axis=-1).reshape(-1, 2)
-            rings = [Path(ring).contains_points(middles) for one in outlines for ring in one.rings]
-            inside = np.logical_or.reduce(rings).reshape(valid.shape) if rings else np.ones_like(valid)
-            pixel = (right - left) * (top - bottom) / valid.size
-            empty, whole = empty + pixel * (inside & ~valid).sum(), whole + pixel * inside.sum()
-    return empty / whole if whole else None
 
 
 def _draw_sheets(
@@ -233,49 +200,6 @@ def _draw_coordinates(axes: Axes, placed: Callable[[np.ndarray], np.ndarray], bo
         axes.text(edge + _TICK_PT, up, formatted(y, ".0f"), ha="left", va="center", rotation=90, **style)
 
 
-def oc_figure(found: PlanOutcome) -> Figure:
-    """The operating characteristic of a plan: how likely a delivery is accepted by how good it is."""
-    characteristic = found.characteristic
-    figure = new_figure(6.2, 3.2)
-    axes = figure.subplots()
-    shares, accepted = _steps(found)
-    axes.step(100 * shares, 100 * accepted, where="post", color=PAPER.text, linewidth=1.6)
-    good, quality = 100 * characteristic.good_quality, 100 * characteristic.limiting_quality
-    for x, y, colour, words in (
-        (good, 100 * (1 - characteristic.producers_risk), PAPER.sources[2],
-         filled(tr("good quality {quality} %: rejected in {risk} % (producer's risk)"),
-             quality=_plain(good), risk=_plain(100 * characteristic.producers_risk))),
-        (quality, 100 * characteristic.consumers_risk, PAPER.limit,
-         filled(tr("limiting quality {quality} %: accepted in {risk} % (consumer's risk)"),
-             quality=_plain(quality), risk=_plain(100 * characteristic.consumers_risk))),
-    ):
-        axes.plot([x, x, 0], [0, y, y], color=colour, linewidth=0.9, linestyle="--")
-        axes.plot([x], [y], "o", color=colour, markersize=5, label=words)
-    far = 100 * shares[accepted > 0.002]
-    axes.set_xlim(0, max(float(far[-1]) if len(far) else 0.0, 1.3 * quality, 2 * good))
-    axes.set_ylim(0, 102)
-    axes.set_xlabel(tr("failed pieces in the delivery (%)"))
-    axes.set_ylabel(tr("probability of acceptance (%)"))
-    axes.grid(True, color=PAPER.grid)
-    axes.set_axisbelow(True)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(fontsize="small", frameon=True, framealpha=0.9, edgecolor="none", loc="upper right")
-    return figure
-
-
-def _steps(found: PlanOutcome) -> tuple[np.ndarray, np.ndarray]:
-    """Shares and probabilities: failed pieces are whole ones, so between two shares nothing changes."""
-    plan = found.plan
-    last = int(np.ceil(max(found.characteristic.nonconforming_shares) * plan.lot_size))
-    counts = np.unique(np.linspace(0, last, min(last, _MOST_STEPS) + 1).astype(int))
-    shares = counts / plan.lot_size
-    return shares, acceptance_probability(plan, shares)
-
-
-def _plain(value: float) -> str:
-    return shown_number(value, 2 if value < 1 else 1)
-
-
 def _short(name: str, most: float) -> str:
     """A name in so many letters, though not fewer than tell it from others."""
     letters = max(int(most), _LEAST_LETTERS)
@@ -285,25 +209,10 @@ def _short(name: str, most: float) -> str:
     return name[:begin] + "…" + name[begin + 1 - letters :]
 
 
-def _points_along(path: np.ndarray) -> np.ndarray:
-    """Points on lines that numbers may not lie on; (n, 2), lines set apart by NaN."""
-    steps = np.diff(path, axis=0)
-    is_step = np.isfinite(steps).all(axis=1)
-    starts, steps = path[:-1][is_step], steps[is_step]
-    counts = np.maximum(np.ceil(np.hypot(*steps.T) / (_BESIDE_PT[0] / 2)), 1).astype(int)
-    shares = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)) / np.repeat(counts, counts)
-    return np.repeat(starts, counts, axis=0) + shares[:, np.newaxis] * np.repeat(steps, counts, axis=0)
-
-
-def _thinned(points: np.ndarray, last: np.ndarray) -> np.ndarray:
-    """Lines of which each vertex lies a little farther on; (n, 2) points on paper, after each line NaN. ``last``: the
-    numbers of the lines' last points."""
-    steps = np.hypot(*np.diff(points, axis=0, prepend=points[:1]).T)
-    cells = np.floor(np.cumsum(steps) / (4 * _FINEST_PT))
-    is_kept = np.diff(cells, prepend=-1) > 0
-    is_kept[last] = is_kept[np.concatenate([[0], last[:-1] + 1])] = True
-    after = np.cumsum(is_kept)[last]
-    return np.insert(points[is_kept], after, np.nan, axis=0)
+def _thinned(points: np.ndarray) -> np.ndarray:
+    """A line of which each vertex but the last lies a little farther on; (n, 2) points on paper, at the end NaN."""
+    cells = np.floor(vertex_stations(points) / _FINEST_PT)
+    return np.append(points[np.append(np.diff(cells, prepend=-1)[:-1] > 0, True)], [[np.nan, np.nan]], axis=0)
 
 
 def _draw_scale_bar(axes: Axes, scale: float, foot: float) -> None:

@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -23,13 +22,13 @@ from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from ...imagery.records import Column
-from ...imagery.reference_systems import transform_points
+from ...imagery.reference_systems import extent_on, transform_points
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
 from ...toolkit.table_fields import column_features
 from ..measure import messages
-from ..measure.decision import Defect
-from .proofs import LEAST_PIECE_PX, PROOF_PX, PROOF_SIDE_M, Proof, Prover
+from ..measure.decision import Decision, Defect
+from .proofs import MOSAIC_PANEL, PROOF_PX, ProofPanel, Prover
 from .words import rounded
 
 _NAME = "defect_{}.jpg"
@@ -57,61 +56,55 @@ def save_pictures(
     for number, picture in pictures.items():
         path = folder / _NAME.format(f"{number:03d}")
         with whole_file(path) as unfinished:
-            unfinished.write_bytes(picture.with_proof())
+            unfinished.write_bytes(picture.jpeg())
         paths[number] = str(path)
 
 
 PICTURE_PX = 400
-"""Side of a panel."""
+"""Side of the picture that shows where a failure lies."""
 MOST_REDUCED = 8.0
-"""Pixels of the mosaic, along a side, on one of the panel that shows where a failure lies."""
+"""Pixels of the mosaic, along a side, on one of it."""
 
 _AROUND = 1.25  # of a failure's extent
-_DASHES_PX, _SPARSE_PX = (7.0, 9.0), (4.0, 20.0)  # and gaps: what is lost has to be seen between the dashes
+_DASHES_PX = (7.0, 9.0)  # and gaps: what is lost has to be seen between the dashes
+_EDGE_PX = 8  # of a panel: how far marks of the seam reach in, so that nothing lies on what is shown
 _LINE, _EDGE, _FRAME = (255, 214, 0), (0, 0, 0), (255, 255, 255)
 _GUTTER_PX = 8
 _PROOF_SCALE = 2
 _HELD = 8  # open sheets
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DefectPicture:
-    """The mosaic around a failure; where that is too large to be seen pixel by pixel, beside it a panel that shows the
-    place where least is kept in full size."""
+    """The mosaic around a failure, and pixel by pixel the middle of its piece that kept least, beside orthoimages."""
 
-    jpeg: bytes
-    columns: int
-    """Its width, px."""
+    around: np.ndarray
+    """(rows, columns, 3) uint8: where it lies, with dashes along it and a frame around what the panels show."""
     side_m: float
-    """What the first panel shows across."""
-    detail_m: float | None
-    """What the second panel shows across; None where there is one panel."""
+    """What that shows across."""
     is_whole: bool
     """Whether all of the failure is on it."""
-    proof: Proof | None = None
-    """The part that is framed beside its orthoimages; None where none is known."""
-    pixels: np.ndarray | None = None
-    """(rows, columns, 3) uint8: what ``jpeg`` holds."""
+    panels: tuple[ProofPanel, ...]
+    """The mosaic first; alone where nobody has orthoimages. The seam is marked where it enters and leaves."""
 
-    def with_proof(self) -> bytes:
-        """A JPEG of all: below the picture the proof's panels at 2x, mosaic, cut and orthoimages in a row."""
-        if self.proof is None or self.pixels is None:
-            return self.jpeg
-        panels = _beside([one.pixels.repeat(_PROOF_SCALE, 0).repeat(_PROOF_SCALE, 1) for one in self.proof.panels])
-        columns = max(self.pixels.shape[1], panels.shape[1])
+    def jpeg(self) -> bytes:
+        """A JPEG of all: below the picture the panels at 2x in a row."""
+        panels = _beside([one.pixels.repeat(_PROOF_SCALE, 0).repeat(_PROOF_SCALE, 1) for one in self.panels])
+        columns = max(self.around.shape[1], panels.shape[1])
         rows = [np.pad(one, ((0, _GUTTER_PX), (0, columns - one.shape[1]), (0, 0)), constant_values=255)
-                for one in (self.pixels, panels)]
+                for one in (self.around, panels)]
         return encoded(np.ascontiguousarray(np.concatenate(rows)[:-_GUTTER_PX]), "JPEG")
 
 
 class DefectPictures:
     """Cuts pictures from the sheets of a delivery, all shown by the same range of values."""
 
-    def __init__(self, mosaics: Sequence[Raster], wkt: str, prover: Prover | None = None) -> None:
-        """``wkt``: the failures' reference system."""
+    def __init__(self, mosaics: Sequence[Raster], decision: Decision, prover: Prover | None = None) -> None:
         self.paths = [path for mosaic in mosaics for path in mosaic.ref.paths]
         """What the pictures are cut from."""
-        self._mosaics, self._wkt, self._prover = mosaics, wkt, prover
+        self._mosaics, self._wkt, self._prover = mosaics, decision.delivery.wkt, prover
+        self._seams = [one.piece.vertices for one in decision.pieces]
+        self._boxes = np.array([[*line.min(axis=0), *line.max(axis=0)] for line in self._seams]).reshape(-1, 4)
         self._open = lru_cache(_HELD)(OpenRaster)
         self._ranges: GreyRanges = {}
 
@@ -122,50 +115,42 @@ class DefectPictures:
                 x, y = transform_points(np.array([defect.worst.piece.middle]), self._wkt, mosaic.wkt)[0]
                 xmin, ymin, xmax, ymax = mosaic.extent
                 if xmin <= x <= xmax and ymin <= y <= ymax:
-                    return self._picture(mosaic, defect, np.array([x, y]))
+                    return self._picture(mosaic, defect, mosaic.grid.to_pixels(np.array([[x, y]]))[0])
         return None
 
-    def _picture(self, mosaic: Raster, defect: Defect, middle: np.ndarray) -> DefectPicture:
-        lines = [mosaic.grid.to_pixels(transform_points(line, self._wkt, mosaic.wkt)) for line in defect.lines]
-        worst = mosaic.grid.to_pixels(middle[np.newaxis])[0]
+    def _picture(self, mosaic: Raster, defect: Defect, worst: np.ndarray) -> DefectPicture:
+        lines = [self._path(mosaic, one.piece.vertices) for one in defect.pieces]
         window, is_whole = _window(np.concatenate(lines), worst)
-        windows = [window] if window.width <= PICTURE_PX else [window, _square(worst, PICTURE_PX)]
-        shown = [_inside(one, mosaic) for one in windows]
-        panels = [self._panel(mosaic, one, lines) for one in shown]
-        proof = self._proof(mosaic, defect, worst, lines)
-        if proof is not None and len(panels[-1]) == shown[-1].height:
-            part = proof.part.moved_by(-shown[-1].column, -shown[-1].row)
-            draw_frame(panels[-1], part)
-        pixels = _beside(panels)
-        pixel_m = mosaic.grid.pixel_width * mosaic.grid.metres_x
-        side_m, *detail_m = (one.width * pixel_m for one in shown)
-        return DefectPicture(
-            encoded(pixels, "JPEG"), pixels.shape[1], side_m, detail_m[0] if detail_m else None, is_whole,
-            proof, pixels,
-        )  # fmt: skip
-
-    def _proof(
-        self, mosaic: Raster, defect: Defect, worst: np.ndarray, lines: Sequence[np.ndarray]
-    ) -> Proof | None:
-        """The seam is drawn into its panels, sparser than into those of the whole failure."""
-        if self._prover is None:
-            return None
-        side = max(round(PROOF_SIDE_M / mosaic.ground_sample_distance), PROOF_PX)
+        shown, part = _inside(window, mosaic), _inside(_square(worst, PROOF_PX), mosaic)
+        around = self._pixels(mosaic, shown)
+        shares = np.array(around.shape[1::-1]) / (shown.width, shown.height)
+        for line in lines:
+            _draw_dashes(around, (line - (shown.column, shown.row)) * shares)
+        left, top = np.rint((np.array([part.column, part.row]) - (shown.column, shown.row)) * shares).astype(int)
+        across, down = np.rint(np.array([part.width, part.height]) * shares).astype(int)
+        _draw_frame(around, PixelWindow(int(left), int(top), int(across), int(down)))
         piece = defect.worst.piece
-        along = mosaic.grid.to_pixels(transform_points(piece.vertices, self._wkt, mosaic.wkt))
-        low, high = along.min(axis=0), along.max(axis=0)
-        own = _square((low + high) / 2, max(math.ceil((high - low).max()), LEAST_PIECE_PX))
-        place, own_place = (mosaic.grid.window_extent(_inside(one, mosaic)) for one in (_square(worst, side), own))
-        proof = self._prover(mosaic, place, own_place, (piece.left_source, piece.right_source))
-        if proof is None:
-            return None
-        panels = tuple(replace(one, pixels=one.pixels.copy()) for one in proof.panels)
-        for panel, line in product(panels, lines):
-            _draw_dashes(panel.pixels, line - (proof.part.column, proof.part.row), _SPARSE_PX)
-        return replace(proof, panels=panels)
+        panels = () if self._prover is None else self._prover(mosaic, part, (piece.left_source, piece.right_source))
+        panels = panels or (ProofPanel(MOSAIC_PANEL, "", self._pixels(mosaic, part)),)
+        seams = [self._path(mosaic, line) - (part.column, part.row) for line in self._near(mosaic, part)]
+        return DefectPicture(
+            around, shown.width * mosaic.grid.pixel_width * mosaic.grid.metres_x, is_whole,
+            tuple(replace(one, pixels=_marked(one.pixels, seams)) for one in panels),
+        )
 
-    def _panel(self, mosaic: Raster, inside: PixelWindow, lines: Sequence[np.ndarray]) -> np.ndarray:
-        """(rows, columns, 3) uint8 of a window of the mosaic, the lines drawn into it."""
+    def _path(self, mosaic: Raster, line: np.ndarray) -> np.ndarray:
+        """(n, 2) columns and rows of a line of the delivery."""
+        return mosaic.grid.to_pixels(transform_points(line, self._wkt, mosaic.wkt))
+
+    def _near(self, mosaic: Raster, part: PixelWindow) -> list[np.ndarray]:
+        """All pieces of seam that may meet a part of the mosaic, whatever became of them."""
+        xmin, ymin, xmax, ymax = extent_on(mosaic.grid.window_extent(part), mosaic.wkt, self._wkt)
+        left, bottom, right, top = self._boxes.T
+        is_near = (left <= xmax) & (right >= xmin) & (bottom <= ymax) & (top >= ymin)
+        return [self._seams[number] for number in np.flatnonzero(is_near).tolist()]
+
+    def _pixels(self, mosaic: Raster, inside: PixelWindow) -> np.ndarray:
+        """(rows, columns, 3) uint8 of a window of the mosaic, no more than fit a picture."""
         scale = max(inside.width / PICTURE_PX, inside.height / PICTURE_PX, 1.0)
         size = max(1, round(inside.width / scale)), max(1, round(inside.height / scale))
         raster = self._open(mosaic.ref)
@@ -176,10 +161,17 @@ class DefectPictures:
             self._ranges = ranges_with(self._ranges, stretch, [(raster, largest_of(bands))])
         pixels = brightness(bands, self._ranges)
         pixels[~block.valid] = 255
-        shares = size[0] / inside.width, size[1] / inside.height
-        for line in lines:
-            _draw_dashes(pixels, (line - (inside.column, inside.row)) * shares)
         return pixels
+
+
+def _marked(pixels: np.ndarray, seams: Sequence[np.ndarray]) -> np.ndarray:
+    """A copy with the seams drawn at its edges alone; ``seams``: (n, 2) columns and rows each."""
+    marked = pixels.copy()
+    for seam in seams:
+        _draw_dashes(marked, seam, (1.0, 0.0))
+    inner = slice(_EDGE_PX, -_EDGE_PX)
+    marked[inner, inner] = pixels[inner, inner]
+    return marked
 
 
 def _beside(panels: Sequence[np.ndarray]) -> np.ndarray:
@@ -211,17 +203,15 @@ def _window(places: np.ndarray, worst: np.ndarray) -> tuple[PixelWindow, bool]:
     return _square((low + high) / 2 if is_whole else worst, side), is_whole
 
 
-def draw_frame(pixels: np.ndarray, window: PixelWindow) -> None:
+def _draw_frame(pixels: np.ndarray, window: PixelWindow) -> None:
     """An outline of a window, in place; what lies outside is left out."""
     left, top = max(window.column, 0), max(window.row, 0)
-    right, bottom = (min(end, size) - 1 for end, size in (
-        (window.column + window.width, pixels.shape[1]), (window.row + window.height, pixels.shape[0])
-    ))  # fmt: skip
+    right, bottom = window.column + window.width, window.row + window.height
     for inset, colour in enumerate((_EDGE, _FRAME, _EDGE)):
-        if left + inset < right - inset and top + inset < bottom - inset:
-            rows, columns = slice(top + inset, bottom - inset + 1), slice(left + inset, right - inset + 1)
-            pixels[[top + inset, bottom - inset], columns] = pixels[rows, [left + inset]] = colour
-            pixels[rows, [right - inset]] = colour
+        inner = pixels[top + inset : bottom - inset, left + inset : right - inset]
+        if inner.size:
+            inner[[0, -1]] = colour
+            inner[:, [0, -1]] = colour
 
 
 def _draw_dashes(pixels: np.ndarray, path: np.ndarray, dash_and_gap: tuple[float, float] = _DASHES_PX) -> None:
@@ -247,9 +237,9 @@ def _coordinate(value: float) -> float:
 
 
 DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
-    Column("defect", "integer", lambda one: one.number),
-    Column("sheet", "text", lambda one: ", ".join(one.sheets)),
-    Column("length", "real", lambda one: rounded(one.length_m)),
+    Column("defect", "integer", lambda one: one.run.number),
+    Column("sheet", "text", lambda one: ", ".join(one.run.sheets)),
+    Column("length", "real", lambda one: rounded(one.run.length_m)),
     Column("kept_1", "real", lambda one: rounded(one.worst.piece.kept_1)),
     Column("kept_low", "real", lambda one: rounded(one.worst.piece.kept_low)),
     Column("kept_high", "real", lambda one: rounded(one.worst.piece.kept_high)),
@@ -260,8 +250,8 @@ DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
     Column("right_source", "text", lambda one: one.worst.piece.right_source or None),
     Column("left_date", "text", lambda one: one.worst.piece.left_date or None),
     Column("right_date", "text", lambda one: one.worst.piece.right_date or None),
-    Column("x", "real", lambda one: _coordinate(one.place[0])),
-    Column("y", "real", lambda one: _coordinate(one.place[1])),
+    Column("x", "real", lambda one: _coordinate(one.run.place[0])),
+    Column("y", "real", lambda one: _coordinate(one.run.place[1])),
     Column("remark", "text", lambda one: "; ".join(one.remarks) or None),
     Column("picture", "text", lambda _: None),  # its path from the layer's folder, once there is one
 )
@@ -270,9 +260,9 @@ DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
 def defect_features(defects: Sequence[Defect], pictures: Mapping[int, str]) -> Iterator[QgsFeature]:
     """``pictures``: paths from the layer's folder, by the failures' numbers."""
     for defect, feature in zip(defects, column_features(DEFECT_COLUMNS, defects)):
-        lines = (QgsGeometry(QgsLineString(*line.T.tolist())) for line in defect.lines)
+        lines = (QgsGeometry(QgsLineString(*one.piece.vertices.T.tolist())) for one in defect.pieces)
         whole = QgsGeometry.collectGeometry(list(lines)).mergeLines()
         whole.convertToMultiType()
         feature.setGeometry(whole)
-        feature.setAttribute("picture", pictures.get(defect.number))
+        feature.setAttribute("picture", pictures.get(defect.run.number))
         yield feature

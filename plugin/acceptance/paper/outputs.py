@@ -82,8 +82,7 @@ def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> di
         listed_images(decision, (whole_path(one.path) for one in images)), radiometry=rated_images(run),
         report=str(report or ""),
     )
-    prover = proving.prover(run, decision.rules.least_kept)
-    maker = DefectPictures(mosaics, decision.delivery.wkt, prover) if mosaics else None
+    maker = DefectPictures(mosaics, decision, proving.prover()) if mosaics else None
     pictures: dict[int, DefectPicture] = {}
     results = _write_defects(run, decision, record.defects, maker, pictures)
     results.update(_write_sheets(run, decision))
@@ -207,7 +206,7 @@ def _cut_pictures(
         if not run.goes_on(done / len(shown)):
             raise CancelledError(messages.PAPER_STOPPED())
         if (picture := maker.of(defect)) is not None:
-            pictures[defect.number] = picture
+            pictures[defect.run.number] = picture
     if missing := len(shown) - len(pictures):
         run.tell(messages.PICTURES_MISSING(count=missing))
     if len(defects) > len(shown):

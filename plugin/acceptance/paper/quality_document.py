@@ -235,33 +235,6 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
         _by_sheet(decision, PER_CENT, lambda one: 100 * one.measured_share if one.piece_count else None),
         _conformance(outcomes.get(rules.MEASURED_SHARE)), about=all_pieces,
     )
-    if (interval := decision.failed_share) is not None:
-        yield QualityElement(
-            CONFIDENCE, "failed_share_interval", tr("95 % interval of the share that failed"),
-            tr("Where the share of failed metres lies with a confidence of 95 %."), derived,
-            (Quantity((100 * interval.low, 100 * interval.high), PER_CENT, tr("lower end; upper end")),),
-            about=rules.FAILED_SHARE,
-        )
-    observers = decision.observers
-    for code, name, found in () if observers is None else (
-        ("observers_kappa", tr("agreement of two observers (kappa)"), observers.both),
-        ("tool_kappa", tr("agreement of the observer with the measurement (kappa)"), observers.with_tool),
-    ):
-        if found is not None and found.kappa is not None:
-            kappa = found.kappa
-            yield QualityElement(
-                CONFIDENCE, code, name,
-                filled(tr(
-                    "Cohen's kappa of {count} windows that both judged: 1 where both always agree, 0 where they do as "
-                    "often as by chance."
-                ), count=found.count),
-                Evaluation(SAMPLE, tr("Windows judged by eye at 2x magnification."), "", (
-                    tr("Windows as they were placed on the seams."), tr("Windows on the seams of the delivery."),
-                    str(found.count),
-                )),
-                (Quantity((kappa.value, kappa.low, kappa.high), ONE, tr("kappa; lower end; upper end (95 %)")),),
-                about=all_pieces,
-            )
 
 
 def _conformance(outcome: RuleOutcome | None) -> Conformance | None:

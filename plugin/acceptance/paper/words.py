@@ -20,11 +20,6 @@ _OUTCOMES = {
     AcceptanceOutcome.REJECTED: QT_TR_NOOP("Rejected"),
     AcceptanceOutcome.UNDECIDED: QT_TR_NOOP("Undecided"),
 }
-_SEVERITIES = {
-    "normal": QT_TR_NOOP("normal inspection"),
-    "tightened": QT_TR_NOOP("tightened inspection"),
-    "reduced": QT_TR_NOOP("reduced inspection"),
-}
 _SHARE = 100, 2, "\u00a0%"
 _UNITS = {
     rules.KEPT: _SHARE, rules.FAILED_SHARE: _SHARE, rules.MEASURED_SHARE: (100, 1, "\u00a0%"),
@@ -48,8 +43,8 @@ def plan_words(plan: SamplingPlan) -> str:
     if plan.lq is not None:
         return filled(tr("{standard}, single sampling of an isolated lot (procedure A), limiting quality {lq:g} %"),
             standard=plan.standard, lq=plan.lq)
-    return filled(tr("{standard}, single sampling, level {level}, {severity}, AQL {aql}"), standard=plan.standard,
-        level=plan.inspection_level, severity=tr(_SEVERITIES[plan.severity]), aql=plan.aql)
+    return filled(tr("{standard}, single sampling, level {level}, AQL {aql}"), standard=plan.standard,
+        level=plan.inspection_level, aql=plan.aql)
 
 
 def rounded(value: float | None) -> float | None:
@@ -67,16 +62,28 @@ def share(value: float | None, decimals: int = 2) -> str:
     return NOTHING if value is None else f"{formatted(100 * value, f'.{decimals}f')}\u00a0%"
 
 
-def whole_share(value: float | None) -> str:
-    """A fraction of 1 in whole per cent."""
-    return share(value, 0)
+def share_beside(value: float | None, limit: float) -> str:
+    """A fraction of 1 in per cent, whole where that is on the same side of its limit."""
+    return NOTHING if value is None else f"{_beside(100 * value, 100 * limit, 0)}\u00a0%"
+
+
+def jnd_words(value: float | None) -> str:
+    """A visible loss, and whether an eye sees it, which is what rounding keeps."""
+    if value is None:
+        return ""
+    shown = f"{_beside(value, 1.0, 1)}\u00a0JND"
+    return shown if value >= 1 else filled(tr("{loss}, not visible"), loss=shown)
+
+
+def _beside(value: float, limit: float, decimals: int) -> str:
+    return shown_number(value, decimals_beside(value, [limit], decimals))
 
 
 def failing_sentence(decision: Decision) -> str:
     """Sentence that says by what pieces fail."""
     if decision.by_observer:
         return tr("A piece of seam fails where the operator saw a loss in its window, whatever it kept.")
-    least = whole_share(decision.rules.least_kept)
+    least = f"{formatted(100 * decision.rules.least_kept, '.6g')}\u00a0%"
     return filled(tr("A piece of seam fails where it keeps less than {least} of the detail."), least=least)
 
 
@@ -85,8 +92,7 @@ def outcome_value(outcome: RuleOutcome) -> str:
     if outcome.value is None or outcome.check == rules.SAMPLING:
         return NOTHING if outcome.value is None else f"{outcome.value:.0f}"
     scale, decimals, unit = _UNITS[outcome.check]
-    value = scale * outcome.value
-    return shown_number(value, decimals_beside(value, [scale * outcome.limit], decimals)) + unit
+    return _beside(scale * outcome.value, scale * outcome.limit, decimals) + unit
 
 
 def outcome_limit(outcome: RuleOutcome) -> str:

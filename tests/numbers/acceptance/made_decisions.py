@@ -23,7 +23,7 @@ LEFT, BOTTOM = 500000.0, 5500000.0
 PIECE_M = 25.0
 LOST, SOUND, UNKNOWN = 0.45, 0.97, None
 IMAGES = "0412_ortho.tif", "0413_ortho.tif"
-PLAN = SamplingRule("1.0", "II", "normal", "contract")
+PLAN = SamplingRule("1.0", "II", "contract")
 
 
 def seam_of(

@@ -26,7 +26,7 @@ from tests.numbers.acceptance.deliveries import delivery, rules, seam
 
 ACCEPTED, REJECTED, UNDECIDED = AcceptanceOutcome
 KEPT = st.one_of(st.none(), st.floats(0.0, 1.3))
-SAMPLING = SamplingRule("1.0", "II", "normal", "contract")
+SAMPLING = SamplingRule("1.0", "II", "contract")
 
 
 @given(st.lists(st.tuples(st.lists(KEPT, min_size=1, max_size=12), st.floats(0.5, 40)), min_size=1, max_size=5),
@@ -61,8 +61,6 @@ def test_metres_add_up_and_the_rules_decide(
     if measured and found.whole.measured_share >= 0.9 and not (found.whole.unclear_m or hides):
         assert found.accepted is kept  # nothing is open
     assert str(found.sentences[0]).lower().startswith(found.outcome.value)
-    if found.failed_share is not None:
-        assert 0 <= found.failed_share.low <= found.failed_share.value <= found.failed_share.high <= 1
 
 
 def is_measured(piece: DeliveredPiece, least: float) -> bool:
@@ -126,7 +124,7 @@ def test_pieces_too_coarse_for_what_may_fail_leave_it_open() -> None:
 def test_nothing_measured_is_undecided() -> None:
     found = decide(delivery(seam([None] * 5)), rules())
     assert found.outcome is UNDECIDED
-    assert found.failed_share is None
+    assert found.whole.failed_share is None
     assert str(found.sentences[0]).count("nothing was measured, so it can't be decided") == 1
     assert "figures of at least 45 of the 50 m" in told(found)
 
@@ -316,21 +314,13 @@ def test_an_observer_decides_where_he_is_asked_to() -> None:
     assert str(found.sentences[0]).startswith("Rejected by the observers' verdicts and 'contract'")
 
 
-def test_windows_over_a_piece_and_what_operators_say() -> None:
-    words = [("visible", "visible", "significant"), ("invisible", "visible", "preserved"), ("", "", "reduced"),
-             ("visible", "unsure", "significant")]
+def test_windows_over_a_piece() -> None:
     windows = tuple(
-        SeenWindow(str(number), (10.0 * number - 8, -10, 10.0 * number + 18, 10), verdict=verdict, observer=one,
-                   observer_2=two, remark=f"seen {number}")
-        for number, (one, two, verdict) in enumerate(words)
+        SeenWindow(str(number), (10.0 * number - 8, -10, 10.0 * number + 18, 10), remark=f"seen {number}")
+        for number in range(4)
     )
     found = decide(replace(delivery(seam([0.4] * 4)), windows=windows), rules())
     assert [window.window_id for window in found.pieces[1].windows] == ["1", "0", "2"]
-    assert found.observers is not None
-    assert found.observers.both is not None
-    assert (found.observers.both.count, found.observers.both.agreed) == (2, 1)
-    assert found.observers.with_tool is not None
-    assert (found.observers.with_tool.count, found.observers.with_tool.agreed) == (3, 3)
 
 
 @pytest.mark.parametrize(

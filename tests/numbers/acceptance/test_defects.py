@@ -12,10 +12,10 @@ from tests.numbers.acceptance.made_decisions import IMAGES, PIECE_M, decided, wi
 
 def test_pieces_without_a_break_are_one_defect_the_longest_first() -> None:
     found = defects_of(decided(["a", "b"], failed=[(1, 20), (0, 3), (0, 4), (0, 5)]))
-    assert [(one.number, one.sheets) for one in found] == [(1, ("a",)), (2, ("b",))]
-    assert [one.length_m for one in found] == [75, 25]
-    assert len(found[0].lines) == 3
-    assert found[0].place == pytest.approx(decided(["a"]).delivery.pieces[4].middle, abs=1)
+    assert [(one.run.number, one.run.sheets) for one in found] == [(1, ("a",)), (2, ("b",))]
+    assert [one.run.length_m for one in found] == [75, 25]
+    assert len(found[0].pieces) == 3
+    assert found[0].run.place == pytest.approx(decided(["a"]).delivery.pieces[4].middle, abs=1)
     assert found[1].band_width_m == 2.5
     assert (found[1].worst.piece.left_source, found[1].worst.piece.right_source) == IMAGES
     assert defects_of(decided()) == ()
@@ -26,8 +26,8 @@ def test_the_figures_are_those_of_the_piece_that_kept_least() -> None:
     (one,) = found
     assert one.worst.piece.kept_1 == 0.2
     assert (one.worst.piece.kept_low, one.worst.piece.kept_high) == (pytest.approx(0.15), pytest.approx(0.25))
-    assert one.length_m == 30  # of whole pieces
-    assert np.ptp(np.concatenate(one.lines)[:, 0]) == pytest.approx(one.length_m)
+    assert one.run.length_m == 30  # of whole pieces
+    assert np.ptp(np.concatenate([own.piece.vertices for own in one.pieces])[:, 0]) == pytest.approx(30)
 
 
 def test_cause_and_remarks_come_from_the_windows_on_it() -> None:
@@ -41,4 +41,4 @@ def test_cause_and_remarks_come_from_the_windows_on_it() -> None:
     assert one.worst.piece.number == 10
     assert one.cause == "feathering"
     assert set(one.remarks) == {"kerb gone", "<b>"}
-    assert one.length_m == 2 * PIECE_M
+    assert one.run.length_m == 2 * PIECE_M

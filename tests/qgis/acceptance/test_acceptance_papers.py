@@ -202,7 +202,7 @@ def test_all_papers_at_once_tell_the_same(tmp_path: Path, mosaic: str, loss: str
     assert faults(document) == []
     assert f"{outcome.results['FAILED_SHARE']:.10g}" in document
     assert f"{outcome.results['FAILED_SHARE']:.2f}" in page
-    assert page.count("data:image/jpeg") == 2
+    assert page.count("data:image/jpeg") == 4  # where each lies, and its middle
     assert "decision.html" in document
     assert mosaic in page
     assert outcome.log.warnings == []

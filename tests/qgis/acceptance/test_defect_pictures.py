@@ -1,6 +1,7 @@
 """Pictures of failures: where they are cut, what is drawn into them, what they weigh."""
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,9 +15,8 @@ from seam_inspector.plugin.acceptance.paper.defect_files import (
     DefectPictures,
     save_pictures,
 )
-from seam_inspector.plugin.acceptance.paper.proofs import IMAGE_PANEL, MOSAIC_PANEL, Proof, ProofPanel
+from seam_inspector.plugin.acceptance.paper.proofs import IMAGE_PANEL, MOSAIC_PANEL, PROOF_PX, ProofPanel
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
@@ -27,16 +27,8 @@ from tests.qgis.acceptance.papers import ground
 YELLOW = np.array([255, 214, 0])
 
 
-def decoded(picture: DefectPicture) -> np.ndarray:
-    """(rows, columns, 3), by GDAL."""
-    gdal.FileFromMemBuffer("/vsimem/defect.jpg", picture.jpeg)
-    pixels = np.moveaxis(gdal.Open("/vsimem/defect.jpg").ReadAsArray(), 0, 2).astype(int)
-    gdal.Unlink("/vsimem/defect.jpg")
-    return pixels
-
-
 def picture_of(decision: Decision, *mosaics: Raster) -> DefectPicture:
-    found = DefectPictures(mosaics, decision.delivery.wkt).of(defects_of(decision)[0])
+    found = DefectPictures(mosaics, decision).of(defects_of(decision)[0])
     assert found is not None
     return found
 
@@ -58,10 +50,9 @@ def flat(path: Path, kind: str = "uint8", value: int = 120, pixel: float = 0.1) 
 def test_the_seam_is_drawn_where_it_runs_and_can_be_seen_between_dashes(tmp_path: Path) -> None:
     decision = decided(failed=[(0, 4)])
     found = picture_of(decision, flat(tmp_path / "mosaic.tif"))
-    assert (found.columns, found.is_whole) == (PICTURE_PX, True)
+    assert (found.around.shape[1], found.is_whole) == (PICTURE_PX, True)
     assert found.side_m == pytest.approx(40)
-    pixels = decoded(found)
-    drawn = dashes(pixels)
+    drawn = dashes(found.around.astype(int))
     path = decision.delivery.pieces[4].vertices
     middle = (path.min(axis=0) + path.max(axis=0)) / 2
     for row, column in drawn[::25]:
@@ -72,22 +63,29 @@ def test_the_seam_is_drawn_where_it_runs_and_can_be_seen_between_dashes(tmp_path
     assert 0.15 < len(rows) / (rows.max() - rows.min()) < 0.75
 
 
-def test_the_seam_is_dashed_in_the_proof_as_it_runs(tmp_path: Path) -> None:
-    """In every panel alike; the loss is seen along four fifths of it, and what the prover gave stays as it was."""
+def test_panels_show_the_worst_piece_across_its_middle_and_mark_the_seam_at_their_edges(tmp_path: Path) -> None:
+    """Whoever has the orthoimages is asked for that place; nothing lies on what is shown, and what was given stays."""
     decision, mosaic = decided(failed=[(0, 4)]), flat(tmp_path / "mosaic.tif")
-    bare = np.full((160, 160, 3), 90, np.uint8)
-    part = PixelWindow(220, 220, 160, 160)
-    proof = Proof((ProofPanel(MOSAIC_PANEL, "", bare), ProofPanel(IMAGE_PANEL, "a.tif", bare)), part)
-    made = DefectPictures((mosaic,), decision.delivery.wkt, lambda *_: proof).of(defects_of(decision)[0])
+    bare, asked = np.full((PROOF_PX, PROOF_PX, 3), 90, np.uint8), []
+
+    def prover(*given: object) -> list[ProofPanel]:
+        asked.append(given)
+        return [ProofPanel(MOSAIC_PANEL, "", bare), ProofPanel(IMAGE_PANEL, "a.tif", bare)]
+
+    made = DefectPictures((mosaic,), decision, prover).of(defects_of(decision)[0])
     assert made is not None
-    assert made.proof is not None
-    path = decision.delivery.pieces[4].vertices
-    for panel in made.proof.panels:
+    ((_, part, sides),) = asked
+    piece = decision.delivery.pieces[4]
+    assert sides == (piece.left_source, piece.right_source)
+    x, y = LEFT - 30 + (part.column + PROOF_PX / 2) / 10, BOTTOM + 140 - (part.row + PROOF_PX / 2) / 10
+    assert (x, y) == pytest.approx(piece.middle, abs=0.1)
+    for panel in made.panels:
         drawn = np.argwhere((panel.pixels == YELLOW).all(axis=2))
+        assert {"up" if row < PROOF_PX / 2 else "down" for row, _ in drawn} == {"up", "down"}
         for row, column in drawn:
-            y, x = BOTTOM + 140 - (row + 220.5) / 10, LEFT - 30 + (column + 220.5) / 10
-            assert abs(x - np.interp(y, path[:, 1], path[:, 0])) < 0.2
-        assert 0.1 < len(np.unique(drawn[:, 0])) / 160 < 0.35
+            y, x = BOTTOM + 140 - (part.row + row + 0.5) / 10, LEFT - 30 + (part.column + column + 0.5) / 10
+            assert abs(x - np.interp(y, *piece.vertices.T[::-1])) < 0.2
+        assert (panel.pixels[8:-8, 8:-8] == 90).all()
     assert (bare == 90).all()
 
 
@@ -99,13 +97,12 @@ def test_a_long_failure_is_shown_whole_and_where_least_is_kept_in_full_size(tmp_
     found = picture_of(replace(decision, pieces=tuple(pieces)), mosaic)
     assert found.is_whole
     assert found.side_m == pytest.approx(200)  # as wide as the mosaic
-    assert found.detail_m == pytest.approx(200)
-    pixels, raw = decoded(found), gdal.Open(mosaic.ref.path).ReadAsArray()
-    assert pixels.shape[:2] == (PICTURE_PX, found.columns)
-    row, right = round((BOTTOM + 1000 - decision.delivery.pieces[12].middle[1]) / 0.5), pixels[:, -400:]
-    truth = np.moveaxis(raw[:, row - 200 : row + 200], 0, 2).astype(float)
-    assert np.corrcoef(right[::3, ::3, 1].ravel(), truth[::3, ::3, 1].ravel())[0, 1] > 0.8
-    assert len(found.jpeg) < 300_000
+    (panel,) = found.panels
+    grid, (x, y) = mosaic.grid, decision.delivery.pieces[12].middle
+    row, column = math.floor(grid.row_at(y) - PROOF_PX / 2), math.floor(grid.column_at(x) - PROOF_PX / 2)
+    truth = gdal.Open(mosaic.ref.path).ReadAsArray(column, row, PROOF_PX, PROOF_PX)
+    np.testing.assert_array_equal(panel.pixels[8:-8, 8:-8], np.moveaxis(truth, 0, 2)[8:-8, 8:-8])
+    assert len(found.jpeg()) < 300_000
 
 
 def test_one_that_is_too_long_for_that_is_shown_around_its_worst_place(tmp_path: Path) -> None:
@@ -120,7 +117,7 @@ def test_any_type_of_pixels_becomes_a_picture(tmp_path: Path, kind: str, value: 
     pixels = (np.random.default_rng(2).normal(1, 0.1, shape) * value).astype(kind)
     write_raster(tmp_path / "mosaic.tif", pixels, 0.1, (LEFT - 30, BOTTOM + 140), system=UTM)
     found = picture_of(decided(failed=[(0, 4)]), describe_mosaic(RasterRef(str(tmp_path / "mosaic.tif"))))
-    assert 40 < np.median(decoded(found)) < 215
+    assert 40 < np.median(found.around) < 215
 
 
 def test_the_sheet_that_shows_it_is_taken(tmp_path: Path) -> None:
@@ -129,23 +126,23 @@ def test_the_sheet_that_shows_it_is_taken(tmp_path: Path) -> None:
     other = describe_mosaic(RasterRef(str(elsewhere)))
     found = picture_of(decided(failed=[(0, 4)]), other, flat(tmp_path / "here.tif"))
     assert found.side_m == pytest.approx(40)
-    maker = DefectPictures([other], UTM)
-    assert maker.of(defects_of(decided(failed=[(0, 4)]))[0]) is None
+    decision = decided(failed=[(0, 4)])
+    assert DefectPictures([other], decision).of(defects_of(decision)[0]) is None
 
 
 def test_a_mosaic_that_is_gone_or_broken_gives_none(tmp_path: Path) -> None:
     mosaic = flat(tmp_path / "mosaic.tif")
     (tmp_path / "mosaic.tif").write_bytes((tmp_path / "mosaic.tif").read_bytes()[:5000])
-    maker = DefectPictures([mosaic], UTM)
-    assert maker.of(defects_of(decided(failed=[(0, 4)]))[0]) is None
+    decision = decided(failed=[(0, 4)])
+    assert DefectPictures([mosaic], decision).of(defects_of(decision)[0]) is None
     (tmp_path / "mosaic.tif").unlink()
-    assert DefectPictures([mosaic], UTM).of(defects_of(decided(failed=[(0, 4)]))[0]) is None
+    assert DefectPictures([mosaic], decision).of(defects_of(decision)[0]) is None
 
 
 def test_a_mosaic_in_another_system_is_found(tmp_path: Path) -> None:
     gdal.Warp(str(tmp_path / "moved.tif"), flat(tmp_path / "mosaic.tif").ref.path, dstSRS="EPSG:3857")
     found = picture_of(decided(failed=[(0, 4)]), describe_mosaic(RasterRef(str(tmp_path / "moved.tif"))))
-    assert len(dashes(decoded(found))) > 50
+    assert len(dashes(found.around.astype(int))) > 50
 
 
 def test_pictures_take_the_place_of_older_ones_but_of_no_sheet(tmp_path: Path) -> None:

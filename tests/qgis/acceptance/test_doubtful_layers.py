@@ -123,15 +123,6 @@ def test_windows_much_wider_than_the_pieces_are_told() -> None:
         assert warned(outcome, "a piece fails by what was seen beside it") == told
 
 
-def test_reduced_inspection_between_its_two_numbers_says_what_comes_next() -> None:
-    given = {"PLAN": "iso2859", "LOT_SIZE": 300, "SEVERITY": "reduced"}
-    outcome = decide(seams([F] + [P] * 19), **given)
-    assert outcome.results["ACCEPTED"] == 1
-    assert warned(outcome, "between Ac 0 and Re 2 of reduced inspection: this lot is accepted, and the next one")
-    planned = run("planinspection", SEAMS=[seams([P] * 300)], OUTPUT="TEMPORARY_OUTPUT", **given)
-    assert planned.results["ACCEPTANCE_NUMBER"] == 1
-
-
 def test_a_share_that_is_the_limit_but_for_its_last_digits_passes() -> None:
     lost, sound = seams([F], length=24.99999), seams([P] * 99, length=24.99999, y=50)
     assert decide(lost, sound, MAX_SHARE=1).results["ACCEPTED"] == 1

@@ -56,7 +56,7 @@ def test_an_isolated_lot_has_a_sample_by_its_limiting_quality() -> None:
     assert decided.results["DECISION"] == "accepted"
     refused = str(plan(seams([P] * 40), PLAN="iso2859_2", LQ=1.25).complaint)
     assert "LQ 1.25 is not in the tables of ISO 2859-2" in refused
-    assert "PLAN risk with BAD_SHARE 1.25" in refused
+    assert "inspect the whole lot (PLAN all)" in refused
 
 
 def test_the_sample_is_decided_on() -> None:
@@ -115,32 +115,6 @@ def test_as_many_as_are_asked_for(count: int) -> None:
     assert numbers(outcome) == (min(count, 40), None, 40, None)
 
 
-def test_a_sample_for_stated_risks() -> None:
-    made = [seams([P] * 200, y=10 * number, name=str(number)) for number in range(20)]
-    risks = {"GOOD_SHARE": 1, "PRODUCERS_RISK": 5, "BAD_SHARE": 8, "CONSUMERS_RISK": 10}
-    plain, alike = (plan(*made, PLAN="risk", CORRELATION=alike, **risks) for alike in (0, 0.3))
-    assert plain.results["SAMPLE_SIZE"] < alike.results["SAMPLE_SIZE"]
-    assert any("correlated (0.30)" in text for text in alike.log.infos)
-    assumed = plan(*made, PLAN="risk", **risks)  # nothing failed, so no likeness can be told
-    assert assumed.results["SAMPLE_SIZE"] == alike.results["SAMPLE_SIZE"]
-    whole = [seams([0.5 if number < 4 else P] * 200, y=10 * number, name=str(number)) for number in range(20)]
-    told = plan(*whole, PLAN="risk", **risks)
-    assert any("correlated (1.00)" in text for text in told.log.infos)
-
-
-def test_the_risks_that_a_plan_keeps_are_told() -> None:
-    made = [seams([P] * 100, y=10 * number, name=str(number)) for number in range(10)]
-    risks = {"GOOD_SHARE": 1, "PRODUCERS_RISK": 5, "BAD_SHARE": 5, "CONSUMERS_RISK": 10}
-    plain = plan(*made, PLAN="risk", CORRELATION=0, **risks)
-    assert numbers(plain)[:3] == (128, 3, 1000)  # hypergeometric; the binomial asks for 132
-    said = "rejected with 2.9\u00a0%, with 5.00\u00a0% accepted with 9.7\u00a0%"
-    assert any(said in text for text in plain.log.infos)
-    assert plain.log.warnings == []
-    few = plan(*made, PLAN="risk", **risks)
-    assert few.results["SAMPLE_SIZE"] == 1000
-    assert_sentence(few.log.warnings[0], "not even all 1000 pieces keep both")
-
-
 def test_plain_seamlines_are_cut() -> None:
     made = layer("LineString", [straight(0, 1000), straight(0, 250, 30)])
     outcome = plan(made, PLAN="count", COUNT=1000, PIECE=25)
@@ -197,9 +171,6 @@ def test_bad_input_is_refused(scene: Scene) -> None:
         ({"SEAMS": ["x" * 5000]}, "can't be read as a layer of lines"),  # longer than any file's name
         ({"UNIT": "windows"}, "give MOSAIC, or take pieces"),
         ({"AQL": "7"}, "none of the standard's"),
-        ({"PLAN": "risk", "GOOD_SHARE": 9}, "the first has to be smaller"),
-        ({"PLAN": "risk", "CONSUMERS_RISK": 0}, "both have to lie between 0 and 100"),
-        ({"PLAN": "risk", "CORRELATION": 2}, "CORRELATION is 2 and has to lie between 0 and 1"),
         ({"PLAN": "count", "COUNT": 0}, "A sample of 0 pieces"),
         ({"PIECE": -1}, "PIECE is -1"),
     ):

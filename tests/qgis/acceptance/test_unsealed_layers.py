@@ -218,4 +218,4 @@ def test_the_cover_says_how_much_of_what_failed_may_keep_enough(tmp_path: Path) 
     report = tmp_path / "r.html"
     decide(seams([F] * 3 + [0.68] + [P] * 60), REPORT=str(report))  # intervals of 0.05 either side
     words = " ".join(outline(report.read_text(encoding="utf-8")).words.replace("\u00a0", " ").split())
-    assert "100.0 mof it failed 25.0 %of these may keep enough, by their 95 % intervals" in words
+    assert "100.0 mof it failed 25.0 %of these may keep enough (95 %)" in words

@@ -1,22 +1,19 @@
 """The papers name every sheet, say by whose word pieces failed, and draw what their sentences say."""
 from __future__ import annotations
 
-import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from matplotlib.lines import Line2D
 from qgis.core import QgsGeometry
-from seam_inspector.plugin.acceptance.measure.acceptance_rules import SamplingRule
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
 from seam_inspector.plugin.acceptance.measure.delivery import SheetOutline
 from seam_inspector.plugin.acceptance.paper import acceptance_report
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS
-from seam_inspector.plugin.acceptance.paper.charts import oc_figure, seams_figure
+from seam_inspector.plugin.acceptance.paper.charts import seams_figure
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document
 
 from tests.numbers.acceptance.made_decisions import decided, window_on
@@ -88,7 +85,7 @@ def test_the_map_numbers_what_the_table_holds(tmp_path: Path) -> None:
     shown: list[int] = []
 
     def drawn(_: Decision, defects: object, _mosaics: object) -> None:
-        shown.extend(one.number for one in defects)  # type: ignore[attr-defined]
+        shown.extend(one.run.number for one in defects)  # type: ignore[attr-defined]
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(acceptance_report, "seams_figure", drawn)
@@ -120,26 +117,6 @@ def test_a_sample_is_not_the_delivery(tmp_path: Path) -> None:
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=pieces, lot_size=400), plain.rules)))
     assert "of seam in the sample" in page.words
     assert "seams of all sheets" not in page.words
-
-
-@pytest.mark.parametrize("pieces", [41, 300, 3000])
-def test_the_marks_of_an_operating_characteristic_lie_on_its_curve(pieces: int) -> None:
-    plan = decided([f"sheet_{n}" for n in range(pieces // 40 or 1)], pieces=min(pieces, 40) + pieces % 40,
-                   sampling=SamplingRule("1.0", "II", "normal", "contract")).plan
-    assert plan is not None
-    (axes,) = oc_figure(plan).axes
-    curve = next(one for one in axes.lines if one.get_linewidth() == 1.6)
-    for mark in (one for one in axes.lines if one.get_marker() == "o"):
-        x, y = mark.get_xdata()[0], mark.get_ydata()[0]
-        assert y == pytest.approx(height_of(curve, x), abs=0.01), mark.get_label()
-        told = float(re.findall(r"in ([\d.]+) %", mark.get_label())[0])
-        assert told == pytest.approx(y if "accepted" in mark.get_label() else 100 - y, abs=0.06)
-
-
-def height_of(curve: Line2D, x: float) -> float:
-    """Height of the level part of the steps that begins at ``x`` or goes on there."""
-    assert curve.get_drawstyle() == "steps-post"
-    return float(np.asarray(curve.get_ydata())[np.searchsorted(curve.get_xdata(), x + 1e-9) - 1])
 
 
 @pytest.mark.parametrize(("output", "name"), [

@@ -76,7 +76,7 @@ def test_a_delivery_has_to_be_somewhere(tmp_path: Path) -> None:
 def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files, tmp_path: Path) -> None:
     wanted = {"accept:report": "decision.html", "accept:quality": "quality.xml", "accept:failures": "failures.gpkg",
               "accept:decided_sheets": "sheets.gpkg", "check:mosaic": "all.vrt", "scan:loss": "loss.tif",
-              "scan:seams": "seams.gpkg", "radiometry:radiometry_report": "radiometry.html"}  # fmt: skip
+              "scan:seams": "seams.gpkg"}  # fmt: skip
     made = run(
         "accept_delivery", folder=str(folder), sheets=ordered(folder, "sheet_z"), sources=scene.sources, piece=20.0,
         contract="12/2026", **{name: str(tmp_path / file) for name, file in wanted.items()},
@@ -87,14 +87,13 @@ def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files,
     assert "12/2026" in page.words
     assert ["sheet_z", "the file is missing"] in page.rows
     parts = {row[0]: row[1:] for row in page.rows if len(row) == 3}
-    assert parts["completeness and form of the files"] == ["With findings", "sheets with findings: 1 of 3"]
-    assert parts["radiometry"] == ["Rejected", "images rejected: 2, undecided: 0 of 2"]
+    assert parts["completeness and form of the files"] == ["1 finding", "sheets with findings: 1 of 3"]
+    assert parts["radiometry"][0] == "Not checked"
     assert "Its orthoimages, cut hard" in page.captions
     text = (tmp_path / "quality.xml").read_text(encoding="utf-8")
     assert faults(text) == []
     measures = {one.get("id"): "".join(one.itertext()) for one in ET.fromstring(text).iterfind(".//*[@id]")}
     assert "sheet_z: the file is missing." in measures["files"]
-    assert "sheet_a.tif: Rejected" in measures["radiometry"]
 
 
 def decided(folder: Path, sheets: object, files: Files, out: Path) -> str:
@@ -176,13 +175,14 @@ def test_what_a_step_needs_of_another_has_not_to_be_asked_for(
     assert succeeded, log.errors
     assert Path(results["check:mosaic"]).is_file()
     page = outline(report.read_text(encoding="utf-8"))
-    assert {row[0]: row[1:] for row in page.rows if len(row) == 3}["radiometry"][0] == "Rejected"
+    assert {row[0]: row[1:] for row in page.rows if len(row) == 3}["completeness and form of the files"]
 
 
 def test_scripts_get_the_models_own_defaults() -> None:
     model = algorithm("accept_delivery")
-    assert model._with_defaults({"piece": 5.0})["max_run"] == 50.0
-    assert model._with_defaults({"piece": 5.0})["piece"] == 5.0
+    given = model._with_defaults({"piece": 5.0})
+    names = "piece", "min_kept", "max_share", "max_run", "min_measured"
+    assert [given[name] for name in names] == [5.0, 0.7, 2.0, 50.0, 90.0]
     assert model._with_defaults({})["piece"] == 10.0
 
 
