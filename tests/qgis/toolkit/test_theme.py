@@ -10,7 +10,6 @@ from qgis.PyQt.QtWidgets import QApplication, QTabWidget, QWidget
 from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
 from seam_inspector.plugin.toolkit.desk.theme import contrast, readable_palette
 from seam_inspector.plugin.toolkit.desk.widgets import ClippedLabel
-
 from tests.qgis.seams.desk.images.images_desk import Session, make_pictures
 
 READABLE = 3.0
