@@ -114,11 +114,11 @@ def doubts(observations: Iterable[Observation]) -> list[Message]:
         for grd in observation.grds_cm:
             resolution, warning = grd / 100 / height, None
             if resolution > MAX_RESOLUTION_RAD:
-                warning = messages.COLUMNS_INTERCHANGED
+                warning = messages.COLUMNS_INTERCHANGED(grd=grd, height=height)
             elif resolution < MIN_RESOLUTION_RAD and height <= MAX_AIRCRAFT_HEIGHT_M:
-                warning = messages.GRD_IN_METRES
+                warning = messages.GRD_IN_METRES(grd=grd, height=height)
             if warning is not None:
-                warnings.setdefault(warning.template, warning(grd=grd, height=height))
+                warnings.setdefault(warning.template, warning)
     return list(warnings.values())
 
 
