@@ -81,8 +81,10 @@ class Cameras:
             raise SensorModelError(messages.NO_INTERIOR(name=self.name))
         scale = np.array(size) / sides
         if abs(scale[0] / scale[1] - 1) > MAX_SHAPE_DIFFERENCE:
-            shapes = zip(("width", "height", "columns", "rows"), (*np.rint(sides).astype(int).tolist(), *size))
-            raise SensorModelError(messages.INTERIOR_OF_ANOTHER_SHAPE(name=self.name, **dict(shapes)))
+            width, height = np.rint(sides).astype(int).tolist()
+            raise SensorModelError(messages.INTERIOR_OF_ANOTHER_SHAPE(
+                name=self.name, width=width, height=height, columns=size[0], rows=size[1]
+            ))
         ratio = float(made.focal[1] / made.focal[0])
         if not 1 / MAX_PIXEL_RATIO <= ratio <= MAX_PIXEL_RATIO:
             raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=self.name, ratio=ratio))

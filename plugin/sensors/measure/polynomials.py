@@ -8,6 +8,7 @@ import numpy as np
 from numpy.linalg import norm
 
 from ...imagery.statistics import critical_t
+from . import limits
 from .sensor_model import FittedModel, Scaling, SensorModel, least_squares, newton
 
 EXPONENTS_3D = (
@@ -17,7 +18,6 @@ EXPONENTS_3D = (
 )  # fmt: skip
 """Powers of x (longitude), y (latitude), z (height): 4, 10 and 20 terms make orders 1, 2 and 3."""
 MAX_RATIONAL_ITERATIONS = 100  # real scenes take three to ten, noise in few points more
-MAX_RATIONAL_STEP_PX = 1e-7  # below a tenth of the accuracy that exact points have to be recovered with
 MIN_DENOMINATOR = 1e-6  # a quotient is kept away from its poles while it is iterated
 FALSE_ALARM = 0.01  # that any of all terms offered comes in though it means nothing
 SPARE = 3  # points more than an axis has unknowns, so that what is left over says something
@@ -114,7 +114,7 @@ def fit_rational(
             values[chosen] = solution.values
             denominator = off_poles(1 + terms[:, 1:] @ values[count:])
             seen = (terms @ values[:count]) / denominator
-            settled = float(np.abs(seen - last).max()) * float(scale_i.scale[axis]) < MAX_RATIONAL_STEP_PX
+            settled = float(np.abs(seen - last).max()) * float(scale_i.scale[axis]) < limits.EXACT_STEP_PX
             last = seen
         numerators[:, axis], denominators[:, axis] = values[:count], [1.0, *values[count:]]
         condition, iterations = max(condition, solution.condition), max(iterations, iteration)
@@ -178,7 +178,7 @@ def fit_dlt(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, with_xy:
     wanted, both = np.concatenate([x, y])[:, 0], np.tile(weights, 2)
     denominator, bend, last, change = np.ones(len(x)), np.ones(len(x)), np.full((len(x), 2), np.inf), np.inf
     iteration = 0
-    while iteration < MAX_RATIONAL_ITERATIONS and not change < MAX_RATIONAL_STEP_PX:
+    while iteration < MAX_RATIONAL_ITERATIONS and not change < limits.EXACT_STEP_PX:
         iteration += 1
         divided = np.tile(1 / denominator, 2)
         bent = both * np.concatenate([np.ones(len(x)), 1 / bend])
@@ -192,7 +192,7 @@ def fit_dlt(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, with_xy:
         seen = model.project(ground)
         change = float(np.abs(seen - last).max())
         last = seen
-    return FittedModel(model, solution.condition, iteration, change < MAX_RATIONAL_STEP_PX, len(solution.values))
+    return FittedModel(model, solution.condition, iteration, change < limits.EXACT_STEP_PX, len(solution.values))
 
 
 @dataclass(frozen=True)

@@ -22,12 +22,9 @@ PUSHBROOM_ROTATION_SIGMAS = (  # rad about each axis: attitude, its rate, accele
     (3e-6, 3e-6, 3e-6),
 )
 PUSHBROOM_SCALE_SIGMA = 5e-3
-MAX_LINE_ITERATIONS = 30  # the line that sees a point: Newton's method, three steps suffice on real scenes
-MAX_LINE_STEP_PX = 1e-7
 PRINCIPAL_SIGMA_PX = 50.0  # of the principal column around the image's middle
 PRINCIPAL_SHARE = 0.1  # of the points' width where the image's is not known
 PUSHBROOM_DIFFERENCE = 1e-2  # of a prior: derivatives good to 1e-7 px
-MAX_PUSHBROOM_ITERATIONS = 25
 MAX_PUSHBROOM_STEP_PX = 1e-6
 MIN_REDUNDANCY = 1e-9  # where the points determine as much as they can
 MAX_SIGMA_ROUNDS = 12
@@ -87,12 +84,12 @@ class Pushbroom(SensorModel):
         places = geocentric(ground)
         rows = np.full(len(places), self.orbit.centre[1])
         columns, slip = self.in_line(places, rows)
-        for _ in range(MAX_LINE_ITERATIONS):
+        for _ in range(limits.MAX_NEWTON_ITERATIONS):  # three suffice on real scenes
             slope = self.in_line(places, rows + 1)[1] - slip
             step = -slip / slope
             rows = rows + step
             columns, slip = self.in_line(places, rows)
-            if np.abs(step).max(initial=0) < MAX_LINE_STEP_PX:
+            if np.abs(step).max(initial=0) < limits.EXACT_STEP_PX:
                 return np.column_stack([columns, rows])
         raise SensorModelError(messages.LINE_NOT_FOUND())
 
@@ -153,7 +150,7 @@ class _Adjusted(NamedTuple):
 def _adjusted(model: Pushbroom, places: np.ndarray, image: np.ndarray, sigma_px: np.ndarray) -> _Adjusted:
     weights = np.repeat(1 / sigma_px, 2)
     converged, iteration = False, 0
-    while not converged and iteration < MAX_PUSHBROOM_ITERATIONS:
+    while not converged and iteration < limits.MAX_NEWTON_ITERATIONS:
         iteration += 1
         residuals, jacobian = _linearised(model, places, image)
         design = np.vstack([jacobian * weights[:, None], np.eye(len(SIGMAS))])

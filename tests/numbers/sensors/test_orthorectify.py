@@ -93,8 +93,8 @@ def vendor_places(places: np.ndarray, system: str, dem: str, model: Rational, ra
     systems = [osr.SpatialReference(), osr.SpatialReference()]
     systems[0].SetFromUserInput(system)
     systems[1].ImportFromEPSG(4326)
-    for system in systems:
-        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    for reference in systems:
+        reference.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     geographic = np.array(osr.CoordinateTransformation(*systems).TransformPoints(places.tolist()))[:, :2]
     dataset = gdal.Open(dem)
     left, step, _, top, _, down = dataset.GetGeoTransform()
@@ -277,15 +277,12 @@ def test_meshes_beyond_10_to_30_m_are_told(
     assert bool(words) == ("10 to 30 m" in notices)
 
 
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        ({"height": float("nan")}, "which no place on earth has"),
-        ({"height": float("inf")}, "which no place on earth has"),
-        ({"height": 600.0, "pixel_size": float("nan")}, "give a positive number"),
-        ({"height": 600.0, "pixel_size": float("inf")}, "give a positive number"),
-    ],
-)
+@pytest.mark.parametrize(("given", "words"), [
+    ({"height": float("nan")}, "which no place on earth has"),
+    ({"height": float("inf")}, "which no place on earth has"),
+    ({"height": 600.0, "pixel_size": float("nan")}, "give a positive number"),
+    ({"height": 600.0, "pixel_size": float("inf")}, "give a positive number"),
+])  # fmt: skip
 def test_numbers_that_are_none_get_a_sentence(job: Callable[..., Ortho], given: dict[str, Any], words: str) -> None:
     with pytest.raises(SettingsError, match=words):
         job(**given)

@@ -31,17 +31,14 @@ def judged(request: ModelRequest, misses: np.ndarray, unknowns: float) -> Judged
     return JudgedModel(request, Accuracy(20, *[each] * 6), None, 20, 10.0, None, misses, unknowns)
 
 
-@pytest.mark.parametrize(
-    ("rows", "flat", "chosen"),
-    [
-        ([(PUSHBROOM, MISSES, 20), (VENDORS, MISSES, 2)], False, VENDORS),
-        ([(PUSHBROOM, 1.3 * MISSES, 2), (VENDORS, MISSES, 20)], False, VENDORS),  # surely worse at every point
-        ([(QUOTIENTS[1], MISSES, 38), (QUOTIENTS[0], MISSES[::-1], 14)], False, QUOTIENTS[0]),
-        ([(SPACE, MISSES, 20), (PUSHBROOM, MISSES, 20)], False, PUSHBROOM),  # the paper's preference
-        ([(PLANE, MISSES, 6), (SPACE, 3 * MISSES, 8)], False, SPACE),
-        ([(PLANE, MISSES, 6), (SPACE, 3 * MISSES, 8)], True, PLANE),
-    ],
-)
+@pytest.mark.parametrize(("rows", "flat", "chosen"), [
+    ([(PUSHBROOM, MISSES, 20), (VENDORS, MISSES, 2)], False, VENDORS),
+    ([(PUSHBROOM, 1.3 * MISSES, 2), (VENDORS, MISSES, 20)], False, VENDORS),  # surely worse at every point
+    ([(QUOTIENTS[1], MISSES, 38), (QUOTIENTS[0], MISSES[::-1], 14)], False, QUOTIENTS[0]),
+    ([(SPACE, MISSES, 20), (PUSHBROOM, MISSES, 20)], False, PUSHBROOM),  # the paper's preference
+    ([(PLANE, MISSES, 6), (SPACE, 3 * MISSES, 8)], False, SPACE),
+    ([(PLANE, MISSES, 6), (SPACE, 3 * MISSES, 8)], True, PLANE),
+])  # fmt: skip
 def test_of_models_about_as_good_the_one_of_fewest_unknowns_is_taken(
     rows: list[tuple[ModelRequest, np.ndarray, float]], flat: bool, chosen: ModelRequest
 ) -> None:

@@ -26,15 +26,10 @@ from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, made_push
 SIGMA = 0.4
 
 
-@pytest.mark.parametrize(
-    ("asked", "count"),
-    [
-        (registry.POLYNOMIAL_3D.request("1"), 40),
-        (registry.RATIONAL.request("1"), 60),
-        (registry.DLT.request(), 60),
-        (registry.RPC_BIAS.request("affine", rpc=made_rational(1, 7, 0.002)), 30),
-    ],
-)
+@pytest.mark.parametrize(("asked", "count"), [
+    (registry.POLYNOMIAL_3D.request("1"), 40), (registry.RATIONAL.request("1"), 60), (registry.DLT.request(), 60),
+    (registry.RPC_BIAS.request("affine", rpc=made_rational(1, 7, 0.002)), 30),
+])  # fmt: skip
 @pytest.mark.parametrize("seed", range(3))
 def test_thirty_per_cent_blunders_of_five_sigma_are_found(asked: ModelRequest, count: int, seed: int) -> None:
     random = np.random.default_rng(seed)
@@ -114,9 +109,6 @@ def test_most_blunders_are_found_in_the_mean_of_many_sets() -> None:
     assert np.mean(shares) >= 0.8
 
 
-# --- accuracies ------------------------------------------------------------------------------------------------
-
-
 def test_the_accuracy_of_residuals() -> None:
     errors = accuracy(np.array([[0.5, 1.0], [-0.5, 7.0]]), np.array([[3.0, 1.0], [-4.0, 0.0]]))
     assert (errors.count, errors.max_x, errors.max_y) == (2, 4, 1)
@@ -136,23 +128,14 @@ def test_sigma_is_that_of_the_measurements_whatever_the_redundancy() -> None:
         assert np.sqrt(np.mean(squares)) == pytest.approx(SIGMA, rel=0.15)
 
 
-# --- too few, on a line, in a corner ---------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("asked", "unknowns", "fewest"),
-    [
-        *((registry.POLYNOMIAL_2D.request(str(order)), 2 * few, few) for order, few in ((1, 3), (2, 6), (3, 10))),
-        *((registry.POLYNOMIAL_3D.request(str(order)), 2 * few, few) for order, few in ((1, 4), (2, 10), (3, 20))),
-        *((registry.RATIONAL.request(str(order)), 2 * few, few) for order, few in ((1, 7), (2, 19), (3, 39))),
-        (registry.DLT.request(), 11, 6),
-        (registry.DLT.request("xy"), 12, 6),
-        (registry.PUSHBROOM.request(), None, 4),
-        (registry.RPC_BIAS.request("shift", rpc=made_rational(1, 2)), 2, 1),
-        (registry.RPC_BIAS.request("shift_drift", rpc=made_rational(1, 2)), 3, 2),
-        (registry.RPC_BIAS.request("affine", rpc=made_rational(1, 2)), 6, 3),
-    ],
-)
+@pytest.mark.parametrize(("asked", "unknowns", "fewest"), [
+    *((registry.POLYNOMIAL_2D.request(str(order)), 2 * few, few) for order, few in ((1, 3), (2, 6), (3, 10))),
+    *((registry.POLYNOMIAL_3D.request(str(order)), 2 * few, few) for order, few in ((1, 4), (2, 10), (3, 20))),
+    *((registry.RATIONAL.request(str(order)), 2 * few, few) for order, few in ((1, 7), (2, 19), (3, 39))),
+    (registry.DLT.request(), 11, 6), (registry.DLT.request("xy"), 12, 6), (registry.PUSHBROOM.request(), None, 4),
+    *((registry.RPC_BIAS.request(form, rpc=made_rational(1, 2)), unknowns, fewest)
+      for form, unknowns, fewest in (("shift", 2, 1), ("shift_drift", 3, 2), ("affine", 6, 3))),
+])  # fmt: skip
 def test_the_fewest_points_fit_and_one_less_is_refused_with_the_number(
     asked: ModelRequest, unknowns: int | None, fewest: int
 ) -> None:
@@ -215,9 +198,6 @@ def test_the_split_is_even_and_repeats() -> None:
     checks = given.image[parted.check]
     assert all((checks[:, axis] < half).sum() in range(3, 8) for axis, half in ((0, COLUMNS / 2), (1, ROWS / 2)))
     assert not choose_check_points(given, 0).check.any()
-
-
-# --- the comparison --------------------------------------------------------------------------------------------
 
 
 @pytest.mark.slow

@@ -188,20 +188,17 @@ def test_without_numbers_it_says_that_it_assumes(tmp_path: Path) -> None:
 # --- bad input -------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("rows", "words"),
-    [
-        ("1,106,-106\n2,-106,-106\n", "too few marks: 2, and the affine model needs 3"),
-        ("1,106,-106\n2,-106,-106\n3,106,-106.1\n4,106,106\n", "'1' and '3' .* are at one place"),
-        ("1,0.106,-0.106\n2,-0.106,-0.106\n3,-0.106,0.106\n", "give millimetres"),
-        ("1,10.6,-10.6\n2,-10.6,-10.6\n3,-10.6,10.6\n", "give millimetres"),
-        ("1,106000,-106000\n2,-106000,-106000\n3,-106000,106000\n", "give millimetres"),
-        ("1,106,-106\n1,-106,-106\n", "the mark '1' twice"),
-        ("1,106\n", "Row 2 .* no mark with two numbers"),
-        ("", "holds no marks"),
-        ("[" * 200_000, "neither a CSV"),
-    ],
-)
+@pytest.mark.parametrize(("rows", "words"), [
+    ("1,106,-106\n2,-106,-106\n", "too few marks: 2, and the affine model needs 3"),
+    ("1,106,-106\n2,-106,-106\n3,106,-106.1\n4,106,106\n", "'1' and '3' .* are at one place"),
+    ("1,0.106,-0.106\n2,-0.106,-0.106\n3,-0.106,0.106\n", "give millimetres"),
+    ("1,10.6,-10.6\n2,-10.6,-10.6\n3,-10.6,10.6\n", "give millimetres"),
+    ("1,106000,-106000\n2,-106000,-106000\n3,-106000,106000\n", "give millimetres"),
+    ("1,106,-106\n1,-106,-106\n", "the mark '1' twice"),
+    ("1,106\n", "Row 2 .* no mark with two numbers"),
+    ("", "holds no marks"),
+    ("[" * 200_000, "neither a CSV"),
+])  # fmt: skip
 def test_a_bad_calibration_is_refused(scene: PhotoScene, tmp_path: Path, rows: str, words: str) -> None:
     path = tmp_path / "camera.csv"
     path.write_text("mark,x_mm,y_mm\n" + rows, encoding="utf-8")

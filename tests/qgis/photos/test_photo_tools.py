@@ -1,11 +1,8 @@
-"""``comparemarks`` and ``enhancephoto`` as QGIS runs them, and a batch of photos from the command line."""
+"""``comparemarks`` and ``enhancephoto`` as QGIS runs them."""
 from __future__ import annotations
 
-import json
 import os
 import re
-import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +12,10 @@ from osgeo import gdal
 from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer, edit
 
 from tests.numbers.synthetic import orthoimage, write_plain
-from tests.qgis.photos.photo_scenes import make_photo, points
+from tests.qgis.photos.photo_scenes import points
 from tests.qgis.runs import assert_refused, assert_sentence, run
 
 pytestmark = pytest.mark.usefixtures("provider")
-PROGRAM = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
 
 
 def test_two_operators() -> None:
@@ -162,37 +158,3 @@ def test_a_copy_of_a_photo_is_enhanced(tmp_path: Path) -> None:
     assert (gdal.Open(outcome.results["OUTPUT"]).ReadAsArray() == 255 - pixels).all()
     assert_sentence(run("enhancephoto", PHOTO=photo, OPERATION="mean", SIZE=4).complaint, "odd number")
     assert_refused("enhancephoto", "does not exist", PHOTO="/nowhere/photo.tif", OPERATION="negative")
-
-
-@pytest.mark.skipif(PROGRAM is None, reason="neither qgis_process.bin nor qgis_process is on the path")
-def test_a_photo_that_fails_does_not_stop_the_rest(tmp_path: Path, repository: Path) -> None:
-    """One call for each photo, as a batch makes them."""
-    environment = {
-        **os.environ, "QT_QPA_PLATFORM": "offscreen", "QGIS_PLUGINPATH": str(repository / "build" / "plugins"),
-        "QGIS_CUSTOM_CONFIG_PATH": str(tmp_path / "settings"),
-    }
-
-    def call(*arguments: str) -> subprocess.CompletedProcess[str]:
-        return subprocess.run(
-            [str(PROGRAM), *arguments], env=environment, capture_output=True, text=True, timeout=300, check=False
-        )
-
-    call("plugins", "enable", "seam_inspector")
-    scene = make_photo(tmp_path, seed=3, side=560)
-    white = write_plain(tmp_path / "white.tif", np.full((300, 300), 255, np.uint8))
-    codes = []
-    for number, photo in enumerate((white, str(tmp_path / "lost.tif"), str(scene.photo))):
-        output = tmp_path / f"marks{number}.gpkg"
-        said = call(
-            "run", "--json", "seaminspector:interiororientation", f"--PHOTO={photo}",
-            f"--CALIBRATION={scene.calibration}", "--TEMPLATE_KIND=ring with cross", f"--OUTPUT={output}",
-            f"--PARAMETERS={tmp_path / f'{number}.json'}", f"--REPORT={tmp_path / f'{number}.html'}",
-        )
-        codes.append(said.returncode)
-        assert "Traceback" not in said.stdout + said.stderr
-        if said.returncode == 0:
-            assert json.loads(said.stdout[said.stdout.index("{") :])["results"]["FAILED"] == 0
-            assert QgsVectorLayer(str(output), "marks", "ogr").featureCount() == 4
-        else:
-            assert "are alike" in said.stderr or "does not exist" in said.stderr
-    assert [code == 0 for code in codes] == [False, False, True]
