@@ -12495,12 +12495,12 @@
     <message>
         <location filename="../plugin/seams/desk/judging.py" line="78"/>
         <source>{left} to go: {judged} of {count} judged</source>
-        <translation>zostało {left}: oceniono {judged} z {count}</translation>
+        <translation>zostało {left}: {judged} z {count}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging.py" line="80"/>
         <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
-        <translation>zostało {left}: oceniono {judged} z {count}, niepewne: {unsure}</translation>
+        <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging_layout.py" line="36"/>
