@@ -8,7 +8,7 @@ TOO_FEW_BARS = Message("A group of {bars} bars can't be measured; a target has a
 GRD_NOT_POSITIVE = Message("The ground resolved distance is {grd} cm; give a positive number of centimetres.")
 STEP_TOO_SMALL = Message("The step from group to group is {step}; give a factor above 1, such as 1.1225.")
 CRITERION_OUT_OF_RANGE = Message("The criterion is {criterion}; give a share of the full amplitude between 0 and 1.")
-TARGET_WORD_UNKNOWN = Message("'{word}' is none of {known}; choose one of them.")
+CHOICE_UNKNOWN = Message("'{word}' is none of {known}; choose one of them.")
 BAR_WIDTH_OUT_OF_RANGE = Message("The profile is averaged over {width} px either side; give 0 to {most}.")
 # the layer of lines
 NO_BAR_IMAGE = Message("No image of a bar target is chosen; choose one above, then draw a line across its bars.", INFO)

@@ -112,13 +112,11 @@ def doubts(observations: Iterable[Observation]) -> list[Message]:
     for observation in observations:
         height = observation.height_m
         for grd in observation.grds_cm:
-            resolution, warning = grd / 100 / height, None
+            resolution = grd / 100 / height
             if resolution > MAX_RESOLUTION_RAD:
-                warning = messages.COLUMNS_INTERCHANGED(grd=grd, height=height)
+                warnings.setdefault("coarse", messages.COLUMNS_INTERCHANGED(grd=grd, height=height))
             elif resolution < MIN_RESOLUTION_RAD and height <= MAX_AIRCRAFT_HEIGHT_M:
-                warning = messages.GRD_IN_METRES(grd=grd, height=height)
-            if warning is not None:
-                warnings.setdefault(warning.template, warning)
+                warnings.setdefault("fine", messages.GRD_IN_METRES(grd=grd, height=height))
     return list(warnings.values())
 
 

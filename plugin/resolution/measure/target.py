@@ -33,7 +33,7 @@ CYCLE, BAR = DISTANCES
 def check_word(word: str, known: tuple[str, ...]) -> None:
     """Raise SettingsError for a word that is none of those known."""
     if word not in known:
-        raise SettingsError(messages.TARGET_WORD_UNKNOWN(word=word, known=", ".join(known)))
+        raise SettingsError(messages.CHOICE_UNKNOWN(word=word, known=", ".join(known)))
 
 
 @dataclass(frozen=True)
