@@ -163,7 +163,7 @@ def _write(label: QLabel, text: str, box: str, room: int) -> None:
     lines = metrics.boundingRect(QRect(0, 0, widest, 9999), int(Qt.TextFlag.TextWordWrap), text)
     label.setWordWrap(lines.height() > 1.5 * metrics.height())
     label.setText(text)
-    label.resize(lines.width() + 4 * gap + 2, lines.height() + 2 * gap)
+    label.resize(lines.width() + 4 * gap + 2, lines.height() + 2 * gap + 2)
 
 
 def _on_screen(canvas: QgsMapCanvas, rectangle: QgsRectangle) -> QRectF:
