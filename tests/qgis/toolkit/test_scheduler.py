@@ -116,8 +116,8 @@ def test_workers_that_lack_a_package_are_told(
 @pytest.mark.parametrize(
     ("address", "words"),
     [
-        ("tcp://127.0.0.1:9", r"scheduler at tcp://127\.0\.0\.1:9 does not answer .*; check the address, .* 8786"),
-        ("nowhere", "scheduler at nowhere does not answer .*; check the address, .* 8786, or leave it empty"),
+        ("tcp://127.0.0.1:9", r"scheduler at tcp://127\.0\.0\.1:9 does not answer .*; check the address .* 8786"),
+        ("nowhere", r"scheduler at nowhere does not answer .*; check the address .* 8786\), or leave it empty"),
         ("udp://127.0.0.1:9", r"scheduler at udp://127\.0\.0\.1:9 does not answer"),
     ],
 )
