@@ -252,9 +252,8 @@ class Desk:
     # Leaving
 
     def save_and_reopen(self) -> None:
-        """Edits and project are saved; the project opened again has inputs, windows and judgements."""
+        """The project is saved; the project opened again has inputs, windows and judgements."""
         before, inputs = self._windows(), self.session.inputs
-        assert iface.vectorLayerTools().saveEdits(self.session.window_layer())
         path = str(self.folder / "project.qgz")
         assert self.project.write(path)
         self.new_project()
@@ -267,7 +266,7 @@ class Desk:
         assert self.session.inputs == inputs
 
     def _windows(self) -> list[tuple[Any, ...]]:
-        """What the project keeps of the windows; feature ids change when they are saved."""
+        """What the project keeps of the windows."""
         return [
             (row.window_id, row.verdict, row.ratios, row.observer, row.stale) for row in self.session.windows()
         ]

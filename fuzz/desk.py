@@ -1,10 +1,9 @@
 """What the desk reads of a folder that others handed over, as an algorithm.
 
-A project's settings, its layers' properties, and the records beside them.
+A project's settings, its windows file, and the records of a scan beside it.
 """
 from __future__ import annotations
 
-import json
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -21,12 +20,9 @@ from qgis.PyQt.QtCore import QObject
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.record_store import RecordFolder
 from seam_inspector.plugin.imagery.records import NotUnderstoodError
-from seam_inspector.plugin.seams.desk import keeping, unsaved_windows
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import LayerPlaces, load_inputs, save_inputs
 from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging, save_judging
-from seam_inspector.plugin.seams.desk.keeping import RESULTS, UNSAVED, Keeping
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
 from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
@@ -37,12 +33,12 @@ from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
-from seam_inspector.plugin.seams.measure.window.window_tables import result_record
+from seam_inspector.plugin.seams.tables import window_file, window_layer
 from seam_inspector.plugin.toolkit.translation import sentence
 
 NAME, FOLDER = "desk", "FOLDER"
 SCAN, BLOCK, FINGERPRINT = "windows.scan", "block 0 0", "settings=sound"
-STALE, LEVELS = "seam_inspector/stale", 3
+LEVELS = 3
 
 
 class ReadDesk(QgsProcessingAlgorithm):
@@ -80,18 +76,13 @@ class ReadDesk(QgsProcessingAlgorithm):
 
 
 def _look_at(layer: QgsVectorLayer, feedback: QgsProcessingFeedback) -> None:
-    owner = QObject()
-    watch = WindowWatch(owner)
+    watch = WindowWatch(QObject())
     watch.watch(layer)
-    if watch.layer is None:  # it has no polygons, so that the desk does not take it
-        return
-    keeping = Keeping(watch, owner)
-    keeping.told.connect(lambda message: feedback.pushWarning(sentence(message)))
-    keeping.follow(layer, LEVELS)
+    watch.set_state("inputs")
     for row in watch.rows():
-        if keeping.results is not None:
-            keeping.results.last(row.window_id)
-    keeping.close()
+        if watch.path is not None:
+            window_file.load_result(watch.path, row.window_id)
+            window_file.known_mosaic(watch.path)
     watch.close()
 
 
@@ -110,24 +101,18 @@ def _go_on_with_scan(path: Path, feedback: QgsProcessingFeedback) -> None:
 
 
 def make_folder(folder: Path, windows: Path) -> None:
-    """A project of a layer of windows, with a window that was not saved, a result, and a scan that was stopped."""
+    """A project of a windows file with a result, and a scan that was stopped."""
     folder.mkdir()
-    path = folder / "windows.gpkg"
-    path.write_bytes(windows.read_bytes())
+    given = QgsVectorLayer(str(windows), "windows", "ogr")
+    path = window_layer.copy_to_file(given, LEVELS, "", folder)
     project = QgsProject()
-    layer = QgsVectorLayer(str(path), "windows", "ogr")
-    layer.setCustomProperty(STALE, ["1", "2"])
-    project.addMapLayer(layer)
+    project.addMapLayer(window_layer.open_window_layer(path))
     save_inputs(project, load_inputs(project))
     save_judging(project, JudgingSettings())
     assert project.write(str(folder / "windows.qgs"))
     project.clear()
-    kept = RecordFolder(Path(f"{path}{UNSAVED}"), unsaved_windows._KIND)
-    kept.files.save("1", json.dumps({"number": 1, "wkb": None, "values": {"remark": "a"}, "stale": True}).encode())
-    kept.close()
-    results = RecordFolder(Path(f"{path}{RESULTS}"), keeping._KIND, keeping._VERSION)
-    results.files.save("1", result_record(_inspected(folder.parent)))
-    results.close()
+    window_file.store(path, [window_file.StoredResult(1, "fingerprint", _inspected(folder.parent))])
+    window_file.note_mosaic(path, window_file.KnownMosaic("mosaic.tif", "content"))
     journal, _ = open_journal(folder / SCAN, FINGERPRINT)
     journal.files.save(BLOCK, record_of(_scanned(folder.parent / "scan")))
     journal.close()

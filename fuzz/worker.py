@@ -39,8 +39,8 @@ MOST_GROWTH = 3.0
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 _KEPT_BY_QGIS = re.compile(r"^(made|changed) .*\.aux\.xml$|^changed .*\.vrt$")
 """Statistics, by which it stretches a raster: GDAL keeps them beside it, those of a VRT in the VRT."""
-_KEPT_BY_DESK = re.compile(r"\.(unsaved|results|scan)(/.*)?$")
-"""Records, which are the desk's own."""
+_KEPT_BY_DESK = re.compile(r"\.scan(/.*)?$")
+"""Records, which are a scan's own."""
 _SAID_BY_QGIS = re.compile(
     r"Unable to load mesh|Creating Warped VRT|Warped VRT Creation failed|already exists in ZIP file"
     r"|Failed to open \S+ to write|Unable to save auxiliary information"

@@ -10,8 +10,8 @@ from typing import Any, Callable
 RASTERS = (".tif", ".jpg", ".png", ".bmp", ".vrt")
 LAYERS = (".gpkg", ".shp", ".geojson")
 DOCUMENTS = (".json", ".xml", ".yaml", ".csv", ".points", ".rpb", ".txt", ".qgs")
-RECORDS = (".unsaved", ".results", ".scan")
-"""Folders of what the desk and a scan keep beside a layer or a picture."""
+RECORDS = (".scan",)
+"""Folders of what a scan keeps beside a picture."""
 TEXTS = (*DOCUMENTS, ".geojson", ".vrt")
 FILES = (*RASTERS, *LAYERS, *DOCUMENTS, *RECORDS)
 

@@ -8,8 +8,6 @@ import json
 import re
 from xml.sax.saxutils import escape
 
-from seam_inspector.plugin.imagery.record_store import RecordFiles
-
 from fuzz.breakages.broken import RASTERS, Broken, breakage
 from fuzz.breakages.of_several import wrapped
 
@@ -92,25 +90,3 @@ def long_settings(broken: Broken) -> None:
     kept = escape(broken.random.choice((of_one_sign, of_many_keys, of_many_sources)))
     text = broken.path.read_text(encoding="utf-8")
     broken.path.write_text(re.sub(r'(?<=type="QString">)\{.*?\}(?=</)', lambda _: kept, text), encoding="utf-8")
-
-
-@breakage(".qgs", grows=True)
-def many_marks(broken: Broken) -> None:
-    """Windows that are said to be outdated, which are not there."""
-    marks = "".join(f'<Option type="QString" value="{number}"/>' for number in range(broken.scale * 10_000))
-    text = broken.path.read_text(encoding="utf-8")
-    broken.path.write_text(re.sub(r'<Option type="QString" value="1"/>', marks, text), encoding="utf-8")
-
-
-@breakage(".unsaved", grows=True)
-def many_records(broken: Broken) -> None:
-    """Records of windows that nobody drew, or of one that is very long."""
-    count = broken.scale * 5_000
-    outline = "010300000001000000040000" + "00" * 66  # a triangle without an extent
-    window = {"wkb": broken.random.choice((None, outline)), "values": {"remark": "x" * 50}, "stale": True}
-    if broken.random.random() < 0.3:
-        records = [("1", _long(broken, broken.random.choice(("[", '{"a":', "9", '"'))))]
-    else:
-        records = [(str(number), json.dumps({**window, "number": number})) for number in range(2, count)]
-    for name, said in records:
-        RecordFiles(broken.folder).save(name, said.encode())

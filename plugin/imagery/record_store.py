@@ -1,8 +1,7 @@
 """Records in a folder, a file each: there whole or not at all, whatever ends the process that writes them.
 
 Whoever sees the folder reads and writes its ``RecordFiles``, be it a thread or another machine. As a ``RecordFolder``
-one process at a time has it, which knows what its records are of. A ``RecordKeeper`` has a thread of its own for it, so
-that nobody waits for a slow disk.
+one process at a time has it, which knows what its records are of.
 """
 from __future__ import annotations
 
@@ -12,16 +11,14 @@ import shutil
 import stat
 import sys
 import zlib
-from collections.abc import Collection
-from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO, Callable
+from typing import BinaryIO
 from uuid import uuid4
 
 from . import messages
-from .errors import SeamInspectorError, SettingsError
+from .errors import SettingsError
 
 if sys.platform == "win32":
     import msvcrt
@@ -168,94 +165,3 @@ def _locked(folder: Path) -> BinaryIO:
                 if os.path.samestat(os.fstat(file.fileno()), os.stat(folder / _LOCK)):
                     stack.pop_all()
                     return file
-
-
-class RecordKeeper:
-    """Does in turn what it is asked. The folder is opened, and made, by the first thing that needs it."""
-
-    def __init__(self, folder: Path, kind: str, failed: Callable[[object], None], of: str = "") -> None:
-        """``failed`` is told from the thread why something can't be kept: a text or a Message. ``kind``, ``of``: as a
-        ``RecordFolder`` takes them.
-        """
-        self.folder = folder
-        self._kind, self._of = kind, of
-        self._failed = failed
-        self._records: RecordFolder | None = None
-        self._names: set[str] = set()
-        self._last: Future[Any] | None = None  # of all that was asked
-        self._worker = ThreadPoolExecutor(1, "keeper")
-
-    def save(self, name: str, make: Callable[[], bytes], is_synced: bool = False) -> None:
-        """Keep the payload that ``make`` makes in the thread; ``is_synced`` as for ``RecordFiles.save``."""
-        self._do(lambda: self._save(name, make(), is_synced))
-
-    def load(self, name: str) -> bytes | None:
-        """The payload, with all that was asked before; None where there is none, or it was damaged."""
-        return self.all([name]).get(name)
-
-    def holds(self, name: str) -> bool:
-        """Whether a payload is in the folder by now, be it an earlier one; nobody is waited for."""
-        return name in self._names
-
-    def all(self, names: Collection[str] | None = None) -> dict[str, bytes]:
-        """All payloads that can be read, or those of these names; none where there is no folder, or it can't be had."""
-        return self._do(lambda: self._all(names)).result() or {}
-
-    def remove(self) -> None:
-        """Delete the folder; it is made again when there is something to keep."""
-        self._do(self._remove)
-
-    def wait(self, seconds: float) -> None:
-        """Wait, but no longer than that, until all that was asked is done."""
-        if self._last is not None:
-            wait([self._last], seconds)
-
-    def close(self) -> None:
-        """Do what was asked, and let go of the folder."""
-        self._do(self._close)
-        self._worker.shutdown()
-
-    # In the thread
-
-    def _do(self, work: Callable[[], Any]) -> Future[Any]:
-        self._last = asked = self._worker.submit(self._guarded, work)
-        return asked
-
-    def _guarded(self, work: Callable[[], Any]) -> Any:
-        try:
-            return work()
-        except OSError as error:
-            self._failed(error.strerror or str(error))
-        except SeamInspectorError as error:
-            self._failed(error.message)
-        return None
-
-    def _opened(self) -> RecordFiles:
-        if self._records is None:
-            self._records = RecordFolder(self.folder, self._kind, self._of)
-            self._names = self._records.files.names
-        return self._records.files
-
-    def _save(self, name: str, payload: bytes, is_synced: bool) -> None:
-        self._opened().save(name, payload, is_synced)
-        self._names.add(name)
-
-    def _all(self, names: Collection[str] | None) -> dict[str, bytes]:
-        payloads: dict[str, bytes] = {}
-        if self._records is not None or self.folder.is_dir():
-            files = self._opened()
-            for name in self._names if names is None else names:
-                with suppress(OSError):  # damaged: as if it were not there
-                    if (payload := files.load(name)) is not None:
-                        payloads[name] = payload
-        return payloads
-
-    def _remove(self) -> None:
-        if self._records is not None:
-            self._records.remove()
-            self._records, self._names = None, set()
-
-    def _close(self) -> None:
-        if self._records is not None:
-            self._records.close()
-            self._records = None

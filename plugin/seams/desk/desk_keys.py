@@ -109,8 +109,8 @@ class DeskKeys(QObject):
             if window is not self._main_window and not isinstance(window, QDockWidget):
                 return None
             is_drawing = self._tool is not None and self._canvas.mapTool() is self._tool
-            is_ours = _holds(self._desk, focus) or self._steps.is_active(self._canvas.currentLayer())
-            action = self._steps.meant(name, key, is_ours or (is_drawing and _holds(self._canvas, focus)))
+            is_ours = _holds(self._desk, focus) or (is_drawing and _holds(self._canvas, focus))
+            action = self._steps.meant(name, key, is_ours)
             return action.trigger if action is not None else None
         where = self._where[name]
         is_on = self._modes.get(where, lambda: True)

@@ -1,14 +1,13 @@
 """The inspection desk: a dock beside or below the map that puts the panels together."""
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import partial
-from pathlib import Path
 from typing import Callable
 
-from qgis.core import Qgis, QgsApplication, QgsProject
-from qgis.gui import QgisInterface, QgsMessageBar
-from qgis.PyQt.QtCore import QObject, Qt
+from qgis.core import QgsApplication, QgsProject
+from qgis.gui import QgisInterface
+from qgis.PyQt import sip
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
@@ -22,10 +21,8 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ...imagery.errors import Message
-from ...toolkit.desk.message_bar import BarQuestion
 from ...toolkit.desk.tool_dock import ToolDock
-from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow, single_shot
-from ...toolkit.layer_styles import load_style
+from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
@@ -42,7 +39,7 @@ from .map.flicker import Flicker
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .map.window_view import SelectedWindows, WindowView
-from .mosaic_scans import MosaicScans, ScanMessage, show_layer, uncover
+from .mosaic_scans import MosaicScans, ScanMessage, uncover
 from .report_writer import ReportWriter
 from .session import Session
 from .windows.undo_actions import UndoActions
@@ -88,7 +85,6 @@ class InspectionDock(ToolDock):
         self.layout_of_judging.action.toggled.connect(self.flicker.hide)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
         self.scans.found.connect(lambda done: self._findings.show(done, self.scans.notes))
-        self._worst_inspector = single_shot(self, self._inspect_worst)  # apart, as adding fields takes some 30 ms
         self.steps = UndoActions(self.session, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
@@ -103,9 +99,11 @@ class InspectionDock(ToolDock):
         for choice in self.findChildren(QComboBox):
             choice.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # after a click letters judge; by Tab they are the choice's
         self.judge.offer_next([self.report, self.accept])
-        self._found = FoundMessage(iface.messageBar(), self.session.open_windows, self)
-        self.session.windowsFound.connect(self._found.show)
-        MosaicQuestion(self.session, self)
+        self.session.placesTaken.connect(self._go_to_worst)
+        self.session.stepped.connect(self.zoom_to)
+        self.session.mosaicDoubted.connect(self._ask_about_mosaic)
+        self.session.copyDoubted.connect(self._ask_for_copy)
+        self.question: QMessageBox | None = None
         self.session.progressChanged.connect(self._show_progress)
         self.session.messageRaised.connect(self._show_message)
         self.session.inputsChanged.connect(self._enable_actions)
@@ -121,27 +119,59 @@ class InspectionDock(ToolDock):
 
     def close_desk(self) -> None:
         super().close_desk()
-        self._worst_inspector.stop()
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
-            self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker, self._findings, self._found,
+            self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker, self._findings,
             self.scans, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
             self.curves, self.images,
         ):  # fmt: skip
             part.close()
 
     def judge_worst(self) -> None:
-        """Take the worst windows of the last scan for the desk's own: inspected, and walked through, worst first."""
+        """Take the worst places of the last scan into the windows: inspected, and walked through, worst first."""
         layer = self.scans.worst_layer()
-        if layer is None:
-            return
-        load_style(layer, "windows")
-        show_layer(QgsProject.instance(), layer)
-        uncover(QgsProject.instance(), layer)
-        self.session.set_inputs(replace(self.session.inputs, windows=layer.id()))
+        if layer is not None:
+            uncover(QgsProject.instance(), layer)
+            self.session.take_places(layer)
+
+    def _go_to_worst(self, fids: list[int]) -> None:
         self.judging.model.change(order="table")
         self.windows.sort_by_number()
-        self._worst_inspector.start()
+        if fids:
+            self.session.select(fids[:1])
+            self.zoom_to(fids[0])
+
+    def _ask_about_mosaic(self, message: Message) -> None:
+        """What is to become of windows when the mosaic is another; nothing goes on with them before."""
+        self._ask(message, tr("Leave these windows as they are"), self.session.leave_windows, {
+            tr("New windows at the same places"): self.session.copy_windows,
+            tr("The windows are of this mosaic"): self.session.take_windows,
+        })  # fmt: skip
+
+    def _ask_for_copy(self, message: Message) -> None:
+        """Whether windows of another format are copied into a windows file."""
+        self._ask(message, tr("Only look at them"), lambda: None, {tr("Copy them"): self.session.copy_to_file})
+
+    def _ask(
+        self, message: Message, otherwise: str, leave: Callable[[], None], answers: dict[str, Callable[[], None]]
+    ) -> None:
+        if self.question is not None and not sip.isdeleted(self.question):
+            return
+        self.question = box = QMessageBox(
+            QMessageBox.Icon.Warning, tr("Seam Inspector"), sentence(message), parent=self
+        )
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for text, answer in answers.items():
+            box.addButton(text, QMessageBox.ButtonRole.AcceptRole).clicked.connect(partial(self._answer, answer))
+        rejecting = box.addButton(otherwise, QMessageBox.ButtonRole.RejectRole)
+        rejecting.clicked.connect(partial(self._answer, leave))
+        box.setEscapeButton(rejecting)
+        QgsProject.instance().cleared.connect(box.deleteLater)
+        box.open()
+
+    def _answer(self, answer: Callable[[], None], *_: object) -> None:
+        self.question = None
+        answer()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -270,11 +300,6 @@ class InspectionDock(ToolDock):
         self.scans.stop()
         self.session.stop()
 
-    def _inspect_worst(self) -> None:
-        self.session.inspect_pending()
-        if windows := self.session.windows():
-            self.zoom_to(windows[0].fid)
-
     def _enable_actions(self) -> None:
         """Grey what can't be done now, and say why."""
         problem, windows = self.session.problem(), self.session.windows()
@@ -328,56 +353,3 @@ def _triggered(action: QAction) -> Callable[[], bool]:
         return True
 
     return trigger
-
-
-class MosaicQuestion(QObject):
-    """Asks what is to become of windows when the mosaic is another; nothing goes on with them before."""
-
-    def __init__(self, session: Session, dock: QWidget) -> None:
-        super().__init__(dock)
-        self._session, self._dock = session, dock
-        self.box: QMessageBox | None = None
-        session.mosaicDoubted.connect(self._ask)
-
-    def _ask(self, message: Message) -> None:
-        icon, text = QMessageBox.Icon.Warning, sentence(message)
-        self.box = box = QMessageBox(icon, tr("Seam Inspector"), text, parent=self._dock)
-        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        role, session = QMessageBox.ButtonRole, self._session
-        for text, part, answer in (
-            (tr("New windows at the same places"), role.AcceptRole, session.copy_windows),
-            (tr("The windows are of this mosaic"), role.AcceptRole, session.take_windows),
-            (tr("Leave these windows as they are"), role.RejectRole, session.leave_windows),
-        ):  # fmt: skip
-            button = box.addButton(text, part)
-            button.clicked.connect(lambda *_, answer=answer: self._answer(answer))
-            if part == role.RejectRole:
-                box.setEscapeButton(button)
-        QgsProject.instance().cleared.connect(box.deleteLater)
-        box.open()
-
-    def _answer(self, answer: Callable[[], None]) -> None:
-        self.box = None
-        answer()
-
-
-class FoundMessage(BarQuestion):
-    """Offers each file once, since who dismisses it has seen where it is."""
-
-    def __init__(self, bar: QgsMessageBar, open_windows: Callable[[Path], None], parent: QObject) -> None:
-        super().__init__(bar, parent)
-        self._open = open_windows
-        self._offered: set[Path] = set()
-
-    def show(self, path: Path, message: Message) -> None:
-        """Say where they are, unless others are being offered: these come after the next project."""
-        if path not in self._offered and not self.is_asking:
-            self._offered.add(path)
-            self.ask(
-                sentence(message), Qgis.MessageLevel.Warning, tr("Open the windows"),
-                tr("Adds the layer of these windows and brings back what was not saved."), partial(self._go, path),
-            )  # fmt: skip
-
-    def _go(self, path: Path) -> None:
-        self._offered.discard(path)  # the project may be left without saving once more
-        self._open(path)

@@ -4,12 +4,13 @@ It makes the parts, leads them after the project as that is read, saved and chan
 """
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from qgis.core import QgsProject, QgsVectorLayer
+from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.errors import Message, SeamInspectorError
@@ -18,23 +19,25 @@ from ...imagery.statistics import FIRST, Operator
 from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.connections import Connections
 from ...toolkit.desk.message_bar import bar_level
-from ...toolkit.desk.widgets import single_shot
-from ...toolkit.layers import edit_step
 from ...toolkit.translation import sentence, tr
+from ..jobs import ScanOrder
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
-from ..measure.inspection import WindowRequest
+from ..measure.inspection import Block, WindowRequest
 from ..measure.live_window import LiveWindow
+from ..measure.window.source_use import SourceUse
 from ..measure.window.window_result import WindowCurves, WindowResult
+from ..measure.window_records import WindowRecord
 from ..tables import window_layer
 from ..tables.window_layer import boxed_windows, style_if_plain
 from . import messages
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, LayerPlaces, load_inputs, save_inputs
-from .keeping import Keeping
 from .map.live_windows import LiveWindows
-from .map.window_coverage import SeamFinder, WindowCoverage
+from .map.window_coverage import Coverage, SeamFinder, WindowCoverage
+from .window_home import WindowHome
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults
+from .windows.window_steps import WindowSteps, words_of
 from .windows.window_watch import WindowWatch
 from .windows.windows_mosaic import WindowsMosaic
 
@@ -70,8 +73,12 @@ class Session(QObject):
     messageRaised = pyqtSignal(str, int)
     mosaicDoubted = pyqtSignal(object)
     """The Message why the mosaic is not for the windows; ``take_windows`` and its like go on."""
-    windowsFound = pyqtSignal(object, object)
-    """Path of windows that the project lacks, and the Message that says so."""
+    copyDoubted = pyqtSignal(object)
+    """The Message why nothing can be written to the windows; ``copy_to_file`` and ``leave_windows`` go on."""
+    placesTaken = pyqtSignal(list)
+    """Feature ids of the windows at the worst places of a scan, worst first."""
+    stepped = pyqtSignal(int)
+    """Feature id of a window that undo or redo has changed."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -84,37 +91,25 @@ class Session(QObject):
         self._block = block = BlockCache(project, self._opening, self)
         self._seams = SeamFinder(block, self._opening)
         self._coverage = WindowCoverage(self)
-        self._keeping = Keeping(watch, self)
+        self._home = home = WindowHome(project)
+        self._steps = steps = WindowSteps(watch, self)
         self._live = LiveWindows(block, self)
-        self._mosaics = WindowsMosaic(block, watch, self._keeping, self)
-        self._results = WindowResults(block, watch, self._background, self._keeping, self, self._live.measure)
-        self._new = NewWindows(project, block, watch, self._background, self)
+        self._mosaics = WindowsMosaic(block, watch, self)
+        self._results = WindowResults(block, steps, watch, self._background, self, self._live.measure)
+        self._new = NewWindows(home, block, watch, steps, self._background, self)
         self._places = LayerPlaces(project)
         self._layers = InputsWatch(project, self)
-        self._searcher = single_shot(self, self._find_left)  # the project is still being read when it tells so
-        self._is_read = True
-        self._offer_what_parts_do()
+        self._searched: set[str] = set()  # mosaics whose windows were looked for
         self._connect_parts()
         self._connections = Connections(
             (project.readProject, self._load),
-            (project.cleared, self._cleared),
+            (project.cleared, self._load),
             (project.writeProject, self._save),
             (project.layersAdded, self._layers_added),
             (project.layersWillBeRemoved, self._forget_layers),
             (project.layersRemoved, self._layers_changed),
         )
         self._load()
-
-    def _offer_what_parts_do(self) -> None:
-        """Offer what parts do by the names that the desk calls it; each is described where it is done."""
-        self.mosaic_layer, self.scan_order = self._block.mosaic_layer, self._block.scan_order
-        self.block, self.problem = self._block.silent, self._block.problem
-        self.coverage, self.seam_point_near = self._coverage.at, self._seams.nearest
-        self.hover, self.leave = self._live.hover, self._live.leave
-        self.windows, self.row, self.numbered = self._watch.rows, self._watch.row, self._watch.numbered
-        self.selected, self.select = self._watch.selected, self._watch.select
-        self.add_window = self._new.draw
-        self.source_uses = self._results.source_uses
 
     def _connect_parts(self) -> None:
         for signal, slot in (
@@ -134,9 +129,11 @@ class Session(QObject):
             (self._new.layerMade, self._take_layer),
             (self._mosaics.doubted, self.mosaicDoubted),
             (self._new.drawn, self._take_drawn),
+            (self._new.scanned, self._take_scanned),
+            (self._steps.stepped, self._follow_step),
             *((told, self._tell) for told in (
                 self._opening.failed, self._background.failed, self._live.failed, self._results.failed,
-                self._keeping.told, self._new.told,
+                self._mosaics.told, self._new.told, self._steps.failed,
             )),
         ):  # fmt: skip
             signal.connect(slot)
@@ -145,12 +142,10 @@ class Session(QObject):
         """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
         self._connections.close()
         self._layers.close()
-        self._searcher.stop()
         self._new.abandon()
-        for part in (
-            self._live, self._coverage, self._opening, self._background, self._results, self._keeping, self._watch
-        ):
+        for part in (self._live, self._coverage, self._opening, self._background, self._results, self._watch):
             part.close()
+        self._home.let_go()
 
     # Inputs
 
@@ -167,9 +162,6 @@ class Session(QObject):
             return
         if before.windows != inputs.windows:
             self._results.write()  # into the layer they are of
-            self._watch.save_stale()
-        if before.mosaic != inputs.mosaic:
-            self._mosaics.leave()
         self._block.inputs = inputs
         save_inputs(self._project, inputs)
         self._layers_changed()
@@ -201,42 +193,116 @@ class Session(QObject):
         """The window that is being drawn or moved, as far as it is known; ``liveChanged`` tells."""
         return self._live.current
 
+    def block(self) -> Block | None:
+        """The mosaic and its sources; None while there are none, or they are being opened."""
+        return self._block.silent()
+
+    def problem(self) -> Message | None:
+        """Why there is no block; None when there is one."""
+        return self._block.problem()
+
+    def mosaic_layer(self) -> QgsRasterLayer | None:
+        """The mosaic, while it is there."""
+        return self._block.mosaic_layer()
+
+    def scan_order(self) -> ScanOrder:
+        """What a scan of the mosaic is made of. Raises SeamInspectorError when the inputs do not allow one."""
+        return self._block.scan_order()
+
+    def coverage(self, window: PixelWindow) -> Coverage:
+        """How many sources lie over a window, as far as is known."""
+        return self._coverage.at(window)
+
+    def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
+        """The nearest point of a seam within reach; None where there is none."""
+        return self._seams.nearest(x, y, reach)
+
+    def hover(self, window: PixelWindow, is_live: bool) -> None:
+        """The mouse is over this window; ``is_live``: its curves follow."""
+        self._live.hover(window, is_live)
+
+    def leave(self) -> None:
+        """The mouse is over no window any more."""
+        self._live.leave()
+
     # Windows
+
+    @property
+    def steps(self) -> Any:
+        """What can be undone: a QUndoStack."""
+        return self._steps.stack
 
     def window_layer(self) -> QgsVectorLayer | None:
         """The layer that holds the windows, while it is there."""
         return self._watch.layer
 
-    def open_windows(self, path: Path) -> None:
-        """Take the windows of a file that the desk has made."""
+    def windows(self) -> list[WindowRecord]:
+        """All windows by their number."""
+        return self._watch.rows()
+
+    def row(self, fid: int) -> WindowRecord | None:
+        """One window."""
+        return self._watch.row(fid)
+
+    def numbered(self, window_id: int) -> WindowRecord | None:
+        """The window with a number, which is for good."""
+        return self._watch.numbered(window_id)
+
+    def selected(self) -> list[int]:
+        """Feature ids of the selected windows."""
+        return self._watch.selected()
+
+    def select(self, fids: Iterable[int]) -> None:
+        """Select these windows and no others, on the map and in the table alike."""
+        self._watch.select(fids)
+
+    def add_window(self, window: PixelWindow) -> None:
+        """Add one window, or take the one that is there already; where there is a file for it, at once."""
+        self._new.draw(window)
+
+    def take_places(self, worst: QgsVectorLayer) -> None:
+        """Add the worst places of a scan, inspect them, and tell ``placesTaken``."""
         with self._raised():
+            self._new.add_scanned(worst)
+
+    def open_windows(self, path: Path) -> None:
+        """Take the windows of a windows file."""
+        with self._raised():
+            self._home.hold(path)
             self._take_layer(self._project.addMapLayer(window_layer.open_window_layer(path)).id())
 
     def remove(self, fids: Sequence[int]) -> None:
         """Remove windows; undo brings them back."""
         with self._raised():
-            if self._watch.layer is not None and fids:
-                window_layer.remove_windows(self._watch.layer, fids)
+            rows = [row for row in map(self.row, fids) if row is not None]
+            self._steps.remove(fids, words_of(rows, tr("removing window {number}"), tr("removing {count} windows")))
 
     def judge(self, fids: Sequence[int], word: str, operator: Operator = FIRST) -> None:
         """Write what an operator saw: ``visible``, ``invisible``, ``unsure`` or nothing, of which he can't be sure."""
         values: dict[str, object] = {operator.observer: word or None}
-        if not word and any(getattr(self.row(fid), operator.confidence, None) is not None for fid in fids):
-            values[operator.confidence] = None  # a layer that lacks the field needs none for this
+        if not word:
+            values[operator.confidence] = None
         self.note(fids, values)
 
     def note(self, fids: Sequence[int], values: Mapping[str, object]) -> None:
         """Write what an operator says of windows, by his fields' names; None takes it back."""
         with self._raised():
-            if (layer := self._watch.layer) is None:
+            if (layer := self._watch.own()) is None:
                 return
-            others = window_layer.not_judged_so(layer, fids, values)  # the same again is no step
-            if others:
-                with edit_step(layer, tr("Judge windows")):
-                    prepared = self._watch.prepare(others, self.inputs.levels, values)
-                    window_layer.write_judgement(layer, prepared, values)
-                self._keeping.note_judged(layer)
+            held = window_layer.held_values(layer, fids, list(values))
+            others = [fid for fid, said in held.items() if any(said.get(name) != values[name] for name in values)]
+            rows = [row for row in map(self.row, others) if row is not None]
+            if rows:  # the same again is no step
+                words = words_of(rows, tr("judging window {number}"), tr("judging {count} windows"))
+                self._steps.change({row.fid: values for row in rows}, words)
                 self._mosaics.note()
+
+    def _follow_step(self, numbers: list[int]) -> None:
+        """The operator sees what undo or redo did."""
+        fids = [row.fid for row in map(self.numbered, numbers) if row is not None]
+        if fids:
+            self.select(fids)
+            self.stepped.emit(fids[0])
 
     # Windows of another mosaic
 
@@ -261,13 +327,22 @@ class Session(QObject):
                 node.setItemVisibilityChecked(False)  # its labels would be read as of the new ones
             self._new.copy(outlines)
 
+    def copy_to_file(self) -> None:
+        """The windows of another format are copied into a windows file, and looked at there."""
+        with self._raised():
+            self._new.copy_file()
+
     def _take_layer(self, layer_id: str) -> None:
         """Windows are those of this layer from now on."""
         self.set_inputs(replace(self.inputs, windows=layer_id))
 
     def _take_drawn(self, fids: list[int]) -> None:
         self.select(fids)
-        self.inspect(fids)
+        self.inspect(fids, is_step=False)
+
+    def _take_scanned(self, fids: list[int]) -> None:
+        self.inspect([fid for fid in fids if (row := self.row(fid)) and not row.verdict], is_step=False)
+        self.placesTaken.emit(fids)
 
     # Results, and work in the background
 
@@ -291,12 +366,16 @@ class Session(QObject):
         with self._raised():
             self._new.place()
 
-    def inspect(self, fids: Sequence[int]) -> None:
-        """Inspect windows, those left out that are being inspected already."""
+    def source_uses(self) -> list[SourceUse]:
+        """Uses of sources in all windows whose results came or were asked for."""
+        return self._results.source_uses()
+
+    def inspect(self, fids: Sequence[int], is_step: bool = True) -> None:
+        """Inspect windows, those left out that are being inspected already. ``is_step``: as a step of undo."""
         with self._raised():
             layer, mosaic = self.window_layer(), self.mosaic_layer()
             count = 0 if layer is None or mosaic is None else boxed_windows(layer, fids, mosaic.crs())
-            self._results.inspect(fids)
+            self._results.inspect(fids, is_step)
             self._mosaics.note()
             if count:
                 self._tell(messages.WINDOWS_IN_BOXES(count=count))
@@ -321,6 +400,9 @@ class Session(QObject):
         return self._results.clips(row.window_id) if row is not None else None
 
     def _tell(self, message: Message) -> None:
+        if message.template == messages.WINDOWS_TO_COPY.template:
+            self.copyDoubted.emit(message)
+            return
         self.messageRaised.emit(sentence(message), bar_level(message))
 
     @contextmanager
@@ -333,12 +415,7 @@ class Session(QObject):
 
     # What the project tells
 
-    def _cleared(self) -> None:
-        self._load()
-        self._is_read = False
-
     def _load(self, *_: object) -> None:
-        self._is_read = True
         self.loss_view.show(False)
         self._live.leave()
         self._live.let_go()
@@ -346,32 +423,34 @@ class Session(QObject):
         self._block.forget()
         self._seams.forget()
         self._forget_windows()
+        self._watch.state = None
+        self._home.let_go()
+        self._searched.clear()
         self._block.inputs = load_inputs(self._project)
         self._places.load()
         self._layers_changed()
-        self._searcher.start()
+        self._home.tidy()
 
-    def _find_left(self) -> None:
-        """Windows that the project lacks, as it was never saved with them or QGIS ended before."""
-        project = self._project
-        if self._watch.layer is not None or (project.fileName() and not self._is_read):
-            return  # a project that is being read lacks layers yet
-        self._keeping.tidy(project)
-        left = self._keeping.left_in(project)
-        if left and project.fileName():
-            self.open_windows(left[0])
-        elif not left and (beside := self._keeping.beside(project)) is not None:
-            path, count = beside
-            self.windowsFound.emit(path, messages.WINDOWS_BESIDE(name=path.name, count=count))
-        for path in () if project.fileName() else left:
-            self.windowsFound.emit(path, messages.WINDOWS_FOUND(path=path))
+    def _find_windows(self) -> None:
+        """Those of the mosaic that the project lacks, as QGIS ended before it was saved."""
+        mosaic = self._block.known_mosaic()
+        if mosaic is None or mosaic.content in self._searched:
+            return
+        self._searched.add(mosaic.content)
+        if self._watch.layer is None and (path := self._home.left_behind(mosaic)) is not None:
+            self.open_windows(path)
+            self._tell(messages.WINDOWS_BACK(path=path))
 
     def _save(self, *_: object) -> None:
-        """Save the windows with the project, as its user expects."""
+        """Windows of a project that had no file move beside it."""
         self._results.write()
-        self._watch.save_stale()
-        if (layer := self._watch.layer) is not None:
-            self._keeping.save(layer, self._project)
+        layer, path = self._watch.layer, self._watch.path
+        if layer is None or path is None or not self._home.is_to_be_moved(path):
+            return
+        if layer.isEditable():
+            layer.commitChanges()
+        with self._raised(), self._watch.unmoved():  # the windows are the same
+            self._tell(messages.WINDOWS_MOVED(path=self._home.move(layer)))
 
     def _layers_added(self, *_: object) -> None:
         """One that was removed may be back, under another id."""
@@ -391,7 +470,8 @@ class Session(QObject):
             self._watch.watch(layer)
             if self._watch.layer is not None:
                 style_if_plain(self._watch.layer)
-                self._keeping.follow(self._watch.layer, self.inputs.levels)
+                if self._watch.path is not None:
+                    self._home.hold(self._watch.path)
         self._follow_block()
 
     def _follow_block(self) -> None:
@@ -401,6 +481,7 @@ class Session(QObject):
         self._coverage.follow(self.block())
         self._watch.set_state(self._block.state())
         self.inputsChanged.emit()
+        self._find_windows()
 
     def _files_changed(self) -> None:
         self._live.let_go()
@@ -412,15 +493,12 @@ class Session(QObject):
         self._seams.refresh(anew=True)
 
     def _windows_replaced(self) -> None:
-        if (layer := self._watch.layer) is not None:
-            self._keeping.leave([layer.id()])
         self._forget_windows()
         self._layers_changed()
 
     def _forget_layers(self, ids: list[str]) -> None:
         self._live.let_go()  # or their files could not be moved or deleted
         self._layers.leave(ids)
-        self._keeping.leave(ids)
         if (layer := self._watch.layer) is not None and layer.id() in ids:
             self._forget_windows()
 
@@ -430,3 +508,4 @@ class Session(QObject):
         self._background.abandon()
         self._watch.watch(None)
         self._results.forget()
+        self._steps.stack.clear()

@@ -59,6 +59,9 @@ NO_WINDOW_PLACED = Message("No window could be placed along the seams; the log m
 WINDOW_LAYER_NOT_CREATED = Message(
     "No window layer can be written to {folder}; save the project in a folder that you may write to."
 )
+WINDOWS_NOT_WRITTEN = Message(
+    "{path} can't be written ({error}); see to it that the disk has room and no other program has the file open."
+)
 # why a window is not comparable
 NO_SOURCES = Message("No source covers the window; add the orthoimages that overlap it or move the window.", INFO)
 NO_SOURCE_COMPARABLE = Message("No source can be compared here: {why}", INFO)
@@ -151,7 +154,7 @@ FILTER_GEOMETRY = Message(
 FILTER_FIELD_UNKNOWN = Message("The filter asks for '{name}', which windows don't have. They have: {known}.")
 FILTER_HIDDEN = Message("'{word}' is hidden while judging blind, so it filters nothing; filter by {known}.", INFO)
 FIELD_NOT_HELD = Message(
-    "The file of the layer {name} can't hold a field '{field}': save the windows as a GeoPackage and use that layer."
+    "The layer {name} has no field '{field}', which can't be added now: save what is edited in it, then try again."
 )
 # the threshold that an observer's verdicts support
 VERDICTS_UNKNOWN = Message(

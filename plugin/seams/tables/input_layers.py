@@ -69,14 +69,14 @@ def seam_features(
         except WindowError:
             lost += 1
             continue
-        features.append(({name: _plain(value) for name, value in zip(names, row.attributes())}, wkb))
+        features.append(({name: plain_text(value) for name, value in zip(names, row.attributes())}, wkb))
     return features, SEAM_FEATURES_NOT_TRANSFORMED(count=lost) if lost else None
 
 
-def _plain(value: object) -> str:
+def plain_text(value: object) -> str:
     """What an attribute says, dates as 2019-07-04."""
     if isinstance(value, (QDate, QDateTime)):
         return str(value.toString(Qt.DateFormat.ISODate))
     if isinstance(value, (list, tuple)):  # elements that a GML file repeats
-        return ", ".join(_plain(one) for one in value)
+        return ", ".join(plain_text(one) for one in value)
     return text(value) if is_known(value) else ""

@@ -1,13 +1,13 @@
 """The window layer: an ordinary polygon layer that holds the windows and what was found in them.
 
-All changes go through its edit buffer, fields that it lacks included, so undo, saving and the attribute table are
-QGIS's own.
+What the desk does to it goes through ``write``, and is in the layer's file then. Layers of other formats are read, and
+copied into a windows file.
 """
 from __future__ import annotations
 
 import contextlib
-import sqlite3
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from qgis.core import (
@@ -15,77 +15,50 @@ from qgis.core import (
     QgsFeature,
     QgsFeatureRequest,
     QgsField,
+    QgsFields,
     QgsGeometry,
     QgsMapLayer,
     QgsProject,
+    QgsProviderRegistry,
     QgsSingleSymbolRenderer,
     QgsSymbol,
     QgsVectorLayer,
-    QgsVectorLayerUtils,
     QgsWkbTypes,
 )
 
 from ...imagery.errors import WindowError, WindowLayerError
-from ...imagery.gdal_paths import holds_only_tables
-from ...imagery.statistics import FIRST, JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
-from ...toolkit.geopackages import free_path, write_table
 from ...toolkit.layer_styles import load_style, name_fields
-from ...toolkit.layers import change_quietly, edit_step, transformed
+from ...toolkit.layers import edit_step, has_numbers, layer_path, system_wkt, transformed
 from ...toolkit.reference_systems import keep_system, transformation
-from ...toolkit.table_fields import column_fields, column_values, is_known
+from ...toolkit.table_fields import column_fields, column_values, feature, is_known
 from ...toolkit.translation import tr
-from ...toolkit.version_differences import field
+from ...toolkit.version_differences import field as made_field
 from ..measure import messages
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import MEASURED
 from ..measure.window_records import WindowRecord
+from . import (
+    result_tables,  # noqa: F401  which gives the fields their titles
+    window_file,
+)
+from .input_layers import plain_text
 from .record_tables import level_names, read_windows
-from .result_tables import output_fields  # which gives the fields their titles
 
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
-TABLE = "windows"
-"""In a file that the desk made."""
-_OURS = {"window_id", "verdict", "observer"}  # fields that every version has written
+_FOUND = tuple(column for column in MEASURED if column.name not in ("window_id", "observer"))
 _FULL_BOX = 0.9  # of its box: a rectangle of another system is turned a little
-_BUSY_S = 0.05  # at most, for one that another program is writing
-_SHAPEFILE = "ESRI Shapefile"
-_SHAPEFILE_NAME = 10  # letters at most, so it goes without background_ratio
-_SHAPEFILE_LENGTHS = {"integer": (9, 0), "real": (20, 15), "text": (254, 0)}  # and decimals
-
-
-def write_window_file(wkt: str, levels: int, folder: Path) -> Path:
-    """The file of a new, empty window layer. Raises WindowLayerError when it can't be written to the folder, or would
-    not have the mosaic's reference system: GeoPackage takes none for degrees."""
-    path = free_path(folder, TABLE)
-    if not wkt:
-        raise WindowLayerError(toolkit_messages.SYSTEM_NOT_WRITTEN(name=path.name))
-    if write_table(path, TABLE, output_fields(levels, ()), QgsWkbTypes.Type.Polygon, wkt) is not None:
-        raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=folder))
-    return path
 
 
 def open_window_layer(path: Path) -> QgsVectorLayer:
     """The layer of such a file, styled. Raises WindowLayerError when it can't be opened."""
-    layer = QgsVectorLayer(f"{path}|layername={TABLE}", tr("Windows"), "ogr")
+    layer = QgsVectorLayer(f"{path}|layername={window_file.TABLE}", tr("Windows"), "ogr")
     if not layer.isValid():
         raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=path.parent))
     keep_system(layer)
     load_style(layer, "windows")
     return layer
-
-
-def count_windows(path: Path) -> int | None:
-    """How many windows a file holds; None for one that the desk did not make, or that can't be read now."""
-    if not holds_only_tables(path):
-        return None
-    try:
-        with contextlib.closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", _BUSY_S, uri=True)) as file:
-            names = {row[1] for row in file.execute(f"PRAGMA table_info({TABLE})")}
-            return file.execute(f"SELECT count(*) FROM {TABLE}").fetchone()[0] if names >= _OURS else None
-    except (OSError, sqlite3.Error):
-        return None
 
 
 def holds_windows(layer: QgsMapLayer | None) -> bool:
@@ -114,139 +87,154 @@ def boxed_windows(layer: QgsVectorLayer, fids: Iterable[int], crs: QgsCoordinate
     return count
 
 
-def lacks_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str] = ()) -> bool:
-    """Whether ``complete_fields`` has something to do."""
-    return bool(_missing_fields(layer, levels, besides))
-
-
-def complete_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str] = ()) -> dict[int, int]:
-    """Give a layer that was drawn or placed elsewhere the fields it lacks, as one step of undo.
-
-    ``besides``: fields of what operators say that are used from now on.
-    Returns the new ids of features that had to be replaced: QGIS 3.22 saves one that was added before a field
-    without that field's value.
-    """
-    missing = _missing_fields(layer, levels, besides)
-    if not missing:
-        return {}
-    with edit_step(layer, tr("Add fields")):
-        if not all(map(layer.addAttribute, missing)):
-            raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
-        unsaved = [layer.getFeature(fid) for fid in layer.editBuffer().addedFeatures()]
-        renewed = {}
-        for old in sorted(unsaved, key=lambda feature: -feature.id()):
-            new = QgsFeature(layer.fields())
-            new.setGeometry(old.geometry())
-            new.setAttributes(old.attributes())
-            layer.deleteFeature(old.id())
-            layer.addFeature(new)
-            renewed[old.id()] = new.id()
-    name_fields(layer, "windows")
-    return renewed
-
-
-def _missing_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str]) -> list[QgsField]:
-    is_shapefile, missing = layer.storageType() == _SHAPEFILE, []
-    wanted = [(name, column.kind) for column in MEASURED for name in column.names(levels)]
-    wanted += [(name, JUDGING_FIELDS[name]) for name in besides if name != FIRST.observer]
-    for name, kind in wanted:
-        if layer.fields().indexOf(name) >= 0 or (is_shapefile and len(name) > _SHAPEFILE_NAME):
-            continue
-        made = field(name, kind)
-        if is_shapefile:  # QGIS does not save a field whose length comes out as another one
-            length, precision = _SHAPEFILE_LENGTHS[kind]
-            made.setLength(length)
-            made.setPrecision(precision)
-        missing.append(made)
-    return missing
-
-
 def read_shapes(layer: QgsVectorLayer, fids: Iterable[int]) -> dict[int, QgsGeometry]:
     """The outlines of some windows."""
     request = QgsFeatureRequest().setFilterFids(list(fids)).setNoAttributes()
     return {feature.id(): QgsGeometry(feature.geometry()) for feature in layer.getFeatures(request)}
 
 
-def add_windows(
-    layer: QgsVectorLayer, outlines: Sequence[QgsGeometry], first: int, at_once: int = 0
-) -> Iterator[list[int]]:
-    """Add windows, numbered from ``first`` on, as one step of undo, so many of them ``at_once`` (0: all).
+@dataclass(frozen=True)
+class WindowChange:
+    """What is done to a window layer in one go."""
 
-    Yields the feature ids each time; a generator that is closed before its end takes all of them back.
+    values: Mapping[int, Mapping[str, object]] = field(default_factory=dict)
+    """Other values, by feature id and field; fields that the layer lacks are left out."""
+    added: Sequence[QgsFeature] = ()
+    removed: Sequence[int] = ()
+    """Feature ids."""
+
+
+def write(layer: QgsVectorLayer, change: WindowChange, words: str) -> list[int]:
+    """Write a change and return the ids of the features added. It is in the file then, unless somebody edits the layer
+    with QGIS's tools: then it is among his edits, a step of theirs called ``words``.
+
+    Raises WindowLayerError when the layer can't be written.
     """
-    index, part = layer.fields().indexOf("window_id"), at_once or max(len(outlines), 1)
-    with edit_step(layer, tr("Add windows")):
-        for start in range(0, len(outlines), part):
-            fids = []
-            for number, outline in enumerate(outlines[start : start + part], first + start):
-                feature = QgsVectorLayerUtils.createFeature(layer, outline, {index: number})
-                if not layer.addFeature(feature):
-                    raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
-                fids.append(feature.id())
-            yield fids
-
-
-def write_numbers(layer: QgsVectorLayer, numbers: Mapping[int, int]) -> None:
-    """Write ``window_id``, by feature id, as one step of undo."""
-    with edit_step(layer, tr("Number windows")):
-        for fid, number in numbers.items():
-            _change(layer, fid, {"window_id": number})
-
-
-def write_results(layer: QgsVectorLayer, results: Mapping[int, WindowResult]) -> None:
-    """Write results, by feature id. The observer's word stays; ratios of more levels, left by another inspection, go.
-
-    They are no step of undo: they come by themselves, between what the operator does and wants to take back.
-    """
-    measured = [column for column in MEASURED if column.name not in ("window_id", "observer")]
-    names = layer.fields().names()
-    nothing = {name: None for column in measured if column.by_level for name in level_names(column.name, names)}
-    changes = {}
-    for fid, result in results.items():
-        levels = len(result.judgement.ratios.detail)
-        values = zip(column_fields(measured, levels).names(), column_values(measured, result, levels))
-        changes[fid] = {**nothing, **dict(values)}
-    change_quietly(layer, changes, tr("Inspect windows"))
-
-
-def not_judged_so(layer: QgsVectorLayer, fids: Iterable[int], values: Mapping[str, object]) -> list[int]:
-    """Those windows of which an operator said something else so far."""
-    names, asked = layer.fields().names(), list(fids)
-    if not set(names).issuperset(values):
-        return asked
-    held = layer.getFeatures(QgsFeatureRequest().setFilterFids(asked).setFlags(QgsFeatureRequest.Flag.NoGeometry))
-    same = {
-        feature.id()
-        for feature in held
-        if all((feature[name] if is_known(feature[name]) else None) == value for name, value in values.items())
+    fields = layer.fields()
+    values = {
+        fid: {index: value for name, value in changed.items() if (index := fields.indexOf(name)) >= 0}
+        for fid, changed in change.values.items()
     }
-    return [fid for fid in asked if fid not in same]
+    if layer.isEditable():
+        with edit_step(layer, words):
+            is_done = all(layer.changeAttributeValues(fid, changed) for fid, changed in values.items())
+            added = [QgsFeature(one) for one in change.added]
+            is_done = is_done and all(map(layer.addFeature, added)) and layer.deleteFeatures(list(change.removed))
+            if not is_done:
+                raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
+        return [one.id() for one in added]
+    return _write_file(layer, change, values)
 
 
-def write_judgement(layer: QgsVectorLayer, fids: Iterable[int], values: Mapping[str, object]) -> None:
-    """Write what an operator says, by the fields' names, as one step of undo; None takes it back.
+def _write_file(layer: QgsVectorLayer, change: WindowChange, values: dict[int, dict[int, object]]) -> list[int]:
+    """By the data provider, which tells nobody: the layer's own signals do, for the desk and QGIS's tables alike."""
+    provider, added = layer.dataProvider(), [QgsFeature(one) for one in change.added]
+    if layer.readOnly():
+        raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
+    is_done = not values or provider.changeAttributeValues(values)
+    if is_done and added:
+        is_done, added = provider.addFeatures(added)
+    if is_done and change.removed:
+        is_done = provider.deleteFeatures(list(change.removed))
+    if not is_done:
+        error = provider.lastError() or layer.name()
+        raise WindowLayerError(messages.WINDOWS_NOT_WRITTEN(path=layer_path(layer), error=error.rstrip(". ")))
+    layer.updateExtents()
+    for fid, changed in values.items():
+        for index, value in changed.items():
+            layer.attributeValueChanged.emit(fid, index, value)
+    for one in added:
+        layer.featureAdded.emit(one.id())
+    for fid in change.removed:
+        layer.featureDeleted.emit(fid)
+    layer.deselect(list(change.removed))
+    return [one.id() for one in added]
 
-    Raises WindowLayerError when the layer has no such field.
-    """
-    with edit_step(layer, tr("Judge windows")):
-        for name in values:
-            if layer.fields().indexOf(name) < 0:
-                raise WindowLayerError(messages.FIELD_NOT_HELD(name=layer.name(), field=name))
-        for fid in fids:
-            _change(layer, fid, values)
+
+def add_levels(layer: QgsVectorLayer, levels: int) -> None:
+    """Give a layer the fields of more levels. Raises WindowLayerError when that can't be now."""
+    missing = [one for one in window_file.window_fields(levels) if layer.fields().indexOf(one.name()) < 0]
+    if missing:
+        if layer.isEditable() or not layer.dataProvider().addAttributes(missing):
+            raise WindowLayerError(messages.FIELD_NOT_HELD(name=layer.name(), field=missing[0].name()))
+        layer.updateFields()
+        name_fields(layer, "windows")
 
 
-def remove_windows(layer: QgsVectorLayer, fids: Iterable[int]) -> None:
-    """Remove windows as one step of undo."""
-    with edit_step(layer, tr("Remove windows")):
-        layer.deleteFeatures(list(fids))
+def new_windows(
+    layer: QgsVectorLayer, outlines: Iterable[QgsGeometry], first: int, values: Iterable[Mapping[str, object]]
+) -> list[QgsFeature]:
+    """Windows that are to be added, numbered from ``first`` on, and what is known of each."""
+    fields, is_multi, found = layer.fields(), QgsWkbTypes.isMultiType(layer.wkbType()), []
+    for number, (outline, known) in enumerate(zip(outlines, values), first):
+        if is_multi:
+            outline.convertToMultiType()
+        made = feature(fields, [None] * fields.count(), outline)
+        for name, value in {"window_id": number, **known}.items():
+            if fields.indexOf(name) >= 0:
+                made[name] = value
+        found.append(made)
+    return found
 
 
-def _change(layer: QgsVectorLayer, fid: int, values: Mapping[str, object]) -> None:
-    for name, value in values.items():
-        index = layer.fields().indexOf(name)
-        if index >= 0:
-            layer.changeAttributeValue(fid, index, value)
+def measured_values(layer: QgsVectorLayer, result: WindowResult) -> dict[str, object]:
+    """What is written of a result. The observer's word stays; ratios of more levels, of another inspection, go."""
+    levels = len(result.judgement.ratios.detail)
+    values = zip(column_fields(_FOUND, levels).names(), column_values(_FOUND, result, levels))
+    return {**dict.fromkeys(measured_names(layer)), **dict(values)}
+
+
+def measured_names(layer: QgsVectorLayer) -> list[str]:
+    """The fields of a layer that an inspection fills."""
+    names = layer.fields().names()
+    by_level = [name for column in _FOUND if column.by_level for name in level_names(column.name, names)]
+    return [*by_level, *(column.name for column in _FOUND if not column.by_level and column.name in names)]
+
+
+def held_values(layer: QgsVectorLayer, fids: Iterable[int], names: Sequence[str]) -> dict[int, dict[str, object]]:
+    """What windows hold in some fields, by feature id; None for nothing."""
+    request = QgsFeatureRequest().setFilterFids(list(fids)).setFlags(QgsFeatureRequest.Flag.NoGeometry)
+    there = [name for name in names if layer.fields().indexOf(name) >= 0]
+    return {
+        one.id(): {name: one[name] if is_known(one[name]) else None for name in there}
+        for one in layer.getFeatures(request)
+    }
+
+
+def copy_to_file(layer: QgsVectorLayer, levels: int, wkt: str, folder: Path) -> Path:
+    """Copy the windows of any layer into a new windows file, their other columns too; ``wkt``: for a layer without a
+    reference system. Raises WindowLayerError."""
+    names = layer.fields().names()
+    besides = [made_field(one.name(), _kind(one)) for one in layer.fields() if one.name().lower() != "fid"]
+    fields = window_file.window_fields(max(levels, len(level_names("ratio", names))), besides)
+    is_multi = QgsWkbTypes.isMultiType(layer.wkbType())
+    shape = QgsWkbTypes.Type.MultiPolygon if is_multi else QgsWkbTypes.Type.Polygon
+    rows = (_copied(one, names, fields) for one in layer.getFeatures())
+    return window_file.write_window_file(system_wkt(layer.crs()) or wkt, folder, fields, rows, shape)
+
+
+def _kind(one: QgsField) -> str:
+    """The kind of field that holds its values in a windows file."""
+    kinds = (kind for kind in ("integer", "real", "text") if made_field("", kind).type() == one.type())
+    return next(kinds, "real" if one.isNumeric() else "text")
+
+
+def _copied(row: QgsFeature, names: Sequence[str], fields: QgsFields) -> QgsFeature:
+    made = QgsFeature(fields)
+    if row.hasGeometry() and has_numbers(row.geometry()):
+        made.setGeometry(row.geometry())
+    for name, value in zip(names, row.attributes()):
+        if fields.indexOf(name) >= 0 and is_known(value):
+            made[name] = value if isinstance(value, (bool, int, float, str)) else plain_text(value)
+    return made
+
+
+def is_in_file(layer: QgsVectorLayer) -> bool:
+    """Whether the layer is that of a windows file, which is all that the desk writes to."""
+    uri = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
+    path = Path(layer_path(layer) or ".")
+    is_named = path.suffix.lower() == ".gpkg" and (uri.get("layerName") or path.stem) == window_file.TABLE
+    return is_named and window_file.is_window_file(path)
 
 
 _STYLED = "seam_inspector/styled"  # custom property of the layer: its looks are its user's from now on

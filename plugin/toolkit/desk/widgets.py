@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from qgis.gui import QgsCollapsibleGroupBoxBasic
+from qgis.PyQt import QtGui, QtWidgets
 from qgis.PyQt.QtCore import QEvent, QObject, QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QMouseEvent, QPaintEvent, QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import (
@@ -29,6 +30,10 @@ from qgis.PyQt.QtWidgets import (
 from ..painting import painting
 from ..translation import tr
 from .theme import readable_palette
+
+QUndoStack: Any = getattr(QtWidgets, "QUndoStack", None) or QtGui.QUndoStack
+QUndoCommand: Any = getattr(QtWidgets, "QUndoCommand", None) or QtGui.QUndoCommand
+"""Qt 5 has both among its widgets, Qt 6 does not."""
 
 
 def is_confirmed(widget: QWidget, question: str) -> bool:

@@ -16,7 +16,6 @@ from qgis.core import QgsApplication, QgsRectangle
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication
-from qgis.utils import iface
 
 from demo.desk import Desk
 from demo.gaps import Gaps
@@ -89,7 +88,6 @@ def finish(desk: Desk, work: Path, shots: Path) -> None:
     desk.report["work_ms"] = max(begun["work_ms"], 1000 * gaps.longest_work_s)
     desk.dock.windows.save_csv(work / "windows.csv")
     desk.report["csv"] = (work / "windows.csv").read_text(encoding="utf-8-sig").splitlines()
-    assert iface.vectorLayerTools().saveEdits(session.window_layer())
     desk.screenshot(shots / "hour_finished.png")
     desk.drop_changes()
     desk.wait(lambda: not QgsApplication.taskManager().activeTasks(), 60, "no task that QGIS would ask about")

@@ -49,8 +49,6 @@ def play(desk: Desk) -> None:
         draw_and_undo(desk, told)
         if number in SCANNED:
             scan(desk)
-        if number % 2:
-            assert iface.vectorLayerTools().saveEdits(desk.session.window_layer())
         told["windows"] = sum(bool(row.verdict) for row in desk.session.windows())
         told["judged"] = sum(bool(row.observer) for row in desk.session.windows())
         told |= counts(desk)
@@ -236,7 +234,7 @@ def counts(desk: Desk) -> dict[str, Any]:
         "threads": len(os.listdir("/proc/self/task")),
         "python_threads": threading.active_count(),
         "temporary_files": sum(len(files) for _, _, files in os.walk(os.environ["TMPDIR"])),
-        "undo_steps": desk.session.window_layer().undoStack().count(),
+        "undo_steps": desk.session.steps.count(),
         "load": os.getloadavg()[0],
     }
 

@@ -35,7 +35,7 @@ def play(desk: Desk) -> None:
     desk.dock.inspect.trigger()
     desk.wait(lambda: all(row.verdict for row in session.windows()), 60, "all windows inspected")
     desk.wait_for_work()
-    assert layer.undoStack().count() == 1, layer.undoStack().count()
+    assert session.steps.count() == 2, session.steps.count()
     fid = next(row.fid for row in session.windows() if row.verdict != "not_comparable")
     session.select([fid])
     desk.wait(lambda: desk.curves_of(fid), 20, "curve of the window to judge")
@@ -67,10 +67,11 @@ def play(desk: Desk) -> None:
     desk.dock.setFloating(False)
     desk.rest_mouse()
     desk.screenshot(shots / "undo.png")
-    for _ in range(2):
+    for _ in range(3):
         press(desk, desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
-    assert session.windows() == [], "all windows that were placed are one step"
-    press(desk, desk.dock.windows.table, Qt.Key.Key_Y, CONTROL)
+    assert session.windows() == [], "all windows that were placed are one step, and so is their inspection"
+    for _ in range(2):
+        press(desk, desk.dock.windows.table, Qt.Key.Key_Y, CONTROL)
     desk.wait(lambda: all(row.verdict for row in session.windows()), 10, "results back")
     assert len(session.windows()) == count
     press(desk, desk.dock.windows.table, Qt.Key.Key_Y, CONTROL)
@@ -122,14 +123,13 @@ def check(desk: Desk, fid: int, widget: QWidget, where: str) -> None:
 def draw_and_undo(desk: Desk) -> None:
     """A drawn window and its result are one step, from the map."""
     session, count = desk.session, desk.report["placed"]
-    layer = session.window_layer()
-    steps = layer.undoStack().count()
+    steps = session.steps.index()
     desk.dock.draw.trigger()
     center = session.mosaic_layer().extent().center()
     desk.drag((center.x(), center.y()), (center.x() + 6, center.y() - 6))
     desk.wait(lambda: len(session.windows()) == count + 1 and not session.is_busy, 20, "a window is drawn")
     desk.wait(lambda: all(row.verdict for row in session.windows()), 20, "its result is written")
-    assert layer.undoStack().count() == steps + 1
+    assert session.steps.index() == steps + 1
     press(desk, desk.canvas, Qt.Key.Key_Z, CONTROL)
     assert len(session.windows()) == count
     desk.dock.draw.trigger()

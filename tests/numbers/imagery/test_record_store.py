@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import os
 import tempfile
-import threading
 from pathlib import Path
 from typing import Any
 
@@ -12,9 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery import record_store
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.record_store import RecordFiles, RecordFolder, RecordKeeper
-
-from tests.numbers.disks import full_disk
+from seam_inspector.plugin.imagery.record_store import RecordFiles, RecordFolder
 
 KIND = "Tests"
 SAVED = {"a": b"third", "b": b"second", "c": b""}
@@ -58,10 +55,6 @@ def test_no_damage_brings_a_payload_that_nobody_saved(place: int, change: int | 
         (path / "b").write_bytes(whole)
         with pytest.raises(OSError, match="Input/output error"):
             RecordFiles(path).load("b")
-        keeper = RecordKeeper(path, KIND, pytest.fail)
-        assert keeper.all() == {"a": b"third", "c": b""}
-        assert keeper.load("b") is None
-        keeper.close()
 
 
 def test_one_process_at_a_time_and_of_one_thing(tmp_path: Path) -> None:
@@ -101,32 +94,6 @@ def test_a_folder_of_somebody_else_is_left_as_it_is(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["mine"]
 
 
-def test_a_keeper_does_in_turn_what_it_is_asked_and_says_why_it_can_not(tmp_path: Path) -> None:
-    told: list[object] = []
-    keeper = RecordKeeper(tmp_path / "records", KIND, told.append)
-    assert keeper.all() == {}
-    assert not keeper.folder.exists()
-    for turn in range(100):
-        keeper.save(str(turn % 10), lambda turn=turn: b"%d" % turn, is_synced=not turn)
-    assert keeper.load("7") == b"97"
-    assert keeper.holds("7")
-    keeper.close()
-    keeper = RecordKeeper(tmp_path / "records", KIND, told.append)
-    assert len(keeper.all()) == 10
-    keeper.remove()
-    assert not keeper.all()
-    assert not keeper.holds("7")
-    assert not keeper.folder.exists()
-    with full_disk(1):
-        keeper.save("a", lambda: b"payload")
-        keeper.wait(60)
-    assert told == ["File too large"]
-    keeper.save("a", lambda: b"payload")
-    assert keeper.load("a") == b"payload"
-    keeper.close()
-    assert len(told) == 1
-
-
 def test_a_folder_that_is_removed_as_it_is_opened_is_made_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -161,12 +128,6 @@ def test_what_is_no_folder_of_its_own_is_neither_opened_nor_waited_for(tmp_path:
     another(path, kind)
     with pytest.raises(SettingsError, match="something else is there"):
         RecordFolder(path, KIND)
-    told: list[object] = []
-    keeper = RecordKeeper(path, KIND, told.append)
-    keeper.save("a", lambda: b"payload")
-    keeper.remove()
-    keeper.close()
-    assert len(told) == 1
     assert os.path.lexists(path)
     assert held(outside) == (SAVED if kind == "link" else {})
 
@@ -193,23 +154,6 @@ def test_links_and_pipes_among_the_records_lead_nowhere(tmp_path: Path, name: st
         folder.remove()
         assert not path.exists()
     assert outside.read_bytes() == b"mine"
-
-
-def test_who_waits_for_a_while_only_goes_on_while_the_disk_is_busy(tmp_path: Path) -> None:
-    keeper, disk = RecordKeeper(tmp_path / "records", KIND, pytest.fail), threading.Event()
-
-    def payload() -> bytes:
-        disk.wait()
-        return b"late"
-
-    keeper.wait(0)  # nothing was asked yet
-    keeper.save("a", payload)
-    keeper.wait(0.01)
-    assert not disk.is_set()
-    disk.set()
-    keeper.wait(60)
-    assert keeper.load("a") == b"late"
-    keeper.close()
 
 
 def test_of_a_disk_that_is_gone_nothing_is_held_and_saving_says_so(tmp_path: Path) -> None:

@@ -26,10 +26,10 @@ from seam_inspector.plugin.seams.tables import window_layer
 from seam_inspector.plugin.toolkit.layer_styles import field_title
 from tests.qgis.scenes import SHARP, layer, outline
 from tests.qgis.seams.test_window_summary import result
+from tests.qgis.seams.written_results import write_results
 
 drawn = layer("Polygon", [outline(SHARP)])
-window_layer.complete_fields(drawn, 3)
-window_layer.write_results(drawn, {1: result("blur")})
+write_results(drawn, {1: result("blur")})
 (record,) = window_layer.read_layer(drawn)
 assert record.read("roughness") == 0.25
 (column,) = [one for one in CHOSEN_COLUMNS if one.name == "roughness"]

@@ -36,6 +36,7 @@ from tests.numbers.seams.inspecting import block_of, inspect
 from tests.numbers.seams.made_seams import SIDE, as_bytes, blended, inspected, three_images
 from tests.numbers.synthetic import write_raster
 from tests.qgis.scenes import windows
+from tests.qgis.seams.written_results import write_results
 
 Image = np.ndarray
 BLOCK_SIDE = 320
@@ -87,10 +88,7 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> dict[str, WindowResult]
 def rows(qgis_app: QgsApplication, results: dict[str, WindowResult]) -> dict[str, WindowRecord]:
     """Results as a window layer holds them."""
     layer = windows(*[(0, 0, 64, 64)] * len(results))
-    window_layer.complete_fields(layer, 3)
-    fids = sorted(layer.allFeatureIds())
-    window_layer.write_numbers(layer, {fid: number for number, fid in enumerate(fids, 1)})
-    window_layer.write_results(layer, dict(zip(fids, results.values())))
+    write_results(layer, dict(zip(sorted(layer.allFeatureIds()), results.values())))
     read = {row.window_id: row for row in window_layer.read_layer(layer)}
     return {name: read[result.window_id] for name, result in results.items()}
 

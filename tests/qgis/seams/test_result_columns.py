@@ -18,6 +18,7 @@ from seam_inspector.plugin.toolkit.table_fields import column_features, column_f
 
 from tests.qgis.scenes import BLURRED, SHARP, layer, outline, windows
 from tests.qgis.seams.test_window_summary import result
+from tests.qgis.seams.written_results import write_results
 
 RATIOS = Ratios((0.4, 0.7, None), 1.1)
 
@@ -25,10 +26,7 @@ RATIOS = Ratios((0.4, 0.7, None), 1.1)
 def record_of(found: WindowResult) -> WindowRecord:
     """What is read of a window whose result was written into a window layer."""
     drawn = layer("Polygon", [outline(SHARP)])
-    window_layer.complete_fields(drawn, 3)
-    window_layer.write_numbers(drawn, {1: found.window_id})
-    window_layer.write_results(drawn, {1: found})
-    window_layer.write_judgement(drawn, [1], {"observer": "visible"})
+    write_results(drawn, {1: found}, observer="visible")
     (record,) = window_layer.read_layer(drawn)
     return record
 

@@ -1,7 +1,6 @@
 """The window layer: made, completed with fields, edited in steps of undo, saved in the formats that people use."""
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -9,33 +8,26 @@ from qgis.core import (
     NULL,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransformContext,
-    QgsFeature,
-    QgsFields,
     QgsProject,
     QgsRasterLayer,
     QgsVectorFileWriter,
     QgsVectorLayer,
-    QgsWkbTypes,
 )
 from seam_inspector.plugin.imagery.errors import WindowLayerError
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
-from seam_inspector.plugin.seams.tables import window_layer
-from seam_inspector.plugin.seams.tables.window_layer import UNNUMBERED
+from seam_inspector.plugin.seams.tables import window_file, window_layer
+from seam_inspector.plugin.seams.tables.window_file import StoredResult
+from seam_inspector.plugin.seams.tables.window_layer import UNNUMBERED, WindowChange
 from seam_inspector.plugin.toolkit import layers as layer_editing
-from seam_inspector.plugin.toolkit.version_differences import field
 
 from tests.numbers.synthetic import wkt
 from tests.qgis.runs import assert_sentence
 from tests.qgis.scenes import BLURRED, SHARP, UTM33, Scene, layer, outline, windows
 
 CRS, WKT = QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"), wkt(UTM33)
-OLD_FIELDS = (
-    ["window_id", "verdict", "reason", "sources", "ratio_1", "ratio_2", "ratio_3", "background_ratio", "observer"]
-)
-"""Those of a layer that was made before causes were looked for."""
 FIELDS = [
-    *OLD_FIELDS,
+    *("window_id", "verdict", "reason", "sources", "ratio_1", "ratio_2", "ratio_3", "background_ratio", "observer"),
     *("composite_ratio_1", "composite_ratio_2", "composite_ratio_3"),
     *("expected_ratio_1", "expected_ratio_2", "expected_ratio_3", "unclear_share", "cause"),
     *("causes", "reference", "paper_verdict", "kept_1", "kept_2", "kept_3", "kept_low", "kept_high", "band_width"),
@@ -43,6 +35,7 @@ FIELDS = [
     "visibility",
     "misfit",
     *("contrast_1", "sharpness_1", "added_1", "explained", "loss", "reason_code"),
+    *("observer_2", "confidence", "confidence_2", "remark", "remark_2", "seam_id", "station", "origin"),
 ]
 RATIOS = (0.123456789012, 0.9, None)
 
@@ -51,54 +44,43 @@ def result(number: int) -> WindowResult:
     return WindowResult(number, None, Judgement(Verdict.REDUCED, Ratios(RATIOS, 0.97), None), Verdict.REDUCED)
 
 
-def drawn_layer(kind: str, folder: Path) -> QgsVectorLayer:
-    """A layer of one format with a column of the user's own and one window."""
-    fields = QgsFields()
-    fields.append(field("remark", "text"))
-    if kind == "memory":
-        made = layer("Polygon", [outline(SHARP)], remark=("string", ["mine"]))
-    else:
-        options = QgsVectorFileWriter.SaveVectorOptions()
-        options.driverName = kind
-        path = folder / {"GPKG": "drawn.gpkg", "ESRI Shapefile": "drawn.shp", "GeoJSON": "drawn.geojson"}[kind]
-        writer = QgsVectorFileWriter.create(
-            str(path), fields, QgsWkbTypes.Type.Polygon, CRS, QgsCoordinateTransformContext(), options
-        )
-        feature = QgsFeature(fields)
-        feature.setAttributes(["mine"])
-        feature.setGeometry(outline(SHARP))
-        assert writer.addFeature(feature)
-        del writer
-        made = QgsVectorLayer(str(path), "drawn", "ogr")
-    assert made.isValid()
-    return made
+def made_layer(folder: Path, levels: int = 3) -> QgsVectorLayer:
+    path = window_file.write_window_file(WKT, folder, window_file.window_fields(levels))
+    return window_layer.open_window_layer(path)
+
+
+def add(drawn: QgsVectorLayer, *boxes: tuple[int, int, int, int]) -> list[int]:
+    """Windows numbered from 1 on."""
+    made = window_layer.new_windows(drawn, map(outline, boxes), 1, [{"origin": "drawn"}] * len(boxes))
+    return window_layer.write(drawn, WindowChange(added=made), "Add")
 
 
 def test_a_new_layer_has_all_fields_and_a_style(qgis_app: object, tmp_path: Path) -> None:
-    first, second = (
-        window_layer.open_window_layer(window_layer.write_window_file(WKT, levels, tmp_path)) for levels in (3, 2)
-    )
+    first, second = made_layer(tmp_path), made_layer(tmp_path, 2)
     assert first.fields().names() == ["fid", *FIELDS]
     assert "ratio_3" not in second.fields().names()
     assert first.crs() == CRS
     assert first.source() != second.source()
     assert first.renderer().type() != "singleSymbol"
     assert window_layer.holds_windows(first)
+    assert window_layer.is_in_file(first)
+    verdict = first.fields().indexOf("verdict")
+    assert first.attributeAlias(verdict) == "verdict"
+    window_layer.add_levels(second, 4)
+    assert "ratio_4" in second.fields().names()
 
 
 def test_a_layer_that_cant_be_written_is_told(qgis_app: object, tmp_path: Path) -> None:
     (tmp_path / "file").touch()
+    fields = window_file.window_fields(3)
     for folder in (tmp_path / "missing", tmp_path / "file"):
         with pytest.raises(WindowLayerError) as raised:
-            window_layer.write_window_file(WKT, 3, folder)
+            window_file.write_window_file(WKT, folder, fields)
         assert_sentence(str(raised.value), folder.name)
-
-
-def test_windows_of_no_system_are_not_written_as_degrees(qgis_app: object, tmp_path: Path) -> None:
-    with pytest.raises(WindowLayerError) as raised:
-        window_layer.write_window_file("", 3, tmp_path)
+    with pytest.raises(WindowLayerError) as raised:  # windows of no system are not written as degrees
+        window_file.write_window_file("", tmp_path, fields)
     assert_sentence(str(raised.value), "reference system")
-    assert not list(tmp_path.iterdir())
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 
 def test_only_polygons_hold_windows(qgis_app: object, scene: Scene) -> None:
@@ -107,73 +89,64 @@ def test_only_polygons_hold_windows(qgis_app: object, scene: Scene) -> None:
     assert window_layer.holds_windows(layer("MultiPolygon", []))
 
 
-@pytest.mark.parametrize("kind", ["GPKG", "ESRI Shapefile", "GeoJSON", "memory"])
-def test_what_is_written_is_saved_whatever_the_format(project: QgsProject, tmp_path: Path, kind: str) -> None:
-    drawn = drawn_layer(kind, tmp_path)
-    drawn.startEditing()
-    unsaved = QgsFeature(drawn.fields())
-    unsaved.setGeometry(outline(BLURRED))
-    unsaved["remark"] = "new"
-    assert drawn.addFeature(unsaved)
-    renewed = window_layer.complete_fields(drawn, 3)
-    assert list(renewed) == [unsaved.id()]
-    assert window_layer.complete_fields(drawn, 3) == {}
-    verdict = drawn.fields().indexOf("verdict")
-    assert drawn.attributeAlias(verdict) == "verdict"
-    assert {"significant loss": "significant"} in drawn.editorWidgetSetup(verdict).config()["map"]
-    fids = sorted(row.fid for row in window_layer.read_layer(drawn))
-    window_layer.write_numbers(drawn, {fid: number for number, fid in enumerate(fids, 1)})
-    window_layer.write_results(drawn, {fid: result(number) for number, fid in enumerate(fids, 1)})
-    window_layer.write_judgement(drawn, fids[:1], {"observer": "visible"})
-    before = {row.window_id: row for row in window_layer.read_layer(drawn)}
-    assert drawn.commitChanges(), drawn.commitErrors()
-    after = {row.window_id: row for row in window_layer.read_layer(drawn)}
-    assert set(after) == set(before) == {1, 2}
-    for number, row in after.items():
-        assert row.verdict == "reduced"
-        assert row.ratios[:2] == pytest.approx(RATIOS[:2])
-        assert row.ratios[2] is None
-        assert row.background_ratio == (None if kind == "ESRI Shapefile" else 0.97)  # its names are short
-        assert row.observer == before[number].observer
-        assert row.extent == pytest.approx(before[number].extent)
-    assert {feature["remark"] for feature in drawn.getFeatures()} == {"mine", "new"}
-
-
-def test_fields_are_one_step_of_undo(project: QgsProject) -> None:
-    drawn = layer("Polygon", [outline(SHARP)])
-    window_layer.complete_fields(drawn, 3)
-    assert drawn.fields().names() == FIELDS
-    assert drawn.undoStack().count() == 1
-    window_layer.complete_fields(drawn, 5)
-    assert "ratio_5" in drawn.fields().names()
-    drawn.undoStack().undo()
-    drawn.undoStack().undo()
-    assert drawn.fields().names() == []
-
-
-def test_a_layer_from_before_causes_is_read_as_it_is_and_completed(project: QgsProject) -> None:
-    values = [7, "reduced", None, 2, 0.8, 0.9, 0.95, 1.0, "visible"]
-    kinds = ["integer", "string", "string", "integer", *["double"] * 4, "string"]
-    old = windows(SHARP, **{name: (kind, [value]) for name, kind, value in zip(OLD_FIELDS, kinds, values)})
-    (before,) = window_layer.read_layer(old)
-    assert (before.window_id, before.verdict, before.sources) == (7, "reduced", 2)
-    assert (before.ratios, before.background_ratio, before.observer) == ((0.8, 0.9, 0.95), 1.0, "visible")
-    window_layer.complete_fields(old, 3)
-    assert old.fields().names() == FIELDS
-    (same,) = window_layer.read_layer(old)
-    assert replace(same, composite_ratios=(), expected_ratios=(), kept=()) == before
-    window_layer.write_results(old, {before.fid: result(7)})
-    (after,) = window_layer.read_layer(old)
-    assert (after.ratios[:2], after.observer) == (RATIOS[:2], "visible")
+@pytest.mark.parametrize("is_edited", [False, True])
+def test_what_is_written_is_in_the_file_or_among_the_edits(
+    project: QgsProject, tmp_path: Path, is_edited: bool
+) -> None:
+    drawn = made_layer(tmp_path)
+    told: list[str] = []
+    for name in ("featureAdded", "featureDeleted", "attributeValueChanged"):
+        getattr(drawn, name).connect(lambda *_, name=name: told.append(name))
+    if is_edited:
+        drawn.startEditing()
+    first, second, third = add(drawn, SHARP, BLURRED, SHARP)
+    window_layer.write(drawn, WindowChange(removed=[third]), "Remove")
+    values = {"observer": "visible", "nowhere": 1, **window_layer.measured_values(drawn, result(1))}
+    window_layer.write(drawn, WindowChange({first: values}), "Judge")
+    names = ["verdict", "observer", "nowhere"]
+    assert window_layer.held_values(drawn, [first, second], names) == {
+        first: {"verdict": "reduced", "observer": "visible"}, second: {"verdict": None, "observer": None}
+    }
+    assert {"featureAdded", "featureDeleted", "attributeValueChanged"} <= set(told)
+    saved = QgsVectorLayer(drawn.source(), "saved", "ogr")
+    assert saved.featureCount() == (0 if is_edited else 2)
+    if is_edited:
+        assert drawn.undoStack().count() == 3
+        assert drawn.commitChanges(), drawn.commitErrors()
+    row, other = window_layer.read_layer(drawn)
+    assert (row.verdict, row.observer, row.ratios, row.background_ratio) == ("reduced", "visible", RATIOS, 0.97)
+    assert (other.verdict, other.window_id) == ("", 2)
 
 
 def test_ratios_of_more_levels_go_when_fewer_are_written(project: QgsProject) -> None:
     stale = {f"{kind}ratio_{level}": ("double", [0.5]) for kind in ("", "composite_", "expected_") for level in (1, 4)}
     drawn = windows(SHARP, window_id=("integer", [1]), ratio_x=("double", [0.25]), **stale)  # type: ignore[arg-type]
-    window_layer.write_results(drawn, {1: result(1)})
+    window_layer.write(drawn, WindowChange({1: window_layer.measured_values(drawn, result(1))}), "Inspect")
     (feature,) = drawn.getFeatures()
     assert [feature[name] for name in stale if name.endswith("_4")] == [NULL] * 3
     assert feature["ratio_x"] == 0.25  # not one of ours
+
+
+@pytest.mark.parametrize("kind", ["GPKG", "ESRI Shapefile", "GeoJSON", "memory"])
+def test_windows_of_any_format_are_copied_with_all_they_say(project: QgsProject, tmp_path: Path, kind: str) -> None:
+    said = {"window_id": ("integer", [4]), "verdict": ("string", ["reduced"]), "ratio_1": ("double", [0.8])}
+    made = windows(SHARP, **said, soil=("string", ["loam"]), seen=("date", ["2019-07-04"]))
+    if kind != "memory":
+        options = QgsVectorFileWriter.SaveVectorOptions()
+        options.driverName = kind
+        path = tmp_path / {"GPKG": "drawn.gpkg", "ESRI Shapefile": "drawn.shp", "GeoJSON": "drawn.geojson"}[kind]
+        QgsVectorFileWriter.writeAsVectorFormatV3(made, str(path), QgsCoordinateTransformContext(), options)
+        made = QgsVectorLayer(str(path), "drawn", "ogr")
+        made.setCrs(CRS)
+    assert not window_layer.is_in_file(made)
+    copied = window_layer.open_window_layer(window_layer.copy_to_file(made, 3, "", tmp_path))
+    assert window_layer.is_in_file(copied)
+    (row,) = window_layer.read_layer(copied)
+    assert (row.window_id, row.verdict, row.ratio) == (4, "reduced", pytest.approx(0.8))
+    (feature,) = copied.getFeatures()
+    assert (feature["soil"], feature["seen"]) == ("loam", "2019-07-04")
+    assert row.extent == pytest.approx(window_layer.read_layer(made)[0].extent)
+    assert set(FIELDS) <= set(copied.fields().names())
 
 
 def test_rows_of_a_layer_without_our_fields(project: QgsProject) -> None:
@@ -213,54 +186,38 @@ def test_a_step_that_fails_leaves_nothing(project: QgsProject) -> None:
     assert not drawn.isEditCommandActive()
 
 
-def test_a_layer_that_cant_be_edited_is_told(project: QgsProject) -> None:
-    locked = windows(SHARP, window_id=("integer", [1]))
+def test_a_layer_that_cant_be_written_to_is_told(project: QgsProject, tmp_path: Path) -> None:
+    locked = made_layer(tmp_path)
+    add(locked, SHARP)
     locked.setReadOnly(True)
-    for change in (
-        lambda: window_layer.complete_fields(locked, 3),
-        lambda: window_layer.write_judgement(locked, [1], {"observer": "visible"}),
-        lambda: window_layer.remove_windows(locked, [1]),
-        lambda: list(window_layer.add_windows(locked, [outline(BLURRED)], 2)),
-    ):
+    for change in (WindowChange({1: {"observer": "visible"}}), WindowChange(removed=[1])):
         with pytest.raises(WindowLayerError) as raised:
-            change()
+            window_layer.write(locked, change, "Judge")
         assert_sentence(str(raised.value), "can't be edited")
+    with pytest.raises(WindowLayerError):
+        add(locked, BLURRED)
     assert locked.featureCount() == 1
 
 
-@pytest.mark.parametrize("kind", ["memory", "GPKG"])
-def test_what_operators_say_is_kept_and_survives_another_inspection(
-    project: QgsProject, tmp_path: Path, kind: str
-) -> None:
-    """The fields come when they are used, in a layer with a feature that is not saved yet, too."""
-    drawn = drawn_layer(kind, tmp_path)
-    drawn.startEditing()
-    window_layer.complete_fields(drawn, 3)
-    unsaved = QgsFeature(drawn.fields())
-    unsaved.setGeometry(outline(BLURRED))
-    assert drawn.addFeature(unsaved)
-    assert "observer_2" not in drawn.fields().names()
-    said = {"observer_2": "unsure", "confidence_2": 70, "remark_2": "by the kerb"}
-    window_layer.complete_fields(drawn, 3, said)
-    assert "confidence" not in drawn.fields().names()
-    rows = window_layer.read_layer(drawn)
-    window_layer.write_numbers(drawn, {row.fid: number for number, row in enumerate(rows, 1)})
-    window_layer.write_judgement(drawn, [row.fid for row in rows], said)
-    assert drawn.commitChanges(False), drawn.commitErrors()
-    fids = [row.fid for row in window_layer.read_layer(drawn)]
-    window_layer.write_results(drawn, {fid: result(number) for number, fid in enumerate(fids, 1)})
-    assert drawn.commitChanges(), drawn.commitErrors()
-    for row in window_layer.read_layer(drawn):
-        assert (row.observer_2, row.confidence_2, row.remark_2) == ("unsure", 70, "by the kerb")
-        assert (row.verdict, row.observer, row.is_judged) == ("reduced", "", False)
-
-
-def test_a_field_that_a_file_cant_hold_is_told(project: QgsProject, tmp_path: Path) -> None:
-    drawn = drawn_layer("ESRI Shapefile", tmp_path)
-    drawn.startEditing()
-    window_layer.complete_fields(drawn, 3, ["confidence_2"])
-    with pytest.raises(WindowLayerError, match="confidence_2"):
-        window_layer.write_judgement(drawn, [1], {"confidence_2": 70})
+def test_what_is_stored_of_a_window_is_found_and_replaced(project: QgsProject, tmp_path: Path) -> None:
+    path = window_file.write_window_file(WKT, tmp_path, window_file.window_fields(3))
+    assert window_file.fingerprints(path) == {}
+    for mark in ("first", "second"):
+        window_file.store(path, [StoredResult(1, mark, result(1)), StoredResult(2, mark, result(2))])
+    window_file.store(path, [StoredResult(2, "third")])
+    assert window_file.fingerprints(path) == {1: "second", 2: "third"}
+    assert window_file.load_result(path, 2) == result(2)
+    assert window_file.load_result(path, 3) is None
+    mosaic = window_file.KnownMosaic("/a b/mosaic.tif", "content")
+    window_file.note_mosaic(path, mosaic)
+    copied = tmp_path / "it's a copy.gpkg"
+    window_file.copy_file(path, copied)
+    assert window_file.known_mosaic(copied) == mosaic
+    assert window_file.fingerprints(copied) == {1: "second", 2: "third"}
+    with pytest.raises(WindowLayerError):
+        window_file.copy_file(path, tmp_path / "no" / "folder.gpkg")
+    with pytest.raises(WindowLayerError):
+        window_file.store(tmp_path / "nothing.gpkg", [])
 
 
 def test_where_a_window_stands_on_its_seam_is_read(project: QgsProject) -> None:

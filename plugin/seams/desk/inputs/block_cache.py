@@ -2,10 +2,12 @@
 from __future__ import annotations
 
 import contextlib
+import hashlib
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -42,15 +44,8 @@ from ...measure.source_images import Source
 from ...measure.window.window_request import InspectionSettings, WindowRequest
 from ...measure.window_records import WindowRecord
 from ...tables import input_layers, window_layer
+from ...tables.window_file import KnownMosaic
 from .project_inputs import Inputs
-
-
-class KnownMosaic(NamedTuple):
-    """A mosaic that is known again."""
-
-    path: str
-    content: str
-    """``content_of`` its files: a copy elsewhere is the same mosaic, another one at the same path is not."""
 
 
 class BlockCache(QObject):
@@ -69,7 +64,7 @@ class BlockCache(QObject):
         self._seen: dict[str, tuple[str, str]] = {}
         self._indexed: dict[str, tuple[Source, ...]] = {}  # of source indexes, which may vanish
         self._cells: dict[str, tuple[Cell, ...]] = {}  # likewise
-        self._states: dict[object, int] = {}
+        self._states: dict[object, str] = {}
         self.doubt: Message | None = None
         """Why the mosaic is not for the windows that are looked at."""
         self.forget()
@@ -182,21 +177,33 @@ class BlockCache(QObject):
         """The block; None when there is none, or not yet."""
         return self._block if self.problem() is None else None
 
-    def state(self) -> int | None:
-        """The number of the present state of all that a result depends on; None while that is not known.
+    def state(self) -> str | None:
+        """The fingerprint of all that a result depends on; None while that is not known.
 
-        Equal states have equal numbers, so results are up to date again when a change is taken back. A source that was
-        removed counts no more; any other layer that vanished counts as it was.
+        Equal inputs have equal fingerprints, so results are up to date again when a change is taken back, and wherever
+        mosaic and sources were moved to together. A source that was removed counts no more; any other layer that
+        vanished counts as it was.
         """
         inputs = self.inputs
-        indexed = self._of_layer(self._indexed, inputs.source_index)
+        mosaic, indexed = self._seen_place(inputs.mosaic), self._of_layer(self._indexed, inputs.source_index)
         cells = self._of_layer(self._cells, inputs.cells)
-        if not inputs.mosaic or indexed is None or cells is None:
+        if mosaic is None or indexed is None or cells is None:
             return None
-        sources = tuple(self.seen(name) for name in inputs.sources if self._project.mapLayer(name) is not None)
-        _, windows_crs = self.seen(inputs.windows)
-        state = self.seen(inputs.mosaic), sources, indexed, cells, self.settings(), windows_crs
-        return self._states.setdefault(state, len(self._states))
+        folder = os.path.dirname(mosaic[0])
+        places = [self.seen(name) for name in inputs.sources if self._project.mapLayer(name) is not None]
+        sources = [(_from(folder, path), crs) for path, crs in places]
+        windows_crs = (self._seen_place(inputs.windows) or ("", ""))[1]
+        state = mosaic[0], mosaic[1], tuple(sources), indexed, cells, self.settings(), windows_crs
+        if state not in self._states:
+            listed = [(_from(folder, one.ref.path), one.extent) for one in indexed]
+            said = os.path.basename(mosaic[0]), mosaic[1], sources, listed, cells, self.settings(), windows_crs
+            self._states[state] = hashlib.sha256(repr(said).encode()).hexdigest()
+        return self._states[state]
+
+    def _seen_place(self, layer_id: str) -> tuple[str, str] | None:
+        """``seen`` of a layer that was; None of another."""
+        place = self.seen(layer_id)
+        return place if layer_id in self._seen else None
 
     def _of_layer(self, found: Mapping[str, tuple[Any, ...]], layer_id: str) -> tuple[Any, ...] | None:
         """What was read from a layer, nothing where there is none; None while it is not read yet."""
@@ -272,6 +279,14 @@ class BlockCache(QObject):
         if layer.crs() != crs:  # the box of a polygon that is not upright there is too large
             shapes = window_layer.read_shapes(layer, [row.fid for row in rows])
         return _requests(block, list(rows), shapes, transform, self.settings())
+
+
+def _from(folder: str, path: str) -> str:
+    """The way to a file from a folder, which stays when both are moved; other sources as they are."""
+    try:
+        return os.path.relpath(path, folder) if os.path.isabs(path) else path
+    except ValueError:  # on another drive
+        return path
 
 
 def _requests(

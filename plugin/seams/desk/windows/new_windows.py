@@ -1,16 +1,18 @@
-"""Windows come into being: drawn one by one or placed along the seams, and the layer that holds them.
+"""Windows come into being: drawn one by one, placed along the seams or found by a scan, and the file that holds them.
 
-All of that belongs to the interface's thread, and QGIS takes some 20 ms to write a GeoPackage, to open it, and to start
-its editing; so it is done in steps, between which the interface has its turn.
+All of that belongs to the interface's thread, and QGIS takes some 20 ms to write a GeoPackage and to open it; so it is
+done in steps, between which the interface has its turn.
 """
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsGeometry, QgsProject
+from qgis.core import QgsGeometry, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import Message, SeamInspectorError
@@ -19,19 +21,36 @@ from ....toolkit import layers
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.message_bar import write_log
 from ....toolkit.desk.widgets import single_shot
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ... import jobs
 from ...measure import messages
 from ...measure.inspection import Block
-from ...measure.window_placing import Placement
-from ...tables import window_layer
+from ...measure.window_placing import PlacedWindow, Placement
+from ...measure.window_records import WindowRecord
+from ...tables import window_file, window_layer
 from .. import messages as keeping_messages
 from ..inputs.block_cache import BlockCache
-from ..keeping import home_of
+from ..window_home import WindowHome
+from .window_steps import PresenceStep, WindowSteps
 from .window_watch import WindowWatch
 
 _PLACING = "placing"
-_AT_ONCE = 25  # windows added in one step, some 10 ms with all that follows them
+DRAWN, PLACED, SCAN = "drawn", "placed", "scan"
+"""Where a window comes from: ``origin``."""
+_SAME_PLACE = 0.5  # of the smaller of two windows: more of it was looked at than not when the other was judged
+_SAME = 0.999  # of it: coordinates are rounded where files and reference systems change
+
+
+_AT_ONCE = 50  # windows added, some 20 ms with all that follows them; then the interface has its turn
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a window is to be, in the reference system of the window layer."""
+
+    outline: QgsGeometry
+    known: Mapping[str, object]
+    """What is known of it, by the fields' names."""
 
 
 class NewWindows(QObject):
@@ -39,18 +58,23 @@ class NewWindows(QObject):
 
     layerMade = pyqtSignal(str)
     """Id of a new window layer in the project, to be followed from now on."""
+    scanned = pyqtSignal(list)
+    """Feature ids of the windows at the worst places of a scan, worst first."""
     drawn = pyqtSignal(list)
     """Feature ids of windows that are to be inspected at once."""
     told = pyqtSignal(object)
     """A Message."""
 
     def __init__(
-        self, project: QgsProject, block: BlockCache, watch: WindowWatch, background: BackgroundTasks, parent: QObject
+        self, home: WindowHome, block: BlockCache, watch: WindowWatch, steps: WindowSteps, background: BackgroundTasks,
+        parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._project = project
+        self._home = home
+        self._project = QgsProject.instance()
         self._block = block
         self._watch = watch
+        self._steps = steps
         self._background = background
         self._waiting: deque[Iterator[None]] = deque()
         self._is_at_work = False
@@ -84,6 +108,14 @@ class NewWindows(QObject):
         """Add windows of these outlines, in the mosaic's reference system, to a new layer."""
         self._start(self._copying(outlines))
 
+    def add_scanned(self, places: QgsVectorLayer) -> None:
+        """Take the worst places of a scan, and go to the first; one that shares most with a judged window is that."""
+        self._start(self._scanning(places))
+
+    def copy_file(self) -> None:
+        """Copy the windows of another format into a windows file, which is followed from then on."""
+        self._start(self._converting())
+
     def abandon(self) -> None:
         """What is under way is of a layer that is followed no more; a layer that is just being taken over is ours."""
         if self._is_at_work:
@@ -97,33 +129,78 @@ class NewWindows(QObject):
     def _drawing(self, window: PixelWindow) -> Iterator[None]:
         yield from self._with_layer(block := self._block.required())
         found = [fid for fid in self._there(block, [window]) if fid is not None]
-        self.drawn.emit(found or [fid for fids in self._added(self._outlines(block, [window]), 0) for fid in fids])
+        places = [Place(outline, {"origin": DRAWN}) for outline in self._outlines(block, [window])]
+        words = filled(tr("drawing window {number}"), number=self._watch.next_number)
+        self.drawn.emit(found or [fid for fids in self._added(places, words) for fid in fids])
 
     def _copying(self, outlines: Sequence[QgsGeometry]) -> Iterator[None]:
         yield from self._with_layer(self._block.required())
-        for _ in self._added(outlines, _AT_ONCE):
+        places = [Place(outline, {"origin": DRAWN}) for outline in outlines]
+        for _ in self._added(places, filled(tr("copying {count} windows"), count=len(places))):
             yield
 
     def _placing(self, mosaic: str, placement: Placement) -> Iterator[None]:
         if mosaic != self._block.inputs.mosaic:
             return
-        found = [placed.window for placed in placement.windows]
-        windows = found
+        found = placement.windows
+        new: list[PlacedWindow] = list(found)
         if found:
             yield from self._with_layer(block := self._block.required())
-            windows = [one for one, there in zip(found, self._there(block, found)) if there is None]
-            for _ in self._added(self._outlines(block, windows), _AT_ONCE):
+            there = self._there(block, [one.window for one in found])
+            new = [one for one, fid in zip(found, there) if fid is None]
+            known = [{"origin": PLACED, "seam_id": one.seam_id, "station": one.station_m} for one in new]
+            places = map(Place, self._outlines(block, [one.window for one in new]), known)
+            for _ in self._added(list(places), filled(tr("placing {count} windows"), count=len(new))):
                 yield
         write_log(placement.dropped)
-        self.told.emit(_placed_message(len(windows), len(found) - len(windows), placement.dropped))
+        self.told.emit(_placed_message(len(new), len(found) - len(new), placement.dropped))
+
+    def _scanning(self, worst: QgsVectorLayer) -> Iterator[None]:
+        block = self._block.required()
+        yield from self._with_layer(block)
+        layer = self._watch.own()
+        assert layer is not None
+        features = sorted(worst.getFeatures(), key=lambda one: one["window_id"])
+        outlines = self._block.shapes(worst, [one.id() for one in features], layer.crs())
+        rows = [row for row in self._watch.rows() if row.extent]
+        there = [_same_place(rows, layers.extent(outline)) for outline in outlines]
+        places = [
+            Place(outline, {"origin": SCAN, "seam_id": one["seam_id"], "station": one["station"]})
+            for one, outline, fid in zip(features, outlines, there) if fid is None
+        ]  # fmt: skip
+        parts = self._added(places, filled(tr("adding {count} places of a scan"), count=len(places)))
+        new = iter([fid for fids in parts for fid in fids])
+        fids = [next(new) if fid is None else fid for fid in there]
+        self.told.emit(keeping_messages.PLACES_TAKEN(count=len(places), there=len(fids) - len(places)))
+        self.scanned.emit(fids)
+
+    def _converting(self) -> Iterator[None]:
+        layer, block = self._watch.layer, self._block.silent()
+        if layer is None:
+            return
+        wkt = block.mosaic.wkt if block is not None else ""
+        path = window_layer.copy_to_file(layer, self._block.inputs.levels, wkt, self._home.folder)
+        yield
+        if (node := self._project.layerTreeRoot().findLayer(layer.id())) is not None:
+            node.setItemVisibilityChecked(False)  # both would be labelled
+        yield from self._opened(path)
+        rows, state = [row for row in self._watch.rows() if row.verdict], self._block.state()
+        if rows and state is not None:  # what they say is taken for what is so
+            self._watch.prepare([row.fid for row in rows], 0)
+            marks = {row.window_id: window_file.fingerprint(row, state) for row in rows}
+            window_file.add_fingerprints(path, marks)
+            self._watch.note_fingerprints(marks)
 
     def _with_layer(self, block: Block) -> Iterator[None]:
         """Make the window layer when there is none."""
-        if self._watch.layer is not None:
-            return
-        folder = home_of(self._project)
-        path = window_layer.write_window_file(block.mosaic.wkt, self._block.inputs.levels, folder)
-        yield
+        if self._watch.own() is None:
+            fields = window_file.window_fields(self._block.inputs.levels)
+            path = window_file.write_window_file(block.mosaic.wkt, self._home.folder, fields)
+            yield
+            yield from self._opened(path)
+
+    def _opened(self, path: Path) -> Iterator[None]:
+        self._home.hold(path)
         made = window_layer.open_window_layer(path)
         yield
         self._project.addMapLayer(made)
@@ -131,8 +208,6 @@ class NewWindows(QObject):
             self.told.emit(keeping_messages.WINDOWS_KEPT_MEANWHILE(path=path))
         yield
         self.layerMade.emit(made.id())
-        yield
-        layers.start_editing(made)
         yield
 
     def _there(self, block: Block, windows: Sequence[PixelWindow]) -> list[int | None]:
@@ -148,12 +223,21 @@ class NewWindows(QObject):
         assert layer is not None
         return self._block.outlines(block, layer, windows)
 
-    def _added(self, outlines: Sequence[QgsGeometry], at_once: int) -> Iterator[list[int]]:
-        layer = self._watch.layer
-        assert layer is not None
-        with layers.edit_step(layer, tr("Add windows")):
+    def _added(self, places: Sequence[Place], words: str) -> Iterator[list[int]]:
+        """Add windows as one step of undo, some at once; yields their feature ids each time."""
+        layer, step = self._watch.own(), PresenceStep()
+        for start in range(0, len(places) if layer is not None else 0, _AT_ONCE):
+            assert layer is not None
+            part = places[start : start + _AT_ONCE]
             self._watch.prepare([], self._block.inputs.levels)
-            yield from window_layer.add_windows(layer, outlines, self._watch.next_number, at_once)
+            outlines, known = [one.outline for one in part], [one.known for one in part]
+            made = window_layer.new_windows(layer, outlines, self._watch.next_number, known)
+            numbers = step.come(layer, made, words)
+            if not start:
+                self._steps.note(step, words)
+            yield [row.fid for row in map(self._watch.numbered, numbers) if row is not None]
+            if step.is_undone:
+                return
 
     def _take(self, mosaic: str, placement: Any) -> None:
         self._start(self._placing(mosaic, placement))
@@ -185,6 +269,24 @@ class NewWindows(QObject):
 def _in_pixels(extent: Extent, origin: Extent, pixel: float) -> tuple[int, ...]:
     """Where a window lies from another one on the same grid, to the next pixel: files round coordinates."""
     return tuple(round((edge - start) / pixel) for edge, start in zip(extent, origin))
+
+
+def _same_place(rows: Sequence[WindowRecord], place: Extent) -> int | None:
+    """The window that is at a place already: the same, or one that was judged and shares most of it."""
+    for row in rows:
+        assert row.extent is not None
+        width = min(row.extent[2], place[2]) - max(row.extent[0], place[0])
+        height = min(row.extent[3], place[3]) - max(row.extent[1], place[1])
+        if width > 0 and height > 0:
+            shared = width * height / min(_area(row.extent), _area(place))
+            is_judged = bool(row.observer or row.observer_2)
+            if shared > (_SAME_PLACE if is_judged else _SAME):
+                return row.fid
+    return None
+
+
+def _area(extent: Extent) -> float:
+    return (extent[2] - extent[0]) * (extent[3] - extent[1])
 
 
 def _placed_message(count: int, there: int, dropped: Sequence[Message]) -> Message:

@@ -1,14 +1,16 @@
-"""Inspection in the background: what was asked for, what has come, and when it is written into the window layer."""
+"""Inspection in the background: what was asked for, what has come, and its writing into the windows file."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from itertools import islice
-from typing import Any
+from typing import Any, NamedTuple
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError
+from ....imagery.grids import Extent
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
@@ -16,18 +18,31 @@ from ... import jobs
 from ...measure.window.measured_window import MeasureWindow, measure_window
 from ...measure.window.source_use import SourceUse, source_use
 from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
-from ...tables import window_layer
+from ...measure.window_records import WindowRecord
+from ...tables import window_file, window_layer
+from ...tables.window_layer import WindowChange
+from ...window_summary import is_same
 from ..inputs.block_cache import BlockCache
-from ..keeping import Keeping
-from .window_watch import Version, WindowWatch
+from .window_steps import ValuesStep, WindowSteps, words_of
+from .window_watch import WindowWatch
 
 MOST_HELD = 500
-"""Results in memory, of 30 to 150 kB each; others are read from the file beside the layer when somebody asks."""
-_WRITE_MS = 1000  # results of a long run are written together: all that show windows follow each time
+"""Results in memory, of 30 to 150 kB each; others are read from the file when somebody asks."""
+_WRITE_MS = 150  # at least, from one writing to the next: those of a long run are written together
+_AT_ONCE, _PAUSE_MS = 3, 20  # results, of some 12 ms each; then the interface has its turn
+
+
+class _Version(NamedTuple):
+    """What a result is of."""
+
+    extent: Extent | None
+    """Where the window lay."""
+    inputs: str
+    """Their fingerprint."""
 
 
 class WindowResults(QObject):
-    """Results by window number, since feature ids change when the layer is saved."""
+    """Results by window number, since feature ids change where the layer is edited with QGIS's tools."""
 
     arrived = pyqtSignal(int)
     """Feature id of a window that has its result now."""
@@ -39,41 +54,40 @@ class WindowResults(QObject):
     """Steps done and asked for; (0, 0) when all is done and written."""
 
     def __init__(
-        self,
-        block: BlockCache,
-        watch: WindowWatch,
-        background: BackgroundTasks,
-        keeping: Keeping,
-        parent: QObject,
-        measure: MeasureWindow = measure_window,
+        self, block: BlockCache, steps: WindowSteps, watch: WindowWatch, background: BackgroundTasks,
+        parent: QObject, measure: MeasureWindow = measure_window,
     ) -> None:
         """``measure``: how the pixels of a single window are measured."""
         super().__init__(parent)
         self._measure = measure
         self._block = block
+        self._steps = steps
         self._watch = watch
         self._background = background
-        self._keeping = keeping
         self._results: dict[int, WindowResult] = {}  # the last asked for last
         self._uses: dict[int, SourceUse] = {}  # of all windows that have a result
         self._clips: dict[int, WindowClips] = {}  # of windows whose results are still to come
-        self._versions: dict[int, Version] = {}  # of the results
         self._unwritten: dict[int, WindowResult] = {}
-        self._waiting: dict[int, Version] = {}
-        self._writer = single_shot(self, self.write, _WRITE_MS)
+        self._waiting: dict[int, _Version] = {}
+        self._versions: dict[int, _Version] = {}  # of results that are not written
+        self._inspections: dict[int, ValuesStep] = {}  # that the results are of, where they can be undone
+        self._writer = single_shot(self, self._write_more, _WRITE_MS)
         background.progressChanged.connect(self._progress)
-        watch.windowsChanged.connect(self._bring_back)
+        watch.windowsChanged.connect(self._write_more)  # one that was undone while it was measured may be back
 
     def result(self, window_id: int) -> WindowResult | None:
         """What was measured, now or before the project was opened; None while it is being measured anew."""
-        if window_id in self._results:
-            self._results[window_id] = found = self._results.pop(window_id)
-            return found
         row = None if window_id in self._waiting else self._watch.numbered(window_id)
-        if row is None or (file := self._keeping.results) is None or (kept := file.result(row)) is None:
+        if row is None:
             return None
-        self._hold(window_id, kept)
-        return kept
+        found = self._results.pop(window_id, None)
+        if found is None and row.verdict and self._watch.path is not None:
+            found = window_file.load_result(self._watch.path, window_id)
+        if found is not None and window_id not in self._unwritten and not _is_of(found, row):
+            return None
+        if found is not None:
+            self._hold(window_id, found)
+        return found
 
     def source_uses(self) -> list[SourceUse]:
         """Uses of sources in all windows whose results came or were asked for."""
@@ -87,52 +101,87 @@ class WindowResults(QObject):
         """Whether a window is being inspected, or its result not written yet."""
         return window_id in self._waiting or window_id in self._unwritten
 
-    def inspect(self, fids: Sequence[int]) -> None:
-        """Inspect windows, those left out that are being inspected already.
+    def inspect(self, fids: Sequence[int], is_step: bool = True) -> None:
+        """Inspect windows, those left out that are being inspected already. ``is_step``: as a step of undo.
 
         Raises SeamInspectorError when the inputs or the layer do not allow it.
         """
-        layer = self._watch.layer
-        if layer is None or not fids:
+        if self._watch.layer is None or not fids:
             return
         block = self._block.required()
         self._block.settings().check()
-        state = self._block.state()
-        fids = self._watch.prepare(fids, self._block.inputs.levels)
+        layer = self._watch.own()
+        assert layer is not None
+        state = self._block.state() or ""
+        self._watch.prepare(fids, self._block.inputs.levels)
         rows = [row for row in map(self._watch.row, fids) if row is not None]
-        rows = [row for row in rows if self._waiting.get(row.window_id) != Version(row.extent, state)]
-        if rows:
-            asked = {row.window_id: Version(row.extent, state) for row in rows}
-            self._waiting.update(asked)
-            for number in asked:
-                for kept in (self._results, self._uses, self._clips):
-                    kept.pop(number, None)
-            job = jobs.inspection_job(self._block.requests(block, layer, rows), len(rows), self._measure)
-            self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
+        rows = [row for row in rows if self._waiting.get(row.window_id) != _Version(row.extent, state)]
+        if not rows:
+            return
+        if is_step:
+            self._note_step(rows)
+        asked = {row.window_id: _Version(row.extent, state) for row in rows}
+        self._waiting.update(asked)
+        for number in asked:
+            for kept in (self._results, self._uses, self._clips):
+                kept.pop(number, None)
+        job = jobs.inspection_job(self._block.requests(block, layer, rows), len(rows), self._measure)
+        self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
+
+    def _note_step(self, rows: Sequence[WindowRecord]) -> None:
+        layer = self._watch.own()
+        assert layer is not None
+        names = window_layer.measured_names(layer)
+        held = window_layer.held_values(layer, [row.fid for row in rows], names)
+        step = ValuesStep({row.window_id: held[row.fid] for row in rows}, {})
+        step.marks_before = {
+            row.window_id: self._watch.fingerprints[row.window_id]
+            for row in rows if row.window_id in self._watch.fingerprints
+        }  # fmt: skip
+        self._inspections.update(dict.fromkeys(step.before, step))
+        self._steps.note(step, words_of(rows, tr("inspecting window {number}"), tr("inspecting {count} windows")))
 
     def write(self) -> None:
-        """Write what has come; it is no step of undo. What is outdated by now is written too, and stale."""
-        layer, unwritten = self._watch.layer, self._unwritten
-        if layer is None or not unwritten:
-            return
-        if layer.isEditCommandActive():  # the operator is in the middle of a change
-            self._writer.start()
-            return
-        self._unwritten = {}
+        """Write all that has come for windows that are there."""
+        while self._write_some():
+            pass
+
+    def _write_some(self) -> bool:
+        """Write some results: into the layer first, so that a window is known to be stale if nothing more is written.
+        Whether there was any."""
+        layer, path = self._watch.layer, self._watch.path
+        rows = [row for row in map(self._watch.numbered, self._unwritten) if row is not None][:_AT_ONCE]
+        if layer is None or path is None or not rows or layer.isEditCommandActive():
+            return False
+        unwritten = {row.window_id: self._unwritten.pop(row.window_id) for row in rows}
+        rows = [row for row in rows if not self._is_undone(row.window_id)]
+        values = {row.fid: window_layer.measured_values(layer, unwritten[row.window_id]) for row in rows}
         try:
-            rows = map(self._watch.numbered, unwritten)
-            found = {row.fid: unwritten[row.window_id] for row in rows if row is not None}
-            if found:
-                window_layer.write_results(layer, found)
+            window_layer.write(layer, WindowChange(values), tr("Inspect windows"))
+            stored, marks = [], {}
+            for row in filter(None, map(self._watch.row, values)):
+                number = row.window_id
+                extent, inputs = self._versions[number]
+                marks[number] = window_file.fingerprint(replace(row, extent=extent), inputs)
+                stored.append(window_file.StoredResult(number, marks[number], unwritten[number]))
+                if (step := self._inspections.pop(number, None)) is not None:
+                    step.after[number], step.marks_after[number] = values[row.fid], marks[number]
+            window_file.store(path, stored)
         except SeamInspectorError as error:
             self._background.stop()
             self.failed.emit(error.message)
-            return
-        self._watch.note_measured({number: self._versions[number] for number in unwritten})
+            return False
+        self._watch.note_fingerprints(marks)
+        return True
+
+    def _is_undone(self, number: int) -> bool:
+        step = self._inspections.get(number)
+        return step is not None and step.is_undone
 
     def forget(self) -> None:
         """They are of a layer that is followed no more."""
-        for kept in (self._results, self._uses, self._versions, self._clips, self._unwritten, self._waiting):
+        for kept in (self._results, self._uses, self._clips, self._unwritten, self._waiting, self._versions,
+                     self._inspections):  # fmt: skip
             kept.clear()
 
     def forget_asked(self) -> None:
@@ -145,7 +194,11 @@ class WindowResults(QObject):
         self._writer.stop()
         self.forget()
 
-    def _take(self, asked: dict[int, Version], result: Any) -> None:
+    def _write_more(self) -> None:
+        if not self._writer.isActive() and self._write_some():
+            self._writer.start(_PAUSE_MS if self._unwritten else _WRITE_MS)
+
+    def _take(self, asked: dict[int, _Version], result: Any) -> None:
         number = result.window_id
         if isinstance(result, WindowClips):
             self._clips[number] = result
@@ -153,43 +206,34 @@ class WindowResults(QObject):
                 self.curvesArrived.emit(row.fid)
             return
         self._clips.pop(number, None)
-        self._versions[number] = asked[number]
-        self._unwritten[number] = result
-        if (file := self._keeping.results) is not None:
-            file.keep(result)
+        self._unwritten[number], self._versions[number] = result, asked[number]
         self._hold(number, result)
         if self._waiting.get(number) == asked[number]:
             del self._waiting[number]
-        if not self._writer.isActive():
-            self._writer.start()
+        self._write_more()
         if (row := self._watch.numbered(number)) is not None:
             self.arrived.emit(row.fid)
 
     def _hold(self, number: int, result: WindowResult) -> None:
-        """Hold a result as the last that was asked for; the first ones go, unless they would be lost."""
+        """Hold a result as the last that was asked for; the first ones go."""
         self._results.pop(number, None)
         self._results[number], self._uses[number] = result, source_use(result)
-        if (file := self._keeping.results) is None:
-            return
         for other in list(islice(self._results, max(len(self._results) - MOST_HELD, 0))):
-            if other not in self._unwritten and file.holds(other):
+            if other not in self._unwritten:
                 del self._results[other]
-
-    def _bring_back(self) -> None:
-        """What undo and redo bring back comes without what was not written by a step of theirs."""
-        for row in self._watch.take_bereft():
-            number, file = row.window_id, self._keeping.results
-            version = self._versions.get(number)
-            if version is None or version.extent != row.extent or self.is_pending(number):
-                continue
-            result = self._results.get(number) or (file.last(number) if file is not None else None)
-            if result is not None:
-                self._unwritten[number] = result
-        if self._unwritten and not self._writer.isActive():
-            self._writer.start()
 
     def _progress(self, done: int, asked: int) -> None:
         if not asked:
             self._waiting.clear()
             self.write()
         self.progressChanged.emit(done, asked)
+
+
+def _is_of(result: WindowResult, row: WindowRecord) -> bool:
+    """Whether a row has the values of a result; undo, or another inspection, may have written others since."""
+    profile = result.profile
+    return (
+        row.verdict == result.judgement.verdict.value
+        and all(map(is_same, row.ratios, result.judgement.ratios.detail))
+        and all(map(is_same, row.kept, profile.kept if profile is not None else row.kept))
+    )

@@ -284,8 +284,12 @@ PLACED = (
         "station", "real", heading=QT_TR_NOOP("station"), shown="metres",
         help=QT_TR_NOOP("How far along its seam the window lies."),
     ),
+    WindowField(
+        "origin", "text", title=QT_TR_NOOP("origin"), heading=QT_TR_NOOP("origin"), shown="words",
+        help=QT_TR_NOOP("Whether the window was drawn, placed along the seams, or is a worst place of a scan."),
+    ),
 )  # fmt: skip
-"""Where ``placewindows`` put it."""
+"""Where a window comes from: of one that was placed, where; ``drawn``, ``placed`` or ``scan``."""
 
 WINDOW_FIELDS: tuple[WindowField, ...] = (*MEASURED, *SAID, *PLACED)
 _ROW_COLUMNS = tuple(one for one in MEASURED if one.name != "observer")

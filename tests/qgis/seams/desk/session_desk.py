@@ -6,12 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsApplication, QgsGeometry, QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QEvent, QEventLoop
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.session import Session
 from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.tables.window_layer import is_in_file
 
 from tests.patience import PATIENCE_S
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line
@@ -87,10 +88,14 @@ class Desk:
         return Inputs(**{**values, **changes})
 
     def use(self, windows: QgsVectorLayer) -> QgsVectorLayer:
-        """Make a layer the window layer."""
+        """Make a layer the window layer, copied into a windows file unless it is of one."""
         self.project.addMapLayer(windows)
         self.set(self.inputs(windows=windows.id()))
-        return windows
+        if not is_in_file(windows):
+            self.session.copy_to_file()
+            wait_until(lambda: self.session.window_layer() is not windows, "for the copy")
+            self.wait()
+        return self.layer()
 
     def set(self, inputs: Inputs) -> None:
         """Set the inputs and wait until the mosaic is open."""
@@ -123,13 +128,19 @@ class Desk:
         assert found is not None
         return found
 
+    def move(self, fid: int, shape: QgsGeometry) -> None:
+        """Move a window as its operator does, with QGIS's pencil."""
+        assert self.layer().startEditing()
+        assert self.layer().changeGeometry(fid, shape)
+        assert self.layer().commitChanges(), self.layer().commitErrors()
+
     def steps(self) -> list[str]:
         """What undo and redo would take back and do again, from the first."""
-        stack = self.layer().undoStack()
+        stack = self.session.steps
         return [stack.text(index) for index in range(stack.count())]
 
     def undo(self) -> None:
-        self.layer().undoStack().undo()
+        self.session.steps.undo()
 
     def redo(self) -> None:
-        self.layer().undoStack().redo()
+        self.session.steps.redo()

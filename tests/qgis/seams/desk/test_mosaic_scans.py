@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -149,9 +148,9 @@ def test_the_worst_windows_become_the_desks_own(desk: ScanDesk) -> None:
     worst = desk.scans.worst_layer()
     assert worst is not None
     assert worst.featureCount() == done.worst_count
-    desk.session.set_inputs(replace(desk.session.inputs, windows=worst.id()))
+    desk.session.take_places(worst)
+    wait_until(desk.session.windows, "for the windows")
     assert [row.window_id for row in desk.session.windows()] == list(range(1, done.worst_count + 1))
-    desk.session.inspect_pending()
     wait_until(lambda: all(row.verdict for row in desk.session.windows()), "for the inspection")
 
 

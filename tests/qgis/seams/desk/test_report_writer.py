@@ -51,14 +51,10 @@ def test_the_report_tells_windows_curves_and_cause(desk: Desk, writer: Writer, t
         assert words in page, words
 
 
-def test_windows_of_an_earlier_session_have_no_curves_where_these_are_not_kept(
+def test_windows_that_were_measured_elsewhere_have_no_curves(
     desk: Desk, writer: Writer, tmp_path: Path
 ) -> None:
-    """Beside a layer that is in no file there is no place for them."""
-    desk.use(windows(SHARP))
-    desk.session.inspect_pending()
-    desk.wait()
-    desk.session._results.forget()
+    desk.use(windows(SHARP, window_id=("integer", [1]), verdict=("string", ["preserved"])))
     said = writer.write(tmp_path / "report.html")
     assert "1 of them have no curves" in said
     assert (tmp_path / "report.html").exists()

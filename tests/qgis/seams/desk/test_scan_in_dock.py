@@ -87,9 +87,13 @@ def test_the_worst_places_are_inspected_and_the_first_is_shown(
     windows = rows()
     assert [row.window_id for row in windows] == list(range(1, len(windows) + 1))
     assert dock.session.selected() == [windows[0].fid]
-    worst = dock.session.window_layer()
-    assert worst.name() == "Worst places"
-    assert QgsProject.instance().layerTreeRoot().findLayer(worst.id()).isVisible()
+    assert [row.read("origin") for row in windows] == ["scan"] * len(windows)
+    assert dock.scans.worst_layer() is not dock.session.window_layer()
+    dock.session.judge([windows[0].fid], "visible")
+    dock.judge_worst()  # once more: they are there
+    settle(0.1)
+    assert [row.window_id for row in rows()] == [row.window_id for row in windows]
+    assert dock.steps.undo.toolTip().startswith("Undo judging window 1")
     settle(0.1)
     assert judge_buttons(qgis_iface) == []
 

@@ -166,6 +166,7 @@ def test_the_desk_can_be_used_while_the_mosaic_is_opened(desk: Desk, gate: Event
     assert desk.session.mosaic_grid() is not None
     assert "opening" not in panel.box.title()
     assert "2 sources" in panel.box.title()
+    desk.use(drawn)
     desk.session.inspect_pending()
     desk.add()
     assert all(row.verdict and not row.stale for row in desk.session.windows())

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from qgis.core import (
+    NULL,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransformContext,
     QgsVectorFileWriter,
@@ -67,11 +68,12 @@ def test_other_inputs_do_not(desk: Desk) -> None:
 
 def test_a_window_that_is_moved_becomes_stale_alone_until_it_is_back(desk: Desk) -> None:
     fid, other = desk.add(), desk.add(SHARP_WINDOW)
-    desk.layer().changeGeometry(fid, outline((200, 64, 128, 128)))
+    before = desk.layer().getFeature(fid).geometry()
+    desk.move(fid, outline((200, 64, 128, 128)))
     assert [desk.session.row(one).stale for one in (fid, other)] == [True, False]  # type: ignore[union-attr]
-    desk.undo()
+    desk.move(fid, before)
     assert not any(row.stale for row in desk.session.windows())
-    desk.redo()
+    desk.move(fid, outline((200, 64, 128, 128)))
     desk.session.inspect([fid])
     desk.wait()
     assert not any(row.stale for row in desk.session.windows())
@@ -80,7 +82,7 @@ def test_a_window_that_is_moved_becomes_stale_alone_until_it_is_back(desk: Desk)
 def test_stale_marks_come_back_with_the_project(desk: Desk, tmp_path: Path) -> None:
     desk.add()
     desk.add(SHARP_WINDOW)
-    desk.layer().changeGeometry(desk.rows()[2].fid, outline((200, 64, 128, 128)))
+    desk.move(desk.rows()[2].fid, outline((200, 64, 128, 128)))
     path = str(tmp_path / "project.qgz")
     assert desk.project.write(path)
     desk.project.clear()
@@ -97,36 +99,16 @@ def test_what_arrives_after_a_change_is_stale_at_once(desk: Desk) -> None:
     assert desk.rows()[2].stale
 
 
-def test_the_result_of_another_place_is_stale_where_undo_brings_the_window_back(desk: Desk) -> None:
+def test_the_result_of_another_place_is_stale_where_the_window_comes_back(desk: Desk) -> None:
     fid = desk.add()
-    desk.layer().changeGeometry(fid, outline(SHARP))
+    before = desk.layer().getFeature(fid).geometry()
+    desk.move(fid, outline(SHARP))
     desk.session.inspect([fid])
     desk.wait()
-    assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("preserved", False)
-    desk.undo()
-    assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("preserved", True)
-    desk.redo()
-    assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("preserved", False)
-
-
-def test_results_that_undo_made_stale_are_stale_after_the_project_was_saved_too(desk: Desk, tmp_path: Path) -> None:
-    fid = desk.add()
-    desk.layer().changeGeometry(fid, outline(SHARP))
-    desk.session.inspect([fid])
-    desk.wait()
-    desk.undo()
-    path = str(tmp_path / "project.qgz")
-    assert desk.project.write(path)
-    assert desk.rows()[1].stale
-    desk.project.clear()
-    assert desk.project.read(path)
-    assert desk.rows()[1].stale
-    desk.wait_for_opening()
-    settle()
-    assert desk.rows()[1].stale
-    desk.session.inspect_pending()
-    desk.wait()
-    assert not desk.rows()[1].stale
+    for shape, is_stale in ((None, False), (before, True), (outline(SHARP), False)):
+        if shape is not None:
+            desk.move(fid, shape)
+        assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("preserved", is_stale)
 
 
 def test_inputs_that_are_changed_back_leave_nothing_stale(desk: Desk) -> None:
@@ -143,6 +125,8 @@ def test_a_copy_of_an_inspected_window_is_stale(desk: Desk) -> None:
     fid = desk.add()
     copy = desk.layer().getFeature(fid)
     copy.setGeometry(outline(SHARP))
+    copy["fid"] = NULL
+    desk.layer().startEditing()
     desk.layer().addFeature(copy)
     assert {number: row.stale for number, row in desk.rows().items()} == {1: False, 2: True}
 
@@ -157,20 +141,33 @@ def test_fewer_levels_leave_no_ratio_of_the_inspection_before(desk: Desk) -> Non
 
 
 @pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson"])
-def test_saving_makes_nothing_stale(desk: Desk, tmp_path: Path, suffix: str) -> None:
+def test_windows_of_other_formats_are_copied_with_what_they_say(desk: Desk, tmp_path: Path, suffix: str) -> None:
     path = str(tmp_path / f"drawn.{suffix}")
     context, options = QgsCoordinateTransformContext(), QgsVectorFileWriter.SaveVectorOptions()
     options.driverName = QgsVectorFileWriter.driverForExtension(suffix)
-    drawn = windows(SHARP, (-400, -400, 64, 64))
+    said = {"window_id": ("integer", [1, 7]), "verdict": ("string", ["reduced", ""]), "soil": ("string", ["loam", ""])}
+    drawn = windows(SHARP, (-400, -400, 64, 64), **said)
     assert QgsVectorFileWriter.writeAsVectorFormatV3(drawn, path, context, options)[0] == 0
-    saved = desk.use(QgsVectorLayer(path, "saved"))
-    saved.setCrs(drawn.crs())
-    desk.session.inspect_pending()
-    desk.wait()
-    assert [row.stale for row in desk.session.windows()] == [False, False]
-    assert saved.commitChanges(), saved.commitErrors()
-    assert [row.verdict for row in desk.session.windows()] == ["preserved", "not_comparable"]
-    assert [row.stale for row in desk.session.windows()] == [False, False]
+    given = QgsVectorLayer(path, "given")
+    given.setCrs(drawn.crs())
+    asked: list[object] = []
+    desk.session.copyDoubted.connect(asked.append)
+    desk.project.addMapLayer(given)
+    desk.set(desk.inputs(windows=given.id()))
+    assert [(row.window_id, row.verdict) for row in desk.session.windows()] == [(1, "reduced"), (7, "")]
+    assert asked == []
+    desk.session.judge([desk.rows()[1].fid], "visible")
+    assert "in no windows file" in str(asked[0])
+    desk.use(given)
+    assert desk.layer() is not given
+    assert [(row.window_id, row.verdict, row.stale) for row in desk.session.windows()] == [
+        (1, "reduced", False), (7, "", False)
+    ]
+    assert [one["soil"] or "" for one in desk.layer().getFeatures()] == ["loam", ""]
+    desk.session.set_inputs(replace(desk.session.inputs, wavelet="db4"))
+    assert desk.rows()[1].stale
+    assert {one["verdict"] or "" for one in given.getFeatures()} == {"reduced", ""}
+    assert len(asked) == 1
 
 
 # Layers that change
@@ -261,15 +258,12 @@ def test_the_window_layer_in_another_reference_system_makes_them_stale(desk: Des
     assert not desk.rows()[1].stale
 
 
-def test_a_window_layer_with_another_data_source_is_read_anew(desk: Desk, tmp_path: Path) -> None:
-    desk.add()
-    assert desk.layer().commitChanges()
-    fid = desk.rows()[1].fid
+def test_a_window_layer_with_another_data_source_is_read_anew(desk: Desk) -> None:
+    fid, own = desk.add(), desk.layer()
     assert desk.session.result(fid) is not None
-    path = str(tmp_path / "other.gpkg")
-    context, options = QgsCoordinateTransformContext(), QgsVectorFileWriter.SaveVectorOptions()
-    assert QgsVectorFileWriter.writeAsVectorFormatV3(windows(SHARP, BLURRED), path, context, options)[0] == 0
-    desk.layer().setDataSource(path, "other", "ogr")
+    source = desk.use(windows(SHARP, BLURRED)).source()
+    desk.set(desk.inputs(windows=own.id()))
+    own.setDataSource(source, "other", "ogr")
     assert [row.verdict for row in desk.session.windows()] == ["", ""]
     assert desk.session.result(fid) is None
 

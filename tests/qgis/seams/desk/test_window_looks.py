@@ -127,7 +127,6 @@ def test_windows_removed_and_added_again_show_verdicts(desk: Desk) -> None:
     desk.add()
     made = desk.layer()
     path = made.source()
-    assert made.commitChanges()
     desk.project.removeMapLayer(made.id())
     again = QgsVectorLayer(path, "windows", "ogr")
     assert again.renderer().type() == "singleSymbol"
@@ -150,10 +149,10 @@ def test_a_layer_that_its_user_styled_stays_as_it_is(desk: Desk) -> None:
     outside = windows(SHARP)
     outlines = QgsFillSymbol.createSimple({"style": "no", "outline_color": "red"})
     outside.setRenderer(QgsSingleSymbolRenderer(outlines))
-    desk.use(outside)
+    desk.project.addMapLayer(outside)
+    desk.set(desk.inputs(windows=outside.id()))
     assert outside.renderer().type() == "singleSymbol"
-    plain = windows(SHARP)
-    desk.use(plain)
+    plain = desk.use(windows(SHARP))
     plain.setRenderer(QgsSingleSymbolRenderer(QgsSymbol.defaultSymbol(plain.geometryType())))
     desk.set(desk.inputs(windows=""))
     desk.set(desk.inputs(windows=plain.id()))

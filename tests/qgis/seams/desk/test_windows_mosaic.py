@@ -53,9 +53,10 @@ def test_another_mosaic_asks_and_changes_nothing(
 @pytest.mark.parametrize("wkt", ["", UNDEFINED])
 def test_windows_that_lost_their_reference_system_have_the_mosaics(desk: Desk, wkt: str) -> None:
     """They lie where they were drawn, and the map goes there."""
-    drawn = windows(SHARP)
+    drawn = desk.use(windows(SHARP))
     drawn.setCrs(QgsCoordinateReferenceSystem.fromWkt(wkt))
-    desk.use(drawn)
+    desk.session.set_inputs(desk.inputs(windows=""))
+    desk.session.set_inputs(desk.inputs(windows=drawn.id()))
     settle()
     mosaic = desk.session.mosaic_layer()
     assert mosaic is not None
@@ -127,7 +128,6 @@ def test_windows_know_their_mosaic_when_they_are_opened_again(
     desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
 ) -> None:
     windows = desk.layer()
-    assert windows.commitChanges()
     source, name = windows.source(), windows.name()
     desk.set(desk.inputs(windows=""))
     desk.project.removeMapLayer(windows.id())

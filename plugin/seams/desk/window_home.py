@@ -1,0 +1,149 @@
+"""Where windows files lie: beside the project, and until that is saved in the user's profile, held by a lock.
+
+The lock tells a file whose QGIS was killed, which is taken again with its mosaic, from one whose project was discarded
+and from one that another QGIS has open.
+"""
+from __future__ import annotations
+
+import contextlib
+import time
+from pathlib import Path
+
+from qgis.core import QgsApplication, QgsProject, QgsVectorLayer
+from qgis.PyQt.QtCore import QLockFile
+
+from ...imagery.errors import Message, WindowLayerError
+from ...toolkit import layers
+from ...toolkit.geopackages import free_path
+from ..tables import window_file
+from ..tables.window_file import KnownMosaic
+from . import messages
+
+_FOLDER = "seam_inspector"  # of the user's profile of QGIS
+_LOCK = ".lock"
+_KEPT_S = 30 * 24 * 3600.0  # s; of a project that was discarded: a month to ask for it back
+_LEFT_S = 60.0  # s; a file without windows may be one that is just being made
+
+
+def unsaved_folder() -> Path:
+    """The folder of windows whose project has no file."""
+    folder = Path(QgsApplication.qgisSettingsDirPath()) / _FOLDER
+    with contextlib.suppress(OSError):  # told when the windows' file can't be written
+        folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+class WindowHome:
+    """The windows files of one project."""
+
+    def __init__(self, project: QgsProject) -> None:
+        self._project = project
+        self._locks: dict[Path, QLockFile] = {}
+
+    @property
+    def folder(self) -> Path:
+        """Where the project's windows are made."""
+        return Path(self._project.homePath()) if self._project.homePath() else unsaved_folder()
+
+    def hold(self, path: Path) -> None:
+        """A file is in use, which matters in the profile alone."""
+        if path.parent == unsaved_folder() and path not in self._locks:
+            lock = QLockFile(f"{path}{_LOCK}")
+            if _take(lock):
+                self._locks[path] = lock
+
+    def let_go(self) -> None:
+        """The project is closed, whether or not somebody saved it."""
+        while self._locks:
+            self._locks.popitem()[1].unlock()
+
+    def left_behind(self, mosaic: KnownMosaic) -> Path | None:
+        """The windows of a mosaic that the project does not know, since QGIS ended before it was saved: the last ones.
+
+        Beside a project those that were written after it was saved; in the profile those that a QGIS held to its end.
+        """
+        is_saved = bool(self._project.fileName())
+        saved = _written(Path(self._project.fileName())) if is_saved else 0.0
+        found = []
+        for path in self.folder.glob("windows*.gpkg"):
+            written = _written(path)
+            if str(path) in self._known() or written is None or written <= (saved or 0.0):
+                continue
+            if window_file.count_windows(path):
+                known = window_file.known_mosaic(path)
+                if known is not None and known.content == mosaic.content:
+                    found.append((written, path))
+        in_order = (path for _, path in sorted(found, reverse=True))
+        return next((path for path in in_order if path.parent != unsaved_folder() or self._was_killed(path)), None)
+
+    def tidy(self) -> None:
+        """Delete what discarded projects left in the profile: at once without a window in it, else after a month."""
+        for path in unsaved_folder().glob("windows*.gpkg"):
+            written = _written(path)
+            if str(path) in self._known() or written is None or Path(f"{path}{_LOCK}").exists():
+                continue
+            age = time.time() - written
+            if age > _KEPT_S or (age > _LEFT_S and window_file.count_windows(path) == 0):
+                _remove(path)
+
+    def is_to_be_moved(self, path: Path) -> bool:
+        """Whether the project has a file by now, and the windows are still in the profile."""
+        return bool(self._project.fileName() and self._project.homePath()) and path.parent == unsaved_folder()
+
+    def move(self, layer: QgsVectorLayer) -> Path:
+        """Put a layer's file beside the project. It must not be edited.
+
+        Raises WindowLayerError when it stays where it was.
+        """
+        old, source, folder = Path(layers.layer_path(layer)), layer.source(), self.folder
+        new = free_path(folder, window_file.TABLE)
+        try:
+            window_file.copy_file(old, new)
+        except WindowLayerError as error:
+            raise WindowLayerError(_not_moved(old, folder, error.message.values["error"])) from None
+        layer.setDataSource(source.replace(str(old), str(new), 1), layer.name(), "ogr")
+        if not layer.isValid():
+            layer.setDataSource(source, layer.name(), "ogr")
+            raise WindowLayerError(_not_moved(old, folder, new))
+        _remove(old)
+        if (lock := self._locks.pop(old, None)) is not None:
+            lock.unlock()
+        return new
+
+    def _known(self) -> set[str]:
+        """The files of the project's vector layers."""
+        found = self._project.mapLayers().values()
+        return {layers.layer_path(one) for one in found if isinstance(one, QgsVectorLayer)}
+
+    def _was_killed(self, path: Path) -> bool:
+        """Whether a QGIS that is no more had the file open when it ended."""
+        name = f"{path}{_LOCK}"
+        if path in self._locks or not Path(name).exists():
+            return False
+        lock = QLockFile(name)
+        if _take(lock):
+            self._locks[path] = lock
+            return True
+        return False
+
+
+def _not_moved(old: Path, folder: Path, error: object) -> Message:
+    return messages.WINDOWS_NOT_MOVED(old=old, folder=folder, error=error)
+
+
+def _take(lock: QLockFile) -> bool:
+    """Without waiting; one whose process is gone is taken over, however old it is."""
+    lock.setStaleLockTime(0)
+    return bool(lock.tryLock(0))
+
+
+def _written(path: Path) -> float | None:
+    """When a file was last changed, which for a GeoPackage may be in the log beside it; None where none is."""
+    files = [one for one in (path, Path(f"{path}-wal")) if one.is_file()]
+    return max(one.stat().st_mtime for one in files) if files else None
+
+
+def _remove(windows: Path) -> None:
+    for ending in ("", "-wal", "-shm"):
+        with contextlib.suppress(OSError):  # one that is open elsewhere stays
+            Path(f"{windows}{ending}").unlink()
