@@ -172,7 +172,7 @@ def line_of(
 ) -> tuple[str, ...]:
     seams = LoneSeams(stretches, seam_ids)
     whole = seams.kept()
-    found = [(one, share) for one, share in zip(seams.by_piece(len(seam_ids)), energy / np.maximum(hard, 1)) if one]
+    found = [(one, share) for one, share in zip(seams.by_piece(), energy / np.maximum(hard, 1)) if one]
     if whole is None or not found:
         return (name, *["-"] * (len(HEADER) - 1))
     own = [one for one, _ in found]
