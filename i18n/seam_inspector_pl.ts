@@ -364,32 +364,32 @@
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="63"/>
+        <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>No source covers the window; add the orthoimages that overlap it or move the window.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="64"/>
+        <location filename="../plugin/seams/measure/messages.py" line="67"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="65"/>
+        <location filename="../plugin/seams/measure/messages.py" line="68"/>
         <source>The mosaic has no variance in the window; move the window to where there is content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="66"/>
+        <location filename="../plugin/seams/measure/messages.py" line="69"/>
         <source>{name} has no variance in the window; move the window to where there is content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="68"/>
+        <location filename="../plugin/seams/measure/messages.py" line="71"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <location filename="../plugin/seams/measure/messages.py" line="73"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
@@ -399,7 +399,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="120"/>
+        <location filename="../plugin/seams/measure/messages.py" line="123"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -889,57 +889,57 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="182"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="182"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="155"/>
+        <location filename="../plugin/seams/desk/dock.py" line="185"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="155"/>
+        <location filename="../plugin/seams/desk/dock.py" line="185"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="173"/>
+        <location filename="../plugin/seams/desk/dock.py" line="203"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="173"/>
+        <location filename="../plugin/seams/desk/dock.py" line="203"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="25"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="205"/>
+        <location filename="../plugin/seams/desk/dock.py" line="235"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="306"/>
+        <location filename="../plugin/seams/desk/dock.py" line="331"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -1064,7 +1064,7 @@
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="81"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="105"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
@@ -1109,11 +1109,6 @@
         <translation>Warstwy okien {name} nie można edytować; wybierz inną albo pozwól utworzyć nową.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="7"/>
-        <source>The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that layer elsewhere.</source>
-        <translation>Okien warstwy {name} nie udało się zapisać razem z projektem ({error}); warstwa pozostaje w trybie edycji, więc zapisz ją w innym miejscu.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="47"/>
         <source>Windows placed along the seams: {count}. Inspect them when you are ready.</source>
         <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania. Skontroluj je, gdy zechcesz.</translation>
@@ -1134,29 +1129,9 @@
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="152"/>
-        <source>Add fields</source>
-        <translation>Dodaj pola</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="154"/>
-        <source>Add windows</source>
-        <translation>Dodaj okna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="191"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="136"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/session.py" line="235"/>
-        <source>Judge windows</source>
-        <translation>Wydaj opinię o oknach</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="241"/>
-        <source>Remove windows</source>
-        <translation>Usuń okna</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/translation.py" line="137"/>
@@ -1259,7 +1234,7 @@
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="109"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="104"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
@@ -2574,27 +2549,27 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="122"/>
+        <location filename="../plugin/seams/measure/messages.py" line="125"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="125"/>
+        <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/messages.py" line="129"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="128"/>
+        <location filename="../plugin/seams/measure/messages.py" line="131"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="123"/>
+        <location filename="../plugin/seams/measure/messages.py" line="126"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
@@ -2609,62 +2584,62 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/messages.py" line="135"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/messages.py" line="138"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="142"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/messages.py" line="174"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="187"/>
+        <location filename="../plugin/seams/measure/messages.py" line="190"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="175"/>
+        <location filename="../plugin/seams/measure/messages.py" line="178"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="191"/>
+        <location filename="../plugin/seams/measure/messages.py" line="194"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="195"/>
+        <location filename="../plugin/seams/measure/messages.py" line="198"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/messages.py" line="161"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="168"/>
+        <location filename="../plugin/seams/measure/messages.py" line="171"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="200"/>
+        <location filename="../plugin/seams/measure/messages.py" line="203"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="199"/>
+        <location filename="../plugin/seams/measure/messages.py" line="202"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -4498,7 +4473,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="178"/>
+        <location filename="../plugin/seams/desk/dock.py" line="208"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4813,27 +4788,27 @@
         <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="105"/>
+        <location filename="../plugin/seams/measure/messages.py" line="108"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="108"/>
+        <location filename="../plugin/seams/measure/messages.py" line="111"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="110"/>
+        <location filename="../plugin/seams/measure/messages.py" line="113"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="117"/>
+        <location filename="../plugin/seams/measure/messages.py" line="120"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="202"/>
+        <location filename="../plugin/seams/measure/messages.py" line="205"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -4924,22 +4899,22 @@
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="189"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="189"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="164"/>
+        <location filename="../plugin/seams/desk/dock.py" line="194"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="164"/>
+        <location filename="../plugin/seams/desk/dock.py" line="194"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5784,37 +5759,22 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="377"/>
-        <source>Open the windows</source>
-        <translation>Otwórz okna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="378"/>
-        <source>Adds the layer of these windows and brings back what was not saved.</source>
-        <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/unsaved_windows.py" line="251"/>
-        <source>Restore windows</source>
-        <translation>Przywróć okna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="62"/>
+        <location filename="../plugin/seams/desk/dock.py" line="59"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="283"/>
+        <location filename="../plugin/seams/desk/dock.py" line="308"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="292"/>
+        <location filename="../plugin/seams/desk/dock.py" line="317"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="289"/>
+        <location filename="../plugin/seams/desk/dock.py" line="314"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -5909,19 +5869,9 @@
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="30"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="26"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="72"/>
-        <source>Undoes the last change to the windows ({keys}).</source>
-        <translation>Cofa ostatnią zmianę okien ({keys}).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="73"/>
-        <source>Redoes what was undone ({keys}).</source>
-        <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="230"/>
@@ -6179,64 +6129,34 @@
         <translation>Nie umieszczono żadnego okna: wszystkie miejsca wzdłuż linii mozaikowania (liczba: {there}) mają już swoje okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="11"/>
+        <location filename="../plugin/seams/desk/messages.py" line="7"/>
         <source>Until the project is saved its windows are in {path}; they move beside the project then.</source>
         <translation>Dopóki projekt nie zostanie zapisany, jego okna są w {path}; potem zostaną przeniesione obok projektu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="13"/>
+        <location filename="../plugin/seams/desk/messages.py" line="9"/>
         <source>The windows moved beside the project, to {path}.</source>
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="15"/>
+        <location filename="../plugin/seams/desk/messages.py" line="11"/>
         <source>The windows stay in {old}, as they can&apos;t be moved to {folder} ({error}); export them from there.</source>
         <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="21"/>
-        <source>QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.</source>
-        <translation>QGIS zakończył działanie, zanim zapisano projekt z oknami; są one w {path}. Otwórz jego rastry, a potem okna.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="28"/>
-        <source>QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.</source>
-        <translation>QGIS zakończył działanie bez zapisu; przywrócono zmiany {count} {count:okna|okien|okien} w {name}. Zapisz warstwę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="31"/>
-        <source>Your verdicts are safe only once you save the layer: it can&apos;t be kept in {path} meanwhile ({error}).</source>
-        <translation>Opinie będą bezpieczne dopiero po zapisaniu warstwy: do tego czasu nie można ich przechować w {path} ({error}).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="34"/>
-        <source>Curves and pictures of the windows can&apos;t be kept in {path} ({error}); without them windows have to be measured again once the project was closed.</source>
-        <translation>Krzywych i obrazów okien nie można przechować w {path} ({error}); bez nich po zamknięciu projektu okna są mierzone od nowa.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="45"/>
-        <source>The windows in {name} are in no file: they and their verdicts are lost when QGIS ends. Export the layer to a GeoPackage to keep them.</source>
-        <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="144"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="145"/>
+        <location filename="../plugin/seams/measure/messages.py" line="148"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
-        <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
-        <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="7"/>
@@ -6321,14 +6241,9 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="203"/>
+        <location filename="../plugin/seams/desk/dock.py" line="233"/>
         <source>How the variance of the selected windows spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="105"/>
-        <source>There is no such change.</source>
-        <translation>Nie ma takiej zmiany.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
@@ -6341,11 +6256,6 @@
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="25"/>
-        <source>{name} beside this project holds {count} windows that the project does not know.</source>
-        <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="224"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
@@ -6356,27 +6266,27 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="245"/>
+        <location filename="../plugin/seams/desk/dock.py" line="275"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="146"/>
+        <location filename="../plugin/seams/measure/messages.py" line="149"/>
         <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
         <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/messages.py" line="150"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="149"/>
+        <location filename="../plugin/seams/measure/messages.py" line="152"/>
         <source>The filter can&apos;t use geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="152"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
@@ -6501,7 +6411,7 @@
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layers.py" line="87"/>
+        <location filename="../plugin/toolkit/layers.py" line="85"/>
         <source>temporary layer</source>
         <translation>warstwa tymczasowa</translation>
     </message>
@@ -7531,7 +7441,7 @@
         <translation>ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/messages.py" line="141"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -9164,12 +9074,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="182"/>
+        <location filename="../plugin/seams/desk/dock.py" line="212"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="182"/>
+        <location filename="../plugin/seams/desk/dock.py" line="212"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -9782,7 +9692,7 @@
         <translation>{length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/messages.py" line="104"/>
         <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
@@ -9856,7 +9766,7 @@
         <translation>ponad {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="114"/>
+        <location filename="../plugin/seams/measure/messages.py" line="117"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
@@ -10336,12 +10246,12 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="168"/>
+        <location filename="../plugin/seams/desk/dock.py" line="198"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="169"/>
+        <location filename="../plugin/seams/desk/dock.py" line="199"/>
         <source>Accept or reject the delivery: by its last scan, or all the way from its files</source>
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
@@ -10376,7 +10286,7 @@
         <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je. Prawy przycisk na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="75"/>
+        <location filename="../plugin/seams/measure/messages.py" line="78"/>
         <source>No change from one source to another is found in the window; the verdict is that of the sharpness alone.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
@@ -10895,12 +10805,12 @@
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <location filename="../plugin/seams/measure/messages.py" line="93"/>
         <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="94"/>
+        <location filename="../plugin/seams/measure/messages.py" line="97"/>
         <source>{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic&apos;s pixel size. {more}</source>
         <translation>{name} ma piksele {pixel:g} m, a ortofotomapa {own:g} m; podaj go z rozmiarem piksela ortofotomapy. {more}</translation>
     </message>
@@ -10933,27 +10843,27 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="348"/>
+        <location filename="../plugin/seams/desk/dock.py" line="147"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="349"/>
+        <location filename="../plugin/seams/desk/dock.py" line="148"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="350"/>
+        <location filename="../plugin/seams/desk/dock.py" line="146"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="39"/>
+        <location filename="../plugin/seams/desk/messages.py" line="23"/>
         <source>The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.</source>
         <translation>Okna w {name} zmierzono i oceniono na {older}, a teraz ortofotomapą jest {newer}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="42"/>
+        <location filename="../plugin/seams/desk/messages.py" line="26"/>
         <source>{mosaic} has changed since the windows in {name} were measured and judged.</source>
         <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
     </message>
@@ -11390,12 +11300,12 @@
         <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="179"/>
+        <location filename="../plugin/seams/measure/messages.py" line="182"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="183"/>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
@@ -11810,7 +11720,7 @@
         <translation>Radiometria: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/messages.py" line="168"/>
         <source>{field} of {count} windows is a number that no measurement gives; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
@@ -11830,7 +11740,7 @@
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="18"/>
+        <location filename="../plugin/seams/desk/messages.py" line="15"/>
         <source>Windows that are no rectangles along the mosaic&apos;s axes are measured in the boxes around them: {count}.</source>
         <translation>Okna, które nie są prostokątami wzdłuż osi ortofotomapy, są mierzone w opisanych na nich prostokątach: {count}.</translation>
     </message>
@@ -11845,27 +11755,27 @@
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="72"/>
+        <location filename="../plugin/seams/measure/messages.py" line="75"/>
         <source>No source explains the mosaic&apos;s fine detail here; add the orthoimages that it was made from.</source>
         <translation>Żaden ortoobraz źródłowy nie wyjaśnia tu drobnych detali ortofotomapy; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="79"/>
+        <location filename="../plugin/seams/measure/messages.py" line="82"/>
         <source>Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.</source>
         <translation>Dwa obrazy są zmieszane na {share:.0f} % okna: nie ma linii ani niezmieszanego terenu do porównania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="83"/>
+        <location filename="../plugin/seams/measure/messages.py" line="86"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo je przesuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <location filename="../plugin/seams/measure/messages.py" line="89"/>
         <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the one missing.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="97"/>
+        <location filename="../plugin/seams/measure/messages.py" line="100"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources&apos; detail: add those that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
@@ -12468,7 +12378,7 @@
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <location filename="../plugin/seams/desk/dock.py" line="236"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -12518,7 +12428,7 @@
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <location filename="../plugin/seams/measure/messages.py" line="164"/>
         <source>Both operators judged {count} windows and agreed on {agreed}. Cohen&apos;s kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
@@ -12809,6 +12719,111 @@
     <message>
         <source>Checks the files of a delivery, scans its mosaic and decides on it, in one go: you give a folder or an index, and get one report with both on its cover, the record, the failures, and the sheets with their verdicts.</source>
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <source>Only look at them</source>
+        <translation>Tylko je oglądam</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <source>Copy them</source>
+        <translation>Skopiuj je</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="13"/>
+        <source>Places of the scan added: {count}; windows that were there already: {there}.</source>
+        <translation>Dodane miejsca ze skanowania: {count}; okna, które już tam były: {there}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="17"/>
+        <source>The windows of this mosaic that the project did not know are back, from {path}.</source>
+        <translation>Okna tej ortofotomapy, których projekt nie znał, wróciły z pliku {path}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="19"/>
+        <source>The windows in {name} are in no windows file, so what is measured and judged can&apos;t be kept with them. Copy them into one?</source>
+        <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="278"/>
+        <source>removing window {number}</source>
+        <translation>usunięcie okna {number}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="278"/>
+        <source>removing {count} windows</source>
+        <translation>usunięcie okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="296"/>
+        <source>judging window {number}</source>
+        <translation>ocena okna {number}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="296"/>
+        <source>judging {count} windows</source>
+        <translation>ocena okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="133"/>
+        <source>drawing window {number}</source>
+        <translation>narysowanie okna {number}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="139"/>
+        <source>copying {count} windows</source>
+        <translation>skopiowanie okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="171"/>
+        <source>adding {count} places of a scan</source>
+        <translation>dodanie miejsc ze skanowania: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="153"/>
+        <source>placing {count} windows</source>
+        <translation>rozmieszczenie okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="64"/>
+        <source>Undo {step}</source>
+        <translation>Cofnij: {step}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="65"/>
+        <source>Redo {step}</source>
+        <translation>Ponów: {step}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="142"/>
+        <source>inspecting window {number}</source>
+        <translation>zbadanie okna {number}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="142"/>
+        <source>inspecting {count} windows</source>
+        <translation>zbadanie okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="63"/>
+        <source>{path} can&apos;t be written ({error}); see to it that the disk has room and no other program has the file open.</source>
+        <translation>Nie można zapisać {path} ({error}); zadbaj, aby na dysku było miejsce i żaden inny program nie miał otwartego tego pliku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="157"/>
+        <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save what is edited in it, then try again.</source>
+        <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="288"/>
+        <source>origin</source>
+        <translation>pochodzenie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="289"/>
+        <source>Whether the window was drawn, placed along the seams, or is a worst place of a scan.</source>
+        <translation>Czy okno narysowano, rozmieszczono wzdłuż linii, czy jest najgorszym miejscem ze skanowania.</translation>
     </message>
 </context>
 </TS>
