@@ -69,7 +69,7 @@ def test_a_file_that_cant_be_written_to_is_told_and_stops_the_run(desk: Desk) ->
     desk.session.add_window(PixelWindow(0, 128, 128, 128))
     desk.session.judge([1], "visible")
     desk.session.remove([1])
-    assert len(desk.messages) == 4
+    assert 4 <= len(desk.messages) <= 5  # the second window may have been measured by then
     for message in desk.messages:
         assert_sentence(message, "can't be edited")
     assert not any(row.verdict or row.observer for row in desk.session.windows())
