@@ -1,35 +1,35 @@
 """The Python interface: each name, and the module that it comes from, which is loaded when the name is asked for."""
 
 # A mosaic with its orthoimages
-from .plugin.seams.measure.inspection import open_block as open_block
-from .plugin.seams.measure.inspection import Block as Block
+from .plugin.seams.measure.window.inspection import open_block as open_block
+from .plugin.seams.measure.window.inspection import Block as Block
 from .plugin.seams.measure.source_images import Source as Source
 
 # Windows
-from .plugin.seams.measure.inspection import inspect_window as inspect_window
-from .plugin.seams.measure.inspection import inspect_windows as inspect_windows
+from .plugin.seams.measure.window.inspection import inspect_window as inspect_window
+from .plugin.seams.measure.window.inspection import inspect_windows as inspect_windows
 from .plugin.seams.measure.window.window_request import InspectionSettings as InspectionSettings
 from .plugin.seams.measure.window.window_request import WindowRequest as WindowRequest
 from .plugin.seams.measure.window.window_result import WindowResult as WindowResult
 from .plugin.seams.measure.profile.seam_profile import SeamProfile as SeamProfile
 from .plugin.seams.measure.profile.seam_profile import ProfileBin as ProfileBin
 from .plugin.seams.measure.profile.window_detail import LossPicture as LossPicture
-from .plugin.seams.measure.verdicts import Verdict as Verdict
-from .plugin.seams.measure.causes import Cause as Cause
-from .plugin.seams.measure.verdicts import Judgement as Judgement
-from .plugin.seams.measure.verdicts import Ratios as Ratios
-from .plugin.seams.measure.explanation import Explanation as Explanation
+from .plugin.seams.measure.judgement.verdicts import Verdict as Verdict
+from .plugin.seams.measure.judgement.causes import Cause as Cause
+from .plugin.seams.measure.judgement.verdicts import Judgement as Judgement
+from .plugin.seams.measure.judgement.verdicts import Ratios as Ratios
+from .plugin.seams.measure.judgement.explanation import Explanation as Explanation
 from .plugin.seams.measure.window.window_result import ClipResult as ClipResult
 from .plugin.seams.measure.window.window_result import PairResult as PairResult
 
 # A whole mosaic
 from .plugin.seams.measure.scan.whole_scan import scan as scan
 from .plugin.seams.measure.scan.whole_scan import ScanRun as ScanRun
-from .plugin.seams.measure.scan.scan_settings import ScanSettings as ScanSettings
+from .plugin.seams.measure.blocks.scan_settings import ScanSettings as ScanSettings
 from .plugin.seams.measure.scan.scan_result import ScanResult as ScanResult
 from .plugin.seams.measure.scan.scan_result import JudgedPiece as JudgedPiece
-from .plugin.seams.measure.scan.lines.seam_pieces import SeamPiece as SeamPiece
-from .plugin.seams.measure.window_placing import PlacedWindow as PlacedWindow
+from .plugin.seams.measure.seamlines.seam_pieces import SeamPiece as SeamPiece
+from .plugin.seams.measure.planning.window_placing import PlacedWindow as PlacedWindow
 
 # Tables
 from .plugin.seams.measure.window.window_tables import window_rows as window_rows

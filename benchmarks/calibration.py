@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 from scipy import stats
-from seam_inspector.plugin.seams.measure.neighbourhoods import Neighbourhoods, find_neighbourhoods
-from seam_inspector.plugin.seams.measure.verdict_statistics import smoothed_threshold
+from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods, find_neighbourhoods
+from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import smoothed_threshold
 
 from .timing import print_table
 

@@ -9,7 +9,7 @@ from itertools import cycle, islice
 from multiprocessing import get_context
 from pathlib import Path
 
-from seam_inspector.plugin.seams.measure.inspection import Block, inspect_window
+from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window
 from seam_inspector.plugin.seams.measure.window_records import CurveRecord, WindowRecord
 
 from .ground import Ground

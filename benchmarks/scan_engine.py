@@ -6,11 +6,11 @@ from pathlib import Path
 
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.scan.lines.given_seams import given_seams
+from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
-from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
+from seam_inspector.plugin.seams.measure.seamlines.given_seams import given_seams
 from seam_inspector.plugin.seams.measure.source_images import Source
 
 from .large_mosaic import LargeMosaic

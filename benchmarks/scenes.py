@@ -20,10 +20,10 @@ from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve, measure_clip
-from seam_inspector.plugin.seams.measure.causes import Cause
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
-from seam_inspector.plugin.seams.measure.explanation import Explanation, explain
-from seam_inspector.plugin.seams.measure.inspection import Block, make_block
+from seam_inspector.plugin.seams.measure.judgement.causes import Cause
+from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation, explain
+from seam_inspector.plugin.seams.measure.window.inspection import Block, make_block
 
 STEP_PX = 24
 """Raster of the windows that are looked at."""

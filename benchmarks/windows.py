@@ -21,9 +21,14 @@ from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve, measure_clip
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
-from seam_inspector.plugin.seams.measure.explanation import Explanation, explain
-from seam_inspector.plugin.seams.measure.inspection import inspect_window, inspect_windows, make_block, window_request
+from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation, explain
 from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.inspection import (
+    inspect_window,
+    inspect_windows,
+    make_block,
+    window_request,
+)
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 
 from .ground import COMPRESSED, FORMATS, SIDE, Ground

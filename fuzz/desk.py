@@ -24,13 +24,13 @@ from seam_inspector.plugin.imagery.records import NotUnderstoodError
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import LayerPlaces, load_inputs, save_inputs
 from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging, save_judging
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
-from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
+from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockScan, scan_block
+from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import BlockScan, scan_block
 from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
 from seam_inspector.plugin.seams.measure.scan.scan_request import scan_request
-from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.tables import window_file, window_layer

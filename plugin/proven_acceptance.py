@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
     from .acceptance.paper.proofs import ProofPanel, Prover
     from .imagery.rasters import Raster, RasterRef
-    from .seams.measure.inspection import Block
     from .seams.measure.source_images import Source
+    from .seams.measure.window.inspection import Block
     from .seams.measure.window.window_request import WindowRequest
     from .toolkit.algorithms.run import Run
 
@@ -59,7 +59,7 @@ class ProvenAcceptMosaic(AcceptMosaic):
             return None
 
         def prove(mosaic: Raster, part: PixelWindow, sides: tuple[str, str]) -> Sequence[ProofPanel]:
-            from .seams.measure.inspection import Block
+            from .seams.measure.window.inspection import Block
 
             return proof_panels(Block(mosaic, tuple(sources)), part, sides) if mosaic.wkt == self._wkt else ()
 
@@ -73,7 +73,7 @@ def proof_panels(block: Block, part: PixelWindow, sides: tuple[str, str]) -> Seq
     ``sides``: what the two orthoimages beside the seam are called; those of other names that lie there are left out
     where both are found.
     """
-    from .seams.measure.inspection import InspectionSettings, window_request
+    from .seams.measure.window.inspection import InspectionSettings, window_request
 
     grid = block.mosaic.grid
     more = max(math.ceil(_AROUND_M / grid.ground_sample_distance) - part.width, 0) // 2 + _SNAPPED_PX

@@ -21,23 +21,23 @@ from ..imagery.raster_pool import reading_threads
 from ..imagery.rasters import Raster
 from ..toolkit.background_tasks import Ahead, Cancelled, Job
 from ..toolkit.translation import filled, tr
+from .measure.blocks.block_grid import BLOCK_PX
+from .measure.blocks.scan_block import BlockScan
+from .measure.blocks.scan_settings import ScanSettings
 from .measure.inputs.mosaic_copies import leave_out_copies
-from .measure.inspection import inspect_one, inspect_windows
+from .measure.planning.window_placing import PlacingSettings, SeamIndex, place_windows
 from .measure.profile.ground import grounds
-from .measure.scan.blocks.block_grid import BLOCK_PX
-from .measure.scan.blocks.scan_block import BlockScan
 from .measure.scan.gathering import ScanResult
-from .measure.scan.lines.given_seams import GivenSeams, given_seams
-from .measure.scan.lines.seam_features import SeamFeature
 from .measure.scan.loss_raster import BANDS, NODATA, created_cells, loss_cells
 from .measure.scan.scan_request import ScanRequest, scan_request
-from .measure.scan.scan_settings import ScanSettings
 from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
+from .measure.seamlines.given_seams import GivenSeams, given_seams
+from .measure.seamlines.seam_features import SeamFeature
 from .measure.source_images import Source
+from .measure.window.inspection import inspect_one, inspect_windows
 from .measure.window.measured_window import MeasureWindow, measure_window
 from .measure.window.window_request import WindowRequest
 from .measure.window.window_result import WindowClips
-from .measure.window_placing import PlacingSettings, SeamIndex, place_windows
 from .tables.scan_layers import write_scan_file
 
 

@@ -8,7 +8,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
-from .measure.causes import ALONG_THE_SEAM, Cause, causes_taken
+from .measure.judgement.causes import ALONG_THE_SEAM, Cause, causes_taken
 from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
@@ -26,7 +26,7 @@ from .words import (
 )
 
 if TYPE_CHECKING:
-    from .measure.explanation import Explanation
+    from .measure.judgement.explanation import Explanation
     from .measure.window.window_result import WindowResult
     from .measure.window_records import WindowRecord
 

@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, NamedTuple
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.translation import filled, percent, shown_number, tr
-from .measure.causes import MIN_GAIN_RATIO, Cause
+from .measure.judgement.causes import MIN_GAIN_RATIO, Cause
 from .measure.limits import MIN_MISREGISTRATION_PX
 
 if TYPE_CHECKING:
     import numpy as np
 
     from .measure.compared_image import Change
-    from .measure.explanation import Explanation
+    from .measure.judgement.explanation import Explanation
 
 
 class ShownVerdict(NamedTuple):

@@ -93,7 +93,7 @@ def test_the_wheel_holds_what_a_cluster_is_given_and_its_types(clone: Path, whee
         told = held.read(next(name for name in held.namelist() if name.endswith("/METADATA"))).decode()
     for needed in ("numpy", "scipy", "PyWavelets"):
         assert re.search(f"^Requires-Dist: {needed}", told, re.MULTILINE | re.IGNORECASE)
-    assert "plugin/seams/measure/inspection.py" in given
+    assert "plugin/seams/measure/window/inspection.py" in given
 
 
 def test_the_guides_notebook_runs_with_the_wheel_alone(

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import Block, inspect_window, window_request
 from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.toolkit.executors import measuring_modules
@@ -32,7 +32,7 @@ print(seam_inspector.__file__)
 MEASURE = """
 import pickle, sys
 request = pickle.load(sys.stdin.buffer)
-from seam_inspector.plugin.seams.measure.inspection import inspect_window
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_window
 pickle.dump(inspect_window(request), sys.stdout.buffer)
 """
 NO_BUILD_TOOL = ("No matching distribution found for hatchling", "Could not find a version that satisfies")
@@ -76,7 +76,7 @@ def test_the_wheel_holds_what_a_cluster_is_given(installed: Path, repository: Pa
     given = {path.relative_to(repository) for path in measuring_modules(repository / "plugin")}
     given |= {Path("__init__.py"), Path("plugin/__init__.py")}
     assert {path.relative_to(home) for path in home.rglob("*.py")} == given
-    assert Path("plugin/seams/measure/inspection.py") in given
+    assert Path("plugin/seams/measure/window/inspection.py") in given
 
 
 def test_requests_and_results_pass_between_plugin_and_package(installed: Path, make_raster: MakeRaster) -> None:

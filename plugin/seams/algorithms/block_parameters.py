@@ -16,11 +16,11 @@ from ..measure import messages
 
 if TYPE_CHECKING:
     from ...imagery.rasters import Raster, RasterRef
-    from ..measure.inspection import Block
     from ..measure.scan.block_runs import ScanStep
-    from ..measure.scan.lines.seam_features import SeamFeature
     from ..measure.seam_cells import Cell
+    from ..measure.seamlines.seam_features import SeamFeature
     from ..measure.source_images import Source
+    from ..measure.window.inspection import Block
 
 
 _TOLD_EVERY_S = 10.0
@@ -86,7 +86,7 @@ def _indexed_sources(run: Run, given: GivenSources, crs: QgsCoordinateReferenceS
 def given_block(run: Run, mosaic: Raster, given: GivenSources, cells: Iterable[Cell] = ()) -> Block:
     """Mosaic and sources; warns of those left out. Raises SettingsError when none is named at all."""
     from ...toolkit.layers import mosaic_crs
-    from ..measure.inspection import make_block, without_copies
+    from ..measure.window.inspection import make_block, without_copies
 
     indexed = _indexed_sources(run, given, mosaic_crs(mosaic))
     run.tell_once(given.left_out)

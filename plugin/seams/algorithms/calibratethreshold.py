@@ -16,7 +16,7 @@ from ..measure import messages
 from ..measure.window_records import WindowRecord, contrast_of
 
 if TYPE_CHECKING:
-    from ..measure.threshold_calibration import ThresholdCalibration, Verdicts
+    from ..measure.calibration.threshold_calibration import ThresholdCalibration, Verdicts
 
 WINDOWS, PAIRS, MEASURE, OUTPUT = "WINDOWS", "PAIRS", "MEASURE", "OUTPUT"
 MAX_RATIO, AUC, AUC_LOW, AUC_HIGH = "MAX_RATIO", "AUC", "AUC_LOW", "AUC_HIGH"
@@ -78,7 +78,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         })
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ..measure.threshold_calibration import calibrate
+        from ..measure.calibration.threshold_calibration import calibrate
         from ..tables.result_tables import calibration_features, calibration_fields
 
         run.check_chart()
@@ -160,7 +160,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     @staticmethod
     def _measured(measure: str, values: _Values, run: Run) -> Verdicts:
         """The windows where the measure has a value, by the observer's word, and their neighbourhoods."""
-        from ..measure.threshold_calibration import verdicts_of
+        from ..measure.calibration.threshold_calibration import verdicts_of
 
         known = [(window, value) for window, value in values if value is not None]
         if len(known) < len(values):

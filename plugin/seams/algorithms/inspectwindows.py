@@ -22,8 +22,8 @@ from ..measure.window_records import REFERENCES
 from .block_parameters import check_sources, given_block, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.inspection import Block
     from ..measure.seam_cells import Cell
+    from ..measure.window.inspection import Block
     from ..measure.window.window_request import InspectionSettings, WindowRequest
 
 WINDOWS, CELLS, REFERENCE, DIRECTIONS = "WINDOWS", "CELLS", "REFERENCE", "DIRECTIONS"
@@ -119,9 +119,9 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ...toolkit.algorithms.window_notices import WindowNotices
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_features, column_fields
-        from ..measure.inspection import inspect_windows
-        from ..measure.verdicts import Verdict
+        from ..measure.judgement.verdicts import Verdict
         from ..measure.window import window_tables as tables
+        from ..measure.window.inspection import inspect_windows
         from ..tables.result_tables import output_fields, window_feature
         from ..words import verdict_word
 
@@ -192,7 +192,7 @@ class InspectWindows(SeamInspectorAlgorithm):
 
     @staticmethod
     def _requests(drawn: WindowFeatures, block: Block, settings: InspectionSettings) -> Iterator[WindowRequest]:
-        from ..measure.inspection import window_request
+        from ..measure.window.inspection import window_request
         from ..measure.window.window_request import WindowRequest
 
         for window in drawn.windows():

@@ -138,10 +138,10 @@ class MendSeams(SeamInspectorAlgorithm):
     def _pieces(self, run: Run, crs: QgsCoordinateReferenceSystem, sources: list[Source]) -> list[SeamRun]:
         """Those of a scan; with windows of one that is made now, of which only those in the windows are wanted."""
         from ...toolkit import layers
-        from ..measure.inspection import Block
         from ..measure.mending.failed_runs import FIELDS, given_pieces
         from ..measure.scan.scan_result import GEOMETRY, seam_rows
         from ..measure.scan.whole_scan import ScanRun, scan
+        from ..measure.window.inspection import Block
 
         given, what = run.source(SEAMS), run.text(WHAT)
         if QgsWkbTypes.geometryType(given.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:

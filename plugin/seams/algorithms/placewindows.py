@@ -15,7 +15,7 @@ from ..measure import limits
 
 if TYPE_CHECKING:
     from ...imagery.grids import PixelWindow
-    from ..measure.window_placing import PlacingSettings
+    from ..measure.planning.window_placing import PlacingSettings
 
 SEAMLINES, SIDE, SPACING, OUTPUT = "SEAMLINES", "SIDE", "SPACING", "OUTPUT"
 
@@ -50,7 +50,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         ))
 
     def check(self, run: Run) -> None:
-        from ..measure.window_placing import window_side_px
+        from ..measure.planning.window_placing import window_side_px
 
         window_side_px(run.mosaic().grid, self._settings(run))
 
@@ -62,7 +62,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         from ...imagery.open_raster import OpenRaster
         from ...toolkit import layers
         from ...toolkit.table_fields import column_fields, column_values, feature
-        from ..measure.window_placing import place_windows
+        from ..measure.planning.window_placing import place_windows
         from ..tables.result_tables import PLACED_COLUMNS
 
         seamlines, mosaic = run.source(SEAMLINES), self._mosaic
@@ -92,6 +92,6 @@ class PlaceWindows(SeamInspectorAlgorithm):
         return {OUTPUT: destination}
 
     def _settings(self, run: Run) -> PlacingSettings:
-        from ..measure.window_placing import PlacingSettings
+        from ..measure.planning.window_placing import PlacingSettings
 
         return PlacingSettings(run.real(SIDE), run.real(SPACING), run.whole(common.LEVELS))

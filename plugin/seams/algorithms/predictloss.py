@@ -19,8 +19,8 @@ from ..measure.limits import COSINE, RAMPS
 from .block_parameters import check_sources, gathered_sources, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.feather_prediction import Seamlines
-    from ..measure.loss_forecast import ForecastRequest, ForecastSettings
+    from ..measure.judgement.feather_prediction import Seamlines
+    from ..measure.planning.loss_forecast import ForecastRequest, ForecastSettings
     from ..measure.source_images import Source
 
 WINDOWS, WIDTH, RAMP, SEAMLINES = "WINDOWS", "WIDTH", "RAMP", "SEAMLINES"
@@ -85,8 +85,8 @@ class PredictLoss(SeamInspectorAlgorithm):
         from ...toolkit.algorithms.window_notices import WindowNotices
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_features, column_fields, column_values, feature
-        from ..measure.inspection import Workers, in_order
-        from ..measure.loss_forecast import forecast_window, not_foretold
+        from ..measure.planning.loss_forecast import forecast_window, not_foretold
+        from ..measure.workers import Workers, in_order
         from ..tables.result_tables import FORECAST_COLUMNS, FORECAST_PAIR_COLUMNS
 
         self.check(run)
@@ -140,14 +140,14 @@ class PredictLoss(SeamInspectorAlgorithm):
         return crs, layers.system_wkt(crs)
 
     def _settings(self, run: Run) -> ForecastSettings:
-        from ..measure.loss_forecast import ForecastSettings
+        from ..measure.planning.loss_forecast import ForecastSettings
 
         return ForecastSettings(*run.decomposition(), run.real(WIDTH), run.text(RAMP) or COSINE)
 
     def _seamlines(self, run: Run, crs: QgsCoordinateReferenceSystem) -> Seamlines | None:
         """Those that are known, in the windows' reference system; None where the parameter is not given."""
         from ...toolkit import layers
-        from ..measure.feather_prediction import Seamlines
+        from ..measure.judgement.feather_prediction import Seamlines
 
         if not run.parameters.get(SEAMLINES):
             return None
@@ -161,7 +161,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         drawn: WindowFeatures, sources: list[Source], seamlines: Seamlines | None, wkt: str,
         settings: ForecastSettings,
     ) -> Iterator[ForecastRequest]:
-        from ..measure.loss_forecast import ForecastRequest
+        from ..measure.planning.loss_forecast import ForecastRequest
         from ..measure.source_images import sources_over
 
         for window in drawn.windows():

@@ -89,7 +89,7 @@ class Report(SeamInspectorAlgorithm):
 
     def _request(self, run: Run) -> ReportRequest:
         from ...toolkit import layers
-        from ..measure.inspection import Block
+        from ..measure.window.inspection import Block
         from ..report.report_request import ReportRequest
         from ..tables import record_tables
 

@@ -18,15 +18,14 @@ from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.outputs import output_text
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
-from ..measure import limits
-from ..measure.scan import messages
+from ..measure import limits, messages
 from .block_parameters import follow_steps, gathered_sources, given_features, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.scan.lines.given_seams import GivenSeams
+    from ..measure.blocks.scan_settings import ScanSettings
     from ..measure.scan.scan_result import ScanResult
-    from ..measure.scan.scan_settings import ScanSettings
     from ..measure.scan.whole_scan import WholeScan
+    from ..measure.seamlines.given_seams import GivenSeams
     from ..measure.source_images import Source
 
 SEAMLINES, SOURCE_FIELD, CORRIDOR, DENSITY = "SEAMLINES", "SOURCE_FIELD", "CORRIDOR", "DENSITY"
@@ -151,7 +150,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
 
     def _given_seams(self, run: Run, crs: QgsCoordinateReferenceSystem, paths: list[str]) -> GivenSeams | None:
         """What the seamlines say; None without them. ``paths``: of the orthoimages."""
-        from ..measure.scan.lines.given_seams import given_seams
+        from ..measure.seamlines.given_seams import given_seams
 
         if not run.parameters.get(SEAMLINES):
             return None
@@ -198,7 +197,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         return made
 
     def _settings(self, run: Run) -> ScanSettings:
-        from ..measure.scan.scan_settings import ScanSettings
+        from ..measure.blocks.scan_settings import ScanSettings
 
         return ScanSettings(
             *run.decomposition(), run.text(DENSITY), run.whole(CELL), run.real(PIECE), run.real(CORRIDOR),

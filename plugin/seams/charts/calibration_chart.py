@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from ...toolkit.charts.chart_style import PAPER, ChartStyle
 from ...toolkit.charts.figure_files import new_figure
 from ...toolkit.translation import filled, sentence, tr
-from ..measure.threshold_calibration import STANDARD_LIMITS, ThresholdCalibration, Verdicts
+from ..measure.calibration.threshold_calibration import STANDARD_LIMITS, ThresholdCalibration, Verdicts
 
 _CURVES_SIDE, _WORDS_WIDTH, _MEASURE_HEIGHT = 4.2, 3.0, 1.45  # inches; together as wide as A4 between its margins
 _WORDS_LETTERS = 40  # a line of words beside the curves

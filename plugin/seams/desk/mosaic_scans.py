@@ -31,7 +31,7 @@ from ...toolkit.layer_styles import load_style
 from ...toolkit.reference_systems import keep_system
 from ...toolkit.translation import filled, grouped_number, sentence, tr
 from ..jobs import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job, time_left
-from ..measure.scan import messages
+from ..measure import messages
 from ..measure.scan.whole_scan import JOURNAL_ENDING
 from ..tables import scan_layers
 from ..tables.scan_layers import ScanLayer

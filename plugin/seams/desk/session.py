@@ -22,8 +22,8 @@ from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 from ..jobs import ScanOrder
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
-from ..measure.inspection import Block, WindowRequest
-from ..measure.live_window import LiveWindow
+from ..measure.window.inspection import Block, WindowRequest
+from ..measure.window.live_window import LiveWindow
 from ..measure.window.source_use import SourceUse
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord

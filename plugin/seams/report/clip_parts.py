@@ -15,11 +15,11 @@ from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.raster_pool import one_by_one, open_raster, reading_threads
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
-from ..measure.greatest_loss import SHOWN_PX, greatest_loss
-from ..measure.inspection import Block, InspectionSettings, window_request
+from ..measure.judgement.greatest_loss import SHOWN_PX, greatest_loss
 from ..measure.profile.window_detail import LossPicture
 from ..measure.source_images import Source
 from ..measure.window.explained_window import window_lost
+from ..measure.window.inspection import Block, InspectionSettings, window_request
 from ..measure.window.measured_window import MeasuredWindow, measure_window
 from ..words import LOSS_OPACITY, loss_rgba
 

@@ -11,8 +11,8 @@ from ...imagery import limits as imagery_limits
 from ...imagery.limits import judged_band
 from ...toolkit import layers
 from ..measure import limits
-from ..measure.inspection import Block
 from ..measure.profile.window_detail import LossPicture
+from ..measure.window.inspection import Block
 from ..measure.window.window_result import WindowResult
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
 

@@ -12,9 +12,9 @@ from ...imagery.rasters import RasterRef
 from ...toolkit.layers import extent, line_wkb, transformed
 from ...toolkit.table_fields import is_known, text
 from ..measure import messages
-from ..measure.scan.lines.seam_features import SeamFeature
-from ..measure.scan.messages import SEAM_FEATURES_NOT_TRANSFORMED
+from ..measure.messages import SEAM_FEATURES_NOT_TRANSFORMED
 from ..measure.seam_cells import Cell
+from ..measure.seamlines.seam_features import SeamFeature
 from ..measure.source_images import Source
 
 LOCATION_FIELD = "location"  # as gdaltindex writes it

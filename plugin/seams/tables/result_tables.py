@@ -22,11 +22,11 @@ from ...toolkit.table_fields import (
 )
 from ...toolkit.translation import sentence
 from ...toolkit.version_differences import field
-from ..measure.loss_forecast import Forecast, ForecastPair
-from ..measure.threshold_calibration import STANDARD_LIMITS, Step, ThresholdCalibration, step_at
+from ..measure.calibration.threshold_calibration import STANDARD_LIMITS, Step, ThresholdCalibration, step_at
+from ..measure.planning.loss_forecast import Forecast, ForecastPair
+from ..measure.planning.window_placing import PlacedWindow
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import MEASURED, WINDOW_FIELDS
-from ..measure.window_placing import PlacedWindow
 
 give_titles({one.name: one.title for one in WINDOW_FIELDS if one.title})
 

@@ -9,8 +9,8 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import inspect_window, window_request
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.seams.inspecting import (

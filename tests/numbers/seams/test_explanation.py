@@ -11,9 +11,9 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET, LUMINANCE
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.imagery.wavelets import Curve, measure_bands, measure_clip
-from seam_inspector.plugin.seams.measure.causes import Cause
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
-from seam_inspector.plugin.seams.measure.explanation import explain
+from seam_inspector.plugin.seams.measure.judgement.causes import Cause
+from seam_inspector.plugin.seams.measure.judgement.explanation import explain
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.scenes import Scene, explained, whole_values

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.seams.measure.feather_prediction import Feather, expected_ratios, feathers
+from seam_inspector.plugin.seams.measure.judgement.feather_prediction import Feather, expected_ratios, feathers
 
 from tests.numbers.synthetic import decompose, texture
 

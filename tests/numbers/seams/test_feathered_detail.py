@@ -15,7 +15,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import geometry_on
-from seam_inspector.plugin.seams.measure.feather_prediction import (
+from seam_inspector.plugin.seams.measure.judgement.feather_prediction import (
     KeptDetail,
     Seamlines,
     assumed_seams,

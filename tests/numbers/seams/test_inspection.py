@@ -11,10 +11,10 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.inspection import Block, inspect_window, make_block, window_request
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.seam_cells import Cell
 from seam_inspector.plugin.seams.measure.source_images import Source
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.seams.inspecting import (

@@ -3,14 +3,14 @@ from __future__ import annotations
 
 import pytest
 from seam_inspector.plugin.imagery.grids import Extent
-from seam_inspector.plugin.seams.measure.inspection import (
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.inspection import (
     Block,
     inspect_in_stages,
     inspect_one,
     inspect_window,
     window_request,
 )
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowClips, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import REFERENCES

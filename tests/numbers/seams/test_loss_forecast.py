@@ -15,15 +15,15 @@ from seam_inspector.plugin.imagery.errors import Message, SettingsError
 from seam_inspector.plugin.imagery.grids import Extent, PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.feather_prediction import Seamlines
-from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
-from seam_inspector.plugin.seams.measure.loss_forecast import (
+from seam_inspector.plugin.seams.measure.judgement.feather_prediction import Seamlines
+from seam_inspector.plugin.seams.measure.planning.loss_forecast import (
     Forecast,
     ForecastRequest,
     ForecastSettings,
     forecast_window,
 )
 from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources, sources_over
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.synthetic import ORIGIN, UTM33, decompose, luminance, orthoimage, texture, wkt

@@ -13,8 +13,8 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.measure.inspection import Block, inspect_window, inspect_windows, window_request
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window, inspect_windows, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 

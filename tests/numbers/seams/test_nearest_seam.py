@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import ogr
 from seam_inspector.plugin.imagery.lines import Seam
-from seam_inspector.plugin.seams.measure.window_placing import SeamIndex
+from seam_inspector.plugin.seams.measure.planning.window_placing import SeamIndex
 
 from tests.work import calls_of
 

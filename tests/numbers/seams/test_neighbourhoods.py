@@ -4,7 +4,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import Extent
-from seam_inspector.plugin.seams.measure.neighbourhoods import Neighbourhoods, effective_count, find_neighbourhoods
+from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import (
+    Neighbourhoods,
+    effective_count,
+    find_neighbourhoods,
+)
 
 
 def window(x: float, y: float = 0.0, side: float = 100.0) -> Extent:

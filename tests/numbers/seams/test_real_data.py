@@ -11,9 +11,9 @@ from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.causes import Cause
-from seam_inspector.plugin.seams.measure.inspection import Block, inspect_windows, make_block, window_request
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.judgement.causes import Cause
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_windows, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 

@@ -14,7 +14,7 @@ from seam_inspector.plugin.imagery.clips import read_overview
 from seam_inspector.plugin.imagery.limits import judged_band
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.greatest_loss import greatest_loss
+from seam_inspector.plugin.seams.measure.judgement.greatest_loss import greatest_loss
 from seam_inspector.plugin.seams.measure.window_records import PairRecord, contrast_of
 
 from tests.numbers.synthetic import ORIGIN, orthoimage, texture

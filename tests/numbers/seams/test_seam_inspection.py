@@ -6,8 +6,8 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.causes import Cause
-from seam_inspector.plugin.seams.measure.verdicts import Verdict, judge
+from seam_inspector.plugin.seams.measure.judgement.causes import Cause
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict, judge
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of, templates
 from tests.numbers.seams.made_seams import BORDER, SIDE, WHOLE, as_bytes, blended, inspected, three_images, weight

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.causes import Cause
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.judgement.causes import Cause
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of, templates
 from tests.numbers.seams.made_seams import (

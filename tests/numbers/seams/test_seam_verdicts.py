@@ -12,9 +12,8 @@ from seam_inspector.plugin.imagery.errors import Message, SettingsError
 from seam_inspector.plugin.imagery.seam_totals import MOST_SPREAD
 from seam_inspector.plugin.seams.measure import limits
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.causes import MIN_MIXED
-from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
-from seam_inspector.plugin.seams.measure.verdicts import (
+from seam_inspector.plugin.seams.measure.judgement.causes import MIN_MIXED
+from seam_inspector.plugin.seams.measure.judgement.verdicts import (
     MAX_KEPT_LOW,
     MAY_HIDE_SEAM,
     MIN_EXPLAINED,
@@ -23,6 +22,7 @@ from seam_inspector.plugin.seams.measure.verdicts import (
     Verdict,
     check_min_kept,
 )
+from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
 from seam_inspector.plugin.seams.measure.window.explained_window import judge_by_seam
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST
 

@@ -5,8 +5,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.seams.measure.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.verdict_statistics import _parabola, _smoothed_shares, smoothed_threshold
+from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
+from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import (
+    _parabola,
+    _smoothed_shares,
+    smoothed_threshold,
+)
 
 from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, coverage
 from tests.examples import at_most

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.measure.causes import Cause
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.judgement.causes import Cause
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 
 from benchmarks.aftermaths import jpeg
 from benchmarks.large_mosaic import draw_ground

@@ -11,10 +11,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from scipy import stats
+from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
+from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
+    STANDARD_LIMITS,
+    Verdicts,
+    calibrate,
+    step_at,
+)
+from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import area_interval, roc_area, wanted_verdicts
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED
-from seam_inspector.plugin.seams.measure.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.threshold_calibration import STANDARD_LIMITS, Verdicts, calibrate, step_at
-from seam_inspector.plugin.seams.measure.verdict_statistics import area_interval, roc_area, wanted_verdicts
 
 VALUES = st.lists(st.integers(0, 40).map(lambda number: number / 20), min_size=5, max_size=30)
 

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
-from seam_inspector.plugin.seams.measure.causes import MIN_CLIPPED_SHARE
 from seam_inspector.plugin.seams.measure.compared_image import Change
+from seam_inspector.plugin.seams.measure.judgement.causes import MIN_CLIPPED_SHARE
 from seam_inspector.plugin.seams.measure.tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
 
 from tests.examples import at_most

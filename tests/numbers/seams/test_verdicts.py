@@ -9,7 +9,13 @@ from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import Message, SettingsError
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.verdicts import Judgement, Verdict, check_max_ratio, curve_ratios, judge
+from seam_inspector.plugin.seams.measure.judgement.verdicts import (
+    Judgement,
+    Verdict,
+    check_max_ratio,
+    curve_ratios,
+    judge,
+)
 
 
 def curve(*detail: float, variance: float = 900.0) -> Curve:

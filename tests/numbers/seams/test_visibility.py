@@ -15,8 +15,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
-from seam_inspector.plugin.seams.measure.visibility import (
+from seam_inspector.plugin.seams.measure.judgement.visibility import (
     DESK,
     Viewing,
     contrast_sensitivity,
@@ -24,6 +23,7 @@ from seam_inspector.plugin.seams.measure.visibility import (
     white_grey,
     window_visibility,
 )
+from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
 
 from tests.numbers.seams.profile.blends import SIDE, blend
 from tests.numbers.synthetic import luminance, read_pixels

@@ -12,15 +12,15 @@ from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
+from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
-from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, given_seams
 from seam_inspector.plugin.seams.measure.scan.scan_request import scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import JudgedPiece
-from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 from seam_inspector.plugin.seams.measure.seam_cells import Cell
+from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, given_seams
 from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from demo.block import GAP_FILLER, MIDDLE

@@ -3,8 +3,8 @@ from __future__ import annotations
 
 import numpy as np
 from seam_inspector.plugin.imagery.errors import Message
-from seam_inspector.plugin.seams.measure.inspection import window_request
 from seam_inspector.plugin.seams.measure.window.explained_window import WindowComposite, window_composite
+from seam_inspector.plugin.seams.measure.window.inspection import window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, mosaic_of

@@ -15,7 +15,7 @@ from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import Seam, find_seams
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.window_placing import (
+from seam_inspector.plugin.seams.measure.planning.window_placing import (
     Placement,
     PlacingSettings,
     fitting_side_m,

@@ -14,8 +14,8 @@ from seam_inspector.plugin.acceptance.paper.quality_document import quality_docu
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.open_raster import describe_placed
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.loss_raster import loss_raster
-from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 
 from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
 from tests.numbers.acceptance.public_schemas import NAMESPACES, faults

@@ -15,7 +15,7 @@ from seam_inspector.plugin.acceptance.paper.proofs import PROOF_PX
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.proven_acceptance import proof_panels
-from seam_inspector.plugin.seams.measure.inspection import open_block
+from seam_inspector.plugin.seams.measure.window.inspection import open_block
 from seam_inspector.plugin.toolkit.resources import plugin_commit
 from seam_inspector.plugin.toolkit.version_differences import field
 

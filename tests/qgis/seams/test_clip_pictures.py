@@ -13,7 +13,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture, make_pictures
-from seam_inspector.plugin.seams.measure.inspection import make_block
+from seam_inspector.plugin.seams.measure.window.inspection import make_block
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 from seam_inspector.plugin.toolkit import picture_stretch
 

@@ -15,8 +15,8 @@ from qgis.core import QgsVectorLayer
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import Block
 from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.inspection import Block
 from seam_inspector.plugin.seams.measure.window_records import CurveRecord, PairRecord, WindowRecord
 from seam_inspector.plugin.seams.report import flagged_windows, inspection_report
 from seam_inspector.plugin.seams.report.inspection_report import write_report

@@ -15,8 +15,8 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, ShownProfile
-from seam_inspector.plugin.seams.measure.inspection import Block, Source
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
+from seam_inspector.plugin.seams.measure.window.inspection import Block, Source
 from seam_inspector.plugin.seams.measure.window_records import ProfileRecord, WindowRecord
 from seam_inspector.plugin.seams.report.clip_parts import PlacedLoss, loss_overview, most_lost
 from seam_inspector.plugin.seams.report.inspection_report import write_report

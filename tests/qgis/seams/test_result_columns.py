@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from qgis.core import NULL, QgsVectorLayer
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window import window_tables
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, PairResult, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord

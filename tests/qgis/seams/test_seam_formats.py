@@ -15,7 +15,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, given_seams
+from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, given_seams
 from seam_inspector.plugin.seams.tables.input_layers import seam_features
 
 from tests.numbers.seams.scan.lines.test_given_seams import length, mosaic_elements, northward

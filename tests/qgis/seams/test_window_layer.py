@@ -14,7 +14,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from seam_inspector.plugin.imagery.errors import WindowLayerError
-from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.tables import window_file, window_layer
 from seam_inspector.plugin.seams.tables.window_file import StoredResult

@@ -9,7 +9,8 @@ from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams import words as seam_words
-from seam_inspector.plugin.seams.measure.causes import (
+from seam_inspector.plugin.seams.measure.compared_image import Change
+from seam_inspector.plugin.seams.measure.judgement.causes import (
     Cause,
     CauseEvidence,
     Misfit,
@@ -17,12 +18,11 @@ from seam_inspector.plugin.seams.measure.causes import (
     Texture,
     find_causes,
 )
-from seam_inspector.plugin.seams.measure.compared_image import Change
-from seam_inspector.plugin.seams.measure.explanation import Explanation
+from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.messages import VERDICT_OF_THE_REST
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure, ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.tone import Tone
-from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, WindowRecord
 from seam_inspector.plugin.seams.window_summary import (

@@ -11,8 +11,8 @@ from seam_inspector.plugin.imagery.errors import WorkersLostError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import Block, inspect_window, inspect_windows
 from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window, inspect_windows
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.toolkit import executors

@@ -36,11 +36,11 @@ from ....toolkit.reference_systems import reference_system, transformation
 from ....toolkit.translation import tr
 from ...jobs import ScanOrder
 from ...measure import messages
-from ...measure.inspection import Block, make_block, window_request
-from ...measure.scan.lines.seam_features import SeamFeature
-from ...measure.scan.scan_settings import ScanSettings
+from ...measure.blocks.scan_settings import ScanSettings
 from ...measure.seam_cells import Cell
+from ...measure.seamlines.seam_features import SeamFeature
 from ...measure.source_images import Source
+from ...measure.window.inspection import Block, make_block, window_request
 from ...measure.window.window_request import InspectionSettings, WindowRequest
 from ...measure.window_records import WindowRecord
 from ...tables import input_layers, window_layer

@@ -18,8 +18,8 @@ from ....toolkit.desk.widgets import SummaryBox, single_shot
 from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import limits, messages
+from ...measure.planning.window_placing import fitting_side_m, window_side_px
 from ...measure.window.source_use import source_doubts
-from ...measure.window_placing import fitting_side_m, window_side_px
 from ...tables.input_layers import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value
 from .source_list import SourceList

@@ -15,7 +15,7 @@ from ....toolkit.desk.widgets import single_shot
 from ....toolkit.project_settings import load_settings, save_settings, unmodified
 from ...measure import limits
 from ...measure.limits import DENSITIES
-from ...measure.window_placing import PlacingSettings
+from ...measure.planning.window_placing import PlacingSettings
 from ...measure.window_records import REFERENCES
 
 _KEY = "inputs"

@@ -26,9 +26,9 @@ from ...measure.inputs.valid_cells import (
     takes_part,
     valid_cells,
 )
-from ...measure.inspection import Block
+from ...measure.planning.window_placing import SeamIndex
 from ...measure.source_images import Source
-from ...measure.window_placing import SeamIndex
+from ...measure.window.inspection import Block
 from ..inputs.block_cache import BlockCache
 
 _TOGETHER_MS = 200

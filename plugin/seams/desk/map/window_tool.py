@@ -20,7 +20,7 @@ from ....toolkit.layers import transformed_point
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
 from ...measure.inputs.valid_cells import is_mosaic_enough
-from ...measure.window_placing import window_side_px
+from ...measure.planning.window_placing import window_side_px
 from ...measure.window_records import WindowRecord
 from .window_coverage import Coverage
 from .window_outline import OutlineTone, WindowOutline

@@ -14,7 +14,7 @@ from qgis.PyQt.QtWidgets import QMenu, QStyle, QStyleOptionHeader, QTableView, Q
 
 from ....imagery.documents import json_document
 from ....toolkit.translation import filled, tr
-from ...measure.causes import Cause
+from ...measure.judgement.causes import Cause
 from ...window_summary import shown_area
 from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import CAUSE, OBSERVERS, PAPER, TableColumn

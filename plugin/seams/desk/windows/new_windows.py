@@ -24,8 +24,8 @@ from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import filled, tr
 from ... import jobs
 from ...measure import messages
-from ...measure.inspection import Block
-from ...measure.window_placing import PlacedWindow, Placement
+from ...measure.planning.window_placing import PlacedWindow, Placement
+from ...measure.window.inspection import Block
 from ...measure.window_records import WindowRecord
 from ...tables import window_file, window_layer
 from .. import messages as keeping_messages

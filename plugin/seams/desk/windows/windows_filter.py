@@ -23,7 +23,7 @@ from ....imagery.errors import Message, SettingsError
 from ....imagery.statistics import DECIDED, FIRST, UNSURE
 from ....toolkit.version_differences import field
 from ...measure import messages
-from ...measure.causes import Cause
+from ...measure.judgement.causes import Cause
 from ...measure.window.window_tables import in_filter
 from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import JUDGING_COLUMNS, all_columns

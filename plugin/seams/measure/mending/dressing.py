@@ -12,7 +12,7 @@ from ....imagery.lines import points_at, vertex_stations
 from ....imagery.shifts import shifted
 from ..following.levelling import SQUARE_PX, gain_field, square_means, to_pixels
 from ..following.source_filters import UNTOUCHED, filtered
-from ..hard_cut import JudgedGround
+from ..judgement.hard_cut import JudgedGround
 
 FEWEST_SQUARES = 48
 """Fewest squares of 8 px on which a source is alone: with less nobody can tell its tones."""

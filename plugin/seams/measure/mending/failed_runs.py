@@ -11,10 +11,10 @@ import numpy as np
 from ....imagery.errors import SettingsError
 from ....imagery.lines import as_xy, is_line, line_points, points_at, read_geometry, simple_parts, vertex_stations
 from ....imagery.seam_totals import STRETCH, PieceState, possible_kept
+from ..judgement.verdicts import Verdict
 from ..limits import ALL, FAILED, REDUCED
-from ..scan.lines.seam_features import SeamFeature
-from ..scan.lines.seam_pieces import SeamPiece
-from ..verdicts import Verdict
+from ..seamlines.seam_features import SeamFeature
+from ..seamlines.seam_pieces import SeamPiece
 from . import messages
 
 LONGEST_PX = 1024.0

@@ -15,16 +15,16 @@ from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stat
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import judged_plane
+from ..blocks.block_pixels import JUDGED, BlockPixels
+from ..blocks.mosaic_reading import ALL_READ
 from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
 from ..following.followed_source import high_pass
 from ..following.levelling import SQUARE_PX, to_pixels
-from ..hard_cut import JudgedGround, as_type, judged_ground
+from ..judgement.hard_cut import JudgedGround, as_type, judged_ground
 from ..limits import MEND_BLEND_PX, MEND_WIDTH_M
-from ..scan.blocks.block_pixels import JUDGED, BlockPixels
-from ..scan.lines.piece_index import NearestPieces, PieceIndex
-from ..scan.mosaic_reading import ALL_READ
 from ..seam_cells import UNKNOWN
+from ..seamlines.piece_index import NearestPieces, PieceIndex
 from ..source_images import Source
 from ..while_measuring import measuring
 from . import messages

@@ -27,18 +27,18 @@ from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column, record_of, sentences_of, value_of
-from ..inspection import Workers
+from ..blocks.block_grid import BlockKey
+from ..blocks.scan_settings import ScanSettings
 from ..scan.block_runs import BlockLook, JournaledBlocks, ScanStep, held
-from ..scan.blocks.block_grid import BlockKey
-from ..scan.lines.given_seams import GivenSeams
-from ..scan.lines.piece_index import PieceIndex
-from ..scan.lines.seam_pieces import SidedSeam
 from ..scan.piece_sums import around_pieces
 from ..scan.scan_journal import ScanJournal, fingerprint_of, journal_beside
 from ..scan.scan_request import ScanRequest
-from ..scan.scan_settings import ScanSettings
 from ..scan.whole_scan import whole_scan
+from ..seamlines.given_seams import GivenSeams
+from ..seamlines.piece_index import PieceIndex
+from ..seamlines.seam_pieces import SidedSeam
 from ..source_images import Source
+from ..workers import Workers
 from . import messages
 from .failed_runs import SeamRun, part_of, seam_runs
 from .mend_run import GROUNDS_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended

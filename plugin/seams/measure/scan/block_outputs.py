@@ -11,14 +11,14 @@ from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.record_store import RecordFiles
 from ....imagery.records import record_of, value_of
+from .. import messages
+from ..blocks.block_grid import LABEL_PX, LABELS, UNITS, BlockKey
+from ..blocks.scan_block import NOT_LOOKED
 from ..profile.cell_table import CellTable
 from ..profile.ground import LevelGround, grounds
+from ..seamlines.label_borders import MARGIN, LabelTile, cleaned_edges
 from ..while_measuring import measuring
-from . import messages
 from .block_runs import NOTHING, block_labels, global_numbers, whole_block
-from .blocks.block_grid import LABEL_PX, LABELS, UNITS, BlockKey
-from .blocks.scan_block import NOT_LOOKED
-from .lines.label_borders import MARGIN, LabelTile, cleaned_edges
 from .loss_raster import NODATA, loss_cells
 from .scan_journal import not_saved
 

@@ -19,15 +19,15 @@ from ....imagery.errors import Message, SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.record_store import RecordFiles
 from ....imagery.records import NotUnderstoodError, packed, understanding, unpacked
+from .. import messages
+from ..blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
+from ..blocks.mosaic_reading import ALL_READ, BlockReading
+from ..blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
 from ..following.boxes import enlarged
 from ..following.source_filters import UNTOUCHED, Filters, Learned
-from ..inspection import Workers, in_order, unforeseen
 from ..profile.cell_table import CellTable, MixtureTable
 from ..seam_cells import UNKNOWN
-from . import messages
-from .blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
-from .blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
-from .mosaic_reading import ALL_READ, BlockReading
+from ..workers import Workers, in_order, unforeseen
 from .scan_journal import INCOMPLETE, ScanJournal, not_saved
 from .scan_request import ScanRequest
 

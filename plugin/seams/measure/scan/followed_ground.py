@@ -14,9 +14,9 @@ from functools import cached_property
 import numpy as np
 from scipy import ndimage
 
-from .blocks.block_grid import UNIT_PX, BlockGrid
-from .blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
-from .lines.seam_pieces import SeamPiece
+from ..blocks.block_grid import UNIT_PX, BlockGrid
+from ..blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
+from ..seamlines.seam_pieces import SeamPiece
 from .scan_request import LEAST_SEAM_PX, SHORTEST_PIECE_PX
 
 LEAST_UNEXPLAINED = 0.03

@@ -23,21 +23,21 @@ from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import RasterRef
 from ....imagery.seam_totals import PieceState
-from ..inspection import Workers, in_order
+from .. import messages
+from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of
+from ..blocks.mosaic_reading import MosaicReading
+from ..blocks.scan_block import NOT_LOOKED
+from ..judgement.visibility import white_grey
 from ..profile.seam_sums import StripProfile
-from ..visibility import white_grey
-from . import messages
+from ..seamlines.label_borders import LabelTile
+from ..seamlines.piece_index import PieceIndex
+from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
+from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, polygons_of, seams_of, trace_borders
+from ..workers import Workers, in_order
 from .block_outputs import BlockOutputs, OutputsRequest, block_outputs
 from .block_runs import several
-from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of
-from .blocks.scan_block import NOT_LOOKED
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
-from .lines.label_borders import LabelTile
-from .lines.piece_index import PieceIndex
-from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
-from .lines.seam_tracing import SourceBorder, SourcePolygon, polygons_of, seams_of, trace_borders
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
-from .mosaic_reading import MosaicReading
 from .piece_sums import REACH_PX, MeasuredPieces, PiecesRequest, around_pieces, measure_pieces, visibilities
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest

@@ -14,14 +14,14 @@ from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import open_raster
 from ....imagery.records import packed, understanding, unpacked
 from ....imagery.wavelets import judged_plane, placed_components
+from ..blocks.block_grid import BlockKey, rectangles
+from ..blocks.mosaic_reading import ALL_READ, BlockReading
+from ..blocks.scan_block import BlockRequest
 from ..following.boxes import in_squares
 from ..profile.cell_table import CELL_PX
+from ..seamlines.piece_index import PieceIndex
 from ..while_measuring import measuring
 from .block_runs import BlockLook
-from .blocks.block_grid import BlockKey, rectangles
-from .blocks.scan_block import BlockRequest
-from .lines.piece_index import PieceIndex
-from .mosaic_reading import ALL_READ, BlockReading
 
 REACH_PX = 128.0
 """Cells whose middle lies farther than this from any seam are left out."""

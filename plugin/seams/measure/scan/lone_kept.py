@@ -15,10 +15,10 @@ import numpy as np
 from ....imagery.errors import Message
 from ....imagery.seam_totals import MOST_SPREAD
 from ....imagery.statistics import critical_t
+from .. import messages
+from ..judgement.verdicts import Verdict
 from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
-from ..verdicts import Verdict
-from . import messages
 from .lone_blocks import ZONES_PX
 from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP, STRIP_PX, LoneStretches, ground_of
 

@@ -11,19 +11,19 @@ import numpy as np
 
 from ....imagery.errors import Message
 from ....imagery.lines import points_at, vertex_stations
-from ..inspection import Workers
-from . import messages
+from .. import messages
+from ..blocks.block_grid import BLOCK_PX, BlockKey
+from ..blocks.mosaic_reading import MosaicReading
+from ..blocks.scan_block import BlockRequest
+from ..blocks.seam_sides import SeamSides, SeamSquares
+from ..seamlines.piece_index import PieceIndex
+from ..seamlines.seam_pieces import SeamPiece
+from ..workers import Workers
 from .block_runs import JournaledBlocks, ScanStep, held
-from .blocks.block_grid import BLOCK_PX, BlockKey
-from .blocks.scan_block import BlockRequest
-from .blocks.seam_sides import SeamSides, SeamSquares
-from .lines.piece_index import PieceIndex
-from .lines.seam_pieces import SeamPiece
 from .lone_blocks import LONE_LOOK, MARGIN_PX, REACH_PX, LoneTable
 from .lone_kept import LoneJudgement, LoneSeams, judge_pieces, judge_stretches
 from .lone_stretches import STRIP_PX, LoneStretches, lone_stretches
 from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
-from .mosaic_reading import MosaicReading
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, ScanResult, state_by, without_verdict, worst_windows

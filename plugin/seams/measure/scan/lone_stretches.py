@@ -14,8 +14,8 @@ import numpy as np
 
 from ..energy_response import bounded, log_link_fit
 from ..profile.cell_table import CELL_PX
-from .lines.piece_index import PieceIndex
-from .lines.seam_pieces import SeamPiece
+from ..seamlines.piece_index import PieceIndex
+from ..seamlines.seam_pieces import SeamPiece
 from .lone_blocks import REACH_PX, ZONES_PX, LoneTable
 
 STRETCH_PX = 64.0

@@ -11,11 +11,11 @@ from ....imagery import messages as imagery_messages
 from ....imagery.gdal_calls import gdal_writing
 from ....imagery.raster_writer import GEOTIFF, whole_raster
 from ....imagery.rasters import Raster
+from ..blocks.block_grid import BLOCK_PX, LABEL_PX
+from ..blocks.scan_block import BlockScan
 from ..following.boxes import in_squares
 from ..profile.cell_table import CELL_PX
 from ..profile.ground import LevelGround
-from .blocks.block_grid import BLOCK_PX, LABEL_PX
-from .blocks.scan_block import BlockScan
 
 BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
 NODATA = -1.0  # all that is shown is 0 or more

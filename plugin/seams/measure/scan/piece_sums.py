@@ -10,20 +10,20 @@ import numpy as np
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
 from ....imagery.record_store import RecordFiles
+from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, BlockGrid, BlockKey
+from ..blocks.scan_block import CELLS
+from ..judgement.visibility import visibility
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..profile.ground import FAR_PX, LevelGround
 from ..profile.seam_profile import strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
-from ..visibility import visibility
+from ..seamlines.label_borders import NONE
+from ..seamlines.piece_index import PieceIndex
+from ..seamlines.seam_pieces import SeamPiece, sources_beside
 from ..while_measuring import measuring
 from .block_outputs import held_ground
 from .block_runs import block_labels, global_numbers, whole_block
-from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, BlockGrid, BlockKey
-from .blocks.scan_block import CELLS
-from .lines.label_borders import NONE
-from .lines.piece_index import PieceIndex
-from .lines.seam_pieces import SeamPiece, sources_beside
 
 REACH_PX = 144.0
 """How far from a piece cells are counted to it: what lies beyond is ground."""

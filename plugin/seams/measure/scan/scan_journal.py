@@ -24,8 +24,8 @@ from ....imagery.gdal_paths import is_remote, local_file, with_parts
 from ....imagery.messages import system_reason
 from ....imagery.rasters import RasterRef
 from ....imagery.record_store import RecordFiles, RecordFolder
+from .. import messages
 from ..source_images import Source
-from . import messages
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
 _PLACES = (".wld", ".prj", ".tab")

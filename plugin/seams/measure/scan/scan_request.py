@@ -13,20 +13,20 @@ from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import check_readable
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
+from .. import messages
+from ..blocks.block_grid import BlockGrid, BlockKey
+from ..blocks.scan_block import BlockRequest
+from ..blocks.scan_settings import ScanSettings
+from ..blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
 from ..inputs.grey_values import grey_factor
 from ..inputs.whole_images import whole_images
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
+from ..seamlines.given_seams import GivenSeams
+from ..seamlines.piece_index import PieceIndex
+from ..seamlines.seam_fields import source_numbers
+from ..seamlines.seam_pieces import SeamPiece, Side, SidedSeam, cut_in_pieces, cut_off
 from ..source_images import Footprints, Source
-from . import messages
-from .blocks.block_grid import BlockGrid, BlockKey
-from .blocks.scan_block import BlockRequest
-from .blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
-from .lines.given_seams import GivenSeams
-from .lines.piece_index import PieceIndex
-from .lines.seam_fields import source_numbers
-from .lines.seam_pieces import SeamPiece, Side, SidedSeam, cut_in_pieces, cut_off
-from .scan_settings import ScanSettings
 
 LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)
 """With a strip that is just large enough to be measured."""

@@ -18,15 +18,15 @@ from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column, Row, rows_of
 from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
+from .. import messages
+from ..blocks.scan_settings import ScanSettings
 from ..following.likely_source import MIN_FIT, MIN_TEXTURE
+from ..judgement.verdicts import MAX_KEPT_LOW, Verdict, judge_profile
+from ..planning.window_placing import PlacedWindow, WindowIndex
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..profile.seam_sums import StripProfile
-from ..verdicts import MAX_KEPT_LOW, Verdict, judge_profile
-from ..window_placing import PlacedWindow, WindowIndex
-from . import messages
-from .lines.seam_pieces import SeamPiece
-from .lines.seam_tracing import SourcePolygon
-from .scan_settings import ScanSettings
+from ..seamlines.seam_pieces import SeamPiece
+from ..seamlines.seam_tracing import SourcePolygon
 
 MOST_GRAIN = 1.5 / 255
 """Rms of a source's finest detail, as a share of white: what sensors leave on even ground, and compression takes."""

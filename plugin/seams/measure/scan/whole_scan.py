@@ -16,21 +16,22 @@ from ....imagery.file_identity import FileState, guarding, known_states, local_s
 from ....imagery.gdal_paths import is_remote
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.seam_totals import METRES, MOSAIC_FILES, SOURCE_FILES
-from ..inspection import Block, PathLike, Workers
+from .. import messages
+from ..blocks.block_grid import BlockKey
+from ..blocks.mosaic_reading import MosaicReading
+from ..blocks.scan_block import BlockScan
+from ..blocks.scan_settings import ScanSettings
+from ..seamlines.given_seams import given_seams
+from ..seamlines.seam_features import read_seam_features
 from ..while_measuring import measuring
-from . import messages
+from ..window.inspection import Block, PathLike
+from ..workers import Workers
 from .block_runs import BlockRun, ScanStep, whole_block
-from .blocks.block_grid import BlockKey
-from .blocks.scan_block import BlockScan
 from .gathering import Gathering
-from .lines.given_seams import given_seams
-from .lines.seam_features import read_seam_features
 from .lone_scan import LoneScanning
-from .mosaic_reading import MosaicReading
 from .scan_journal import MOST_ASKED, ScanJournal, fingerprint_of, journal_beside
 from .scan_request import ScanRequest, scan_request
 from .scan_result import ScanResult, dated
-from .scan_settings import ScanSettings
 
 JOURNAL_ENDING = ".scan"
 """Ending of the file beside the first output that holds what is measured until the scan is complete."""

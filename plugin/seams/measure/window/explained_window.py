@@ -11,14 +11,11 @@ from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message
 from ....imagery.wavelets import Curve, correlation
 from .. import messages
-from ..causes import Cause
 from ..compared_image import Change, MeasuredClip
-from ..explanation import Explanation, explain
-from ..hard_cut import cut_hard, window_loss
-from ..limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
-from ..profile.window_detail import LossPicture
-from ..seam_cells import UNKNOWN, cell_labels
-from ..verdicts import (
+from ..judgement.causes import Cause
+from ..judgement.explanation import Explanation, explain
+from ..judgement.hard_cut import cut_hard, window_loss
+from ..judgement.verdicts import (
     MIN_EXPLAINED,
     Judgement,
     Ratios,
@@ -28,6 +25,9 @@ from ..verdicts import (
     judge_profile,
     judge_without_profile,
 )
+from ..limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
+from ..profile.window_detail import LossPicture
+from ..seam_cells import UNKNOWN, cell_labels
 from ..while_measuring import measuring
 from ..window_records import COMPOSITE, SEAM
 from .measured_window import MeasuredWindow, in_file_values, measure_window

@@ -21,7 +21,7 @@ from ....imagery.wavelets import Curve, judged_plane, measure_bands, measure_cli
 from .. import messages
 from ..compared_image import MeasuredClip
 from ..inputs.whole_images import images_in_parts, whole_images_of_clips
-from ..verdicts import Judgement, Verdict, judge
+from ..judgement.verdicts import Judgement, Verdict, judge
 from .window_request import WindowRequest, place_in, read_with_surroundings
 from .window_result import ClipResult, WindowClips
 

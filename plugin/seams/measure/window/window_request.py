@@ -16,10 +16,10 @@ from ....imagery.rasters import Raster
 from ....imagery.wavelets import check_decomposition
 from .. import limits, messages
 from ..inputs.grey_values import read_grey_clip
+from ..judgement.verdicts import check_max_ratio, check_min_kept
 from ..profile.cell_table import CELL_PX
 from ..seam_cells import Cell
 from ..source_images import Source
-from ..verdicts import check_max_ratio, check_min_kept
 from ..window_records import REFERENCES
 
 MARGIN_PX = 128

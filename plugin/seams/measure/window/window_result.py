@@ -7,13 +7,13 @@ from typing import Union
 from ....imagery.errors import Message
 from ....imagery.grids import PixelWindow
 from ....imagery.wavelets import Curve, Directions
-from ..causes import Cause
 from ..compared_image import Change
-from ..explanation import Explanation
+from ..judgement.causes import Cause
+from ..judgement.explanation import Explanation
+from ..judgement.verdicts import MAX_KEPT_LOW, Judgement, Ratios, Verdict
 from ..limits import SHARPNESS_TOLERANCE
 from ..profile.seam_profile import SeamProfile
 from ..profile.window_detail import LossPicture
-from ..verdicts import MAX_KEPT_LOW, Judgement, Ratios, Verdict
 from ..window_records import COMPOSITE, REFERENCES, SEAM
 from .window_request import WindowRequest
 

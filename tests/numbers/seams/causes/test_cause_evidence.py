@@ -8,9 +8,9 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.cause_evidence import measure_texture, source_tones
-from seam_inspector.plugin.seams.measure.causes import Texture
 from seam_inspector.plugin.seams.measure.following.compression import MIN_VANISHED
+from seam_inspector.plugin.seams.measure.judgement.cause_evidence import measure_texture, source_tones
+from seam_inspector.plugin.seams.measure.judgement.causes import Texture
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.tone import Tone
 

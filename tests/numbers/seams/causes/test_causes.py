@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.seams.measure import causes as rules
 from seam_inspector.plugin.seams.measure import limits
-from seam_inspector.plugin.seams.measure.causes import (
+from seam_inspector.plugin.seams.measure.judgement import causes as rules
+from seam_inspector.plugin.seams.measure.judgement.causes import (
     ALONG_THE_SEAM,
     Cause,
     CauseEvidence,

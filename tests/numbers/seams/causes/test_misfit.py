@@ -12,14 +12,9 @@ from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.imagery.shifts import Shift
-from seam_inspector.plugin.seams.measure.cause_evidence import misfit_of, placed_misfit
-from seam_inspector.plugin.seams.measure.causes import (
-    ALONG_THE_SEAM,
-    MIN_MISFIT_SHARE,
-    Cause,
-    causes_taken,
-)
-from seam_inspector.plugin.seams.measure.explanation import Explanation
+from seam_inspector.plugin.seams.measure.judgement.cause_evidence import misfit_of, placed_misfit
+from seam_inspector.plugin.seams.measure.judgement.causes import ALONG_THE_SEAM, MIN_MISFIT_SHARE, Cause, causes_taken
+from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation
 
 from benchmarks.scenes import Scene, explained, whole_values
 from tests.numbers.synthetic import orthoimage, texture

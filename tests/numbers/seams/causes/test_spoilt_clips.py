@@ -14,12 +14,12 @@ from seam_inspector.plugin.imagery.limits import LUMINANCE
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import luminance
-from seam_inspector.plugin.seams.measure.causes import Cause, causes_taken
-from seam_inspector.plugin.seams.measure.explanation import Explanation
 from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
-from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.judgement.causes import Cause, causes_taken
+from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.explained_window import judge_by_seam
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from benchmarks import aftermaths

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from seam_inspector.plugin.seams.measure.following.followed_source import FollowedSource, follow_planes, high_pass
-from seam_inspector.plugin.seams.measure.hard_cut import follows_at, make_composite
+from seam_inspector.plugin.seams.measure.judgement.hard_cut import follows_at, make_composite
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.tone import Tone
 

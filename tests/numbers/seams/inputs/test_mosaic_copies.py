@@ -15,9 +15,14 @@ from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.inputs import messages
 from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import covered_share, leave_out_copies
-from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request, without_copies
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.inspection import (
+    inspect_window,
+    make_block,
+    window_request,
+    without_copies,
+)
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.conftest import MakeRaster

@@ -9,7 +9,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.source_use import FEWEST_WINDOWS, source_doubts, source_use
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult

@@ -19,7 +19,7 @@ from seam_inspector.plugin.seams.measure.inputs.valid_cells import (
     nearest_judgeable,
     valid_cells,
 )
-from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.conftest import MakeRaster

@@ -10,9 +10,8 @@ from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import find_seams
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
-from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import cut_in_pieces
 from seam_inspector.plugin.seams.measure.scan.lone_blocks import LoneTable, MosaicPixels, lone_cells
 from seam_inspector.plugin.seams.measure.scan.lone_kept import (
     COLOURLESS,
@@ -24,7 +23,8 @@ from seam_inspector.plugin.seams.measure.scan.lone_kept import (
     verdict_of,
 )
 from seam_inspector.plugin.seams.measure.scan.lone_stretches import lone_stretches
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import cut_in_pieces
 
 from benchmarks.aftermaths import jpeg, nothing, unsharp
 from tests.numbers.seams.scan.lone_mosaics import (

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan import scan_journal
 from seam_inspector.plugin.seams.measure.scan.scan_journal import MOST_ASKED, fingerprint_of, what_changed
-from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.source_images import Source
 
 from tests.numbers.conftest import MakeRaster

@@ -21,8 +21,8 @@ from seam_inspector import (
     open_block,
     scan,
 )
-from seam_inspector.plugin.seams.measure.inspection import Block
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX
+from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX
+from seam_inspector.plugin.seams.measure.window.inspection import Block
 
 from tests.numbers.synthetic import orthoimage, write_raster
 

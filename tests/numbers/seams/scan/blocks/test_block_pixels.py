@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BlockGrid
-from seam_inspector.plugin.seams.measure.scan.blocks.block_pixels import MOST_HELD, BlockPixels, Planes
+from seam_inspector.plugin.seams.measure.blocks.block_grid import BlockGrid
+from seam_inspector.plugin.seams.measure.blocks.block_pixels import MOST_HELD, BlockPixels, Planes
 
 from tests.numbers.seams.scan.blocks.scenes import NODATA, Scene, as_bytes, images, scene
 from tests.numbers.synthetic import luminance, orthoimage

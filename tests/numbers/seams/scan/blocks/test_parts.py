@@ -9,10 +9,8 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import placed_components
-from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, FARTHEST, CellTable
-from seam_inspector.plugin.seams.measure.profile.detail_sums import MeetingSources, detail_sums
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, UNIT_PX
-from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import (
+from seam_inspector.plugin.seams.measure.blocks.block_grid import LABEL_PX, UNIT_PX
+from seam_inspector.plugin.seams.measure.blocks.block_parts import (
     BLOCK_MARGIN_PX,
     DensePart,
     PartRequest,
@@ -20,7 +18,9 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import (
     measure_part,
     measure_plain,
 )
-from seam_inspector.plugin.seams.measure.scan.blocks.patches import look_at_squares
+from seam_inspector.plugin.seams.measure.blocks.patches import look_at_squares
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, FARTHEST, CellTable
+from seam_inspector.plugin.seams.measure.profile.detail_sums import MeetingSources, detail_sums
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.seams.scan.blocks.scenes import (

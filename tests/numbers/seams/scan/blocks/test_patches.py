@@ -6,16 +6,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, FARTHEST
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import SQUARE_PX
-from seam_inspector.plugin.seams.measure.scan.blocks.block_pixels import MOST_HELD
-from seam_inspector.plugin.seams.measure.scan.blocks.patches import (
+from seam_inspector.plugin.seams.measure.blocks.block_grid import SQUARE_PX
+from seam_inspector.plugin.seams.measure.blocks.block_pixels import MOST_HELD
+from seam_inspector.plugin.seams.measure.blocks.patches import (
     PATCH_PX,
     PATCH_START_PX,
     SquareLook,
     look_at_squares,
     middle_sources,
 )
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, FARTHEST
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.aftermaths import jpeg

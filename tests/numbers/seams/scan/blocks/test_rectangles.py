@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import MARGIN_PX, UNIT_PX, UNITS, rectangles
+from seam_inspector.plugin.seams.measure.blocks.block_grid import MARGIN_PX, UNIT_PX, UNITS, rectangles
 
 from tests.examples import at_most
 

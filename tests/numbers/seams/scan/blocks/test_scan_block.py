@@ -9,16 +9,8 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.following.source_filters import Filters, Learned
-from seam_inspector.plugin.seams.measure.profile.cell_table import (
-    CELL_PX,
-    EDGES_PX,
-    PRODUCTS,
-    CellTable,
-)
-from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
-from seam_inspector.plugin.seams.measure.scan.blocks import scan_block as scan_block_module
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
+from seam_inspector.plugin.seams.measure.blocks import scan_block as scan_block_module
+from seam_inspector.plugin.seams.measure.blocks.block_grid import (
     BLOCK_PX,
     LABEL_PX,
     LABELS,
@@ -28,9 +20,9 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     UNITS,
     BlockGrid,
 )
-from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import DensePart, PartRequest, measure_part
-from seam_inspector.plugin.seams.measure.scan.blocks.block_pixels import BlockPixels
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
+from seam_inspector.plugin.seams.measure.blocks.block_parts import DensePart, PartRequest, measure_part
+from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
+from seam_inspector.plugin.seams.measure.blocks.scan_block import (
     CELLS,
     EMPTY,
     BlockScan,
@@ -38,6 +30,14 @@ from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
     called_for,
     scan_block,
 )
+from seam_inspector.plugin.seams.measure.following.source_filters import Filters, Learned
+from seam_inspector.plugin.seams.measure.profile.cell_table import (
+    CELL_PX,
+    EDGES_PX,
+    PRODUCTS,
+    CellTable,
+)
+from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.source_images import Source
 

@@ -3,9 +3,9 @@ from __future__ import annotations
 
 import numpy as np
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.seams.measure.scan.blocks.seam_sides import REACH_PX, SeamSides, Sides
-from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
+from seam_inspector.plugin.seams.measure.blocks.seam_sides import REACH_PX, SeamSides, Sides
+from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece
 
 GRID = Grid(0.0, 0.0, 1.0, 1.0, 2000, 2000)
 DOWN, ACROSS = [(100.0, 0.0), (100.0, 500.0)], [(1000.0, 900.0), (1400.0, 900.0)]

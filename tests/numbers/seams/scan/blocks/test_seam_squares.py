@@ -9,9 +9,9 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS, BlockGrid, place_of
-from seam_inspector.plugin.seams.measure.scan.blocks.seam_sides import BESIDE_PX, SeamSquares
-from seam_inspector.plugin.seams.measure.scan.lines.given_seams import SidedSeam
+from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid, place_of
+from seam_inspector.plugin.seams.measure.blocks.seam_sides import BESIDE_PX, SeamSquares
+from seam_inspector.plugin.seams.measure.seamlines.given_seams import SidedSeam
 
 from tests.examples import at_most
 

@@ -8,7 +8,7 @@ from scipy import ndimage
 from scipy.spatial import cKDTree
 from scipy.special import ndtri
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.label_borders import MARGIN, LabelTile, cleaned_edges
+from seam_inspector.plugin.seams.measure.seamlines.label_borders import MARGIN, LabelTile, cleaned_edges
 
 LABEL_PX = 4
 

@@ -9,9 +9,9 @@ import pytest
 from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.errors import SeamlineError, SettingsError
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, SidedSeam, given_seams
-from seam_inspector.plugin.seams.measure.scan.lines.seam_features import SeamFeature
-from seam_inspector.plugin.seams.measure.scan.lines.seam_fields import SeamFields, seam_fields
+from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, SidedSeam, given_seams
+from seam_inspector.plugin.seams.measure.seamlines.seam_features import SeamFeature
+from seam_inspector.plugin.seams.measure.seamlines.seam_fields import SeamFields, seam_fields
 
 GRID = Grid(0.0, 200.0, 0.1, 0.1, 4000, 2000)
 """400 x 200 m."""

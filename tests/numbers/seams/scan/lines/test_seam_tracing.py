@@ -11,14 +11,14 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.label_borders import (
+from seam_inspector.plugin.seams.measure.seamlines.label_borders import (
     LabelBorder,
     _gaps_closed,
     cleaned,
     joined_borders,
     tile_edges,
 )
-from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import SidedSeam, seams_of, trace_borders
+from seam_inspector.plugin.seams.measure.seamlines.seam_tracing import SidedSeam, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import (
     LABEL_PX,

@@ -6,7 +6,7 @@ import pytest
 from osgeo import ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import (
+from seam_inspector.plugin.seams.measure.seamlines.seam_tracing import (
     SourceBorder,
     polygons_of,
     seams_of,

@@ -3,15 +3,15 @@ from __future__ import annotations
 
 import numpy as np
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.seams.measure.blocks.block_grid import LABEL_PX, LABELS, SQUARES, UNITS
+from seam_inspector.plugin.seams.measure.blocks.scan_block import CELLS, BlockScan
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.profile.seam_sums import StripProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, LABELS, SQUARES, UNITS
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS, BlockScan
-from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
 from seam_inspector.plugin.seams.measure.scan.piece_sums import PieceSums
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, Blend
 

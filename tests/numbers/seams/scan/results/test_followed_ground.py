@@ -9,11 +9,11 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
+from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
+from seam_inspector.plugin.seams.measure.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
 from seam_inspector.plugin.seams.measure.scan.followed_ground import FollowedGround
-from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, SidedSeam
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, SidedSeam
 
 from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, as_bytes, beside, blended, images, scene
 from tests.numbers.seams.scan.results.test_gathering import GSD, SEAM, given_seam, result_of

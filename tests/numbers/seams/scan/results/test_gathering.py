@@ -12,18 +12,18 @@ import pytest
 from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
+from seam_inspector.plugin.seams.measure.blocks.scan_block import LACKING, BlockScan, scan_block
+from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, PRODUCTS, CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, both_looks, global_numbers
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import LACKING, BlockScan, scan_block
-from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, SidedSeam
 from seam_inspector.plugin.seams.measure.scan.loss_raster import NODATA as NO_LOSS
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
-from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, SidedSeam
 
 from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, as_bytes, beside, blended, images, scene
 from tests.numbers.seams.scan.whole_scan_lives import scanned

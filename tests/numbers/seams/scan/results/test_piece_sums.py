@@ -7,6 +7,9 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX
+from seam_inspector.plugin.seams.measure.blocks.scan_block import CELLS
+from seam_inspector.plugin.seams.measure.judgement.visibility import white_grey, window_visibility
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CELL_PX,
     EDGES_PX,
@@ -16,10 +19,7 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS
 from seam_inspector.plugin.seams.measure.scan.piece_sums import visibilities, without_even
-from seam_inspector.plugin.seams.measure.visibility import white_grey, window_visibility
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend, spread
 from tests.numbers.seams.scan.results.one_window import GRID, WINDOW, pieces_of, profiles_of, sums_of

@@ -11,9 +11,9 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.seam_totals import PieceState
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.profile.seam_sums import StripProfile
-from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
 from seam_inspector.plugin.seams.measure.scan.scan_result import (
     JudgedPiece,
     PieceFigures,
@@ -22,7 +22,7 @@ from seam_inspector.plugin.seams.measure.scan.scan_result import (
     window_side_px,
     worst_windows,
 )
-from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece
 
 from tests.numbers.synthetic import write_raster
 

@@ -10,11 +10,11 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.session import LossView
-from seam_inspector.plugin.seams.measure.inspection import WindowResult
-from seam_inspector.plugin.seams.measure.live_window import LiveWindow
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
-from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
+from seam_inspector.plugin.seams.measure.window.inspection import WindowResult
+from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.scenes import ORIGIN, PIXEL

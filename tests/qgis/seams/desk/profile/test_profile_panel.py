@@ -15,9 +15,9 @@ from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, bin
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
 from seam_inspector.plugin.seams.desk.charts.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
-from seam_inspector.plugin.seams.measure.live_window import LiveWindow
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
-from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
+from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window.window_result import WindowClips
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
 

@@ -1,0 +1,120 @@
+"""The blocks of a mosaic that are scanned one by one, squares in them, and rectangles worth to be measured densely."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....imagery.grids import Grid, PixelWindow
+
+BLOCK_PX = 2048
+"""Side of a block: what is held in memory at a time."""
+SQUARE_PX = 128
+"""Side of a square: one patch in each is looked at."""
+SQUARES = BLOCK_PX // SQUARE_PX
+"""Along a side of a block."""
+UNIT_PX = 32
+"""What is measured densely is told in units of this side."""
+UNITS = BLOCK_PX // UNIT_PX
+"""Along a side of a block."""
+LABEL_PX = 4
+"""Side of a sample of the labels that are kept."""
+LABELS = BLOCK_PX // LABEL_PX
+"""Along a side of a block."""
+
+BlockKey = tuple[int, int]
+"""Row and column of a block, from the top left."""
+
+
+@dataclass(frozen=True)
+class BlockGrid:
+    """Which blocks a mosaic has."""
+
+    grid: Grid
+
+    @property
+    def rows(self) -> int:
+        """Number of rows of blocks."""
+        return -(-self.grid.rows // BLOCK_PX)
+
+    @property
+    def columns(self) -> int:
+        """Number of columns of blocks."""
+        return -(-self.grid.columns // BLOCK_PX)
+
+    def __iter__(self) -> Iterator[BlockKey]:
+        """All blocks, row by row."""
+        return ((row, column) for row in range(self.rows) for column in range(self.columns))
+
+    def window(self, key: BlockKey) -> PixelWindow:
+        """The pixels of a block; those at the right and bottom edge are smaller."""
+        row, column = key
+        whole = PixelWindow(column * BLOCK_PX, row * BLOCK_PX, BLOCK_PX, BLOCK_PX)
+        return whole.cut_to(self.grid.columns, self.grid.rows)
+
+
+def place_of(key: BlockKey, side: int) -> tuple[slice, slice]:
+    """Place of a block in an array of the whole mosaic that has ``side`` samples along a block's."""
+    row, column = key
+    return slice(row * side, (row + 1) * side), slice(column * side, (column + 1) * side)
+
+
+MARGIN_PX = 16
+"""Around a rectangle: what labels and the finest details need to know beyond it."""
+_MOST_UNITS = 2560  # of a rectangle, 2.6 million px: beyond that it only takes memory
+_ALONE_PX = 60_000.0  # pixels that take as long as the mere calls
+
+
+def rectangles(wanted: np.ndarray) -> list[PixelWindow]:
+    """Rectangles that cover the units, (rows, columns) bool, and no unit twice; pixels from the corner of the first
+    unit on.
+
+    The rectangle around all is cut in two where that saves most time, and so are its parts, as long as it saves any.
+    """
+    return [
+        PixelWindow(left * UNIT_PX, top * UNIT_PX, (right - left) * UNIT_PX, (bottom - top) * UNIT_PX)
+        for top, bottom, left, right in _divided(wanted, 0, 0)
+    ]
+
+
+_Part = tuple[int, int, int, int]  # first and last row, first and last column
+
+
+def _divided(wanted: np.ndarray, top: int, left: int) -> list[_Part]:
+    """Rectangles of a part whose first unit is at ``top``, ``left``."""
+    rows, columns = (np.flatnonzero(wanted.any(axis=axis)) for axis in (1, 0))
+    if not len(rows):
+        return []
+    wanted = wanted[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    top, left = top + int(rows[0]), left + int(columns[0])
+    height, width = wanted.shape
+    best = float("inf") if height * width > _MOST_UNITS else float(_costs(np.array(height), np.array(width)))
+    down, across = _costs_of_cuts(wanted), _costs_of_cuts(wanted.T)
+    if min(down.min(initial=np.inf), across.min(initial=np.inf)) >= best:
+        return [(top, top + height, left, left + width)]
+    if down.min(initial=np.inf) <= across.min(initial=np.inf):
+        cut = int(down.argmin()) + 1
+        return _divided(wanted[:cut], top, left) + _divided(wanted[cut:], top + cut, left)
+    cut = int(across.argmin()) + 1
+    return _divided(wanted[:, :cut], top, left) + _divided(wanted[:, cut:], top, left + cut)
+
+
+def _costs_of_cuts(wanted: np.ndarray) -> np.ndarray:
+    """Costs of the rectangles around what is above and below each cut between two rows, (rows - 1,)."""
+    return _above(wanted)[:-1] + _above(wanted[::-1])[:-1][::-1]
+
+
+def _above(wanted: np.ndarray) -> np.ndarray:
+    """What the rectangle around each row and all before it costs, (rows,); the first row is not empty."""
+    some = wanted.any(axis=1)
+    length = wanted.shape[1]
+    first = np.minimum.accumulate(np.where(some, wanted.argmax(axis=1), length))
+    last = np.maximum.accumulate(np.where(some, length - wanted[:, ::-1].argmax(axis=1), 0))
+    row = np.maximum.accumulate(np.where(some, np.arange(1, len(wanted) + 1), 0))
+    return _costs(row, last - first)
+
+
+def _costs(height: np.ndarray, width: np.ndarray) -> np.ndarray:
+    """Time as pixels."""
+    return np.asarray((height * UNIT_PX + 2.0 * MARGIN_PX) * (width * UNIT_PX + 2.0 * MARGIN_PX) + _ALONE_PX)

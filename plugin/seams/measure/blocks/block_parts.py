@@ -1,0 +1,230 @@
+"""Parts of a block: pixel by pixel along its seams, and all of the ground between them, whose source patches tell."""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import ndimage
+
+from ....imagery.grids import PixelWindow
+from ....imagery.wavelets import placed_components
+from ..compared_image import ComparedImage
+from ..following.boxes import enlarged, narrowed, square_shares, square_sums
+from ..following.expected_mosaic import Closeness, expected_mosaic
+from ..following.followed_source import HIGH_PASS_PX, follow_planes, high_pass
+from ..following.levelling import SQUARE_PX as TONE_PX
+from ..following.levelling import gain_field, square_means
+from ..following.likely_source import QUICK, filled_in
+from ..following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, clearer_by_parts, follow_given, follow_sources
+from ..following.source_filters import Filters
+from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
+from ..profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
+from ..seam_cells import UNKNOWN, is_one_of, present
+from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
+from .block_pixels import JUDGED, BlockPixels, Planes
+from .patches import PATCH_PX, SquareLook
+from .seam_sides import SeamSides
+
+MIN_CLEAR = 0.9  # of a window: with more there is no part that is guessed
+MIN_SURE = 0.3  # of a part of one source; true ones have 0.56 or more after JPEG 75, guessed ones 0.25 or less
+MIN_VALID = 0.02  # of a part's pixels: with less there is nothing to be measured
+
+
+@dataclass(frozen=True, eq=False)
+class DensePart:
+    """What was measured in a rectangle of whole squares."""
+
+    window: PixelWindow
+    """On the mosaic's grid, without margins."""
+    labels: np.ndarray
+    """(rows, columns) uint8, one in ``LABEL_PX`` pixels: number of the source that is followed, or ``UNKNOWN``."""
+    mixture: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: share of the pixels that are a mixture of two sources."""
+    grey: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: mean of the mosaic."""
+    grain: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: rms of the finest detail of the source that has most of it, DN."""
+    cells: CellTable
+    beside: MixtureTable
+    """What is mixed of what along its seams."""
+    unexplained: float
+    """Share of the mosaic's valid pixels that no source explains."""
+
+
+@dataclass(frozen=True, eq=False)
+class PartRequest:
+    """A rectangle that is to be measured, and what is known of it."""
+
+    window: PixelWindow
+    """On the mosaic's grid."""
+    numbers: tuple[int, ...]
+    """The sources of its block that it is measured by."""
+    filters: Filters | None = None
+    """What came over the mosaic, where that is known of all of them."""
+    sides: SeamSides | None = None
+    """The seams that are given."""
+
+
+def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels: int) -> DensePart:
+    """Measure a rectangle of a block. Raises RasterError where the mosaic can't be read."""
+    window, filters, sides = request.window, request.filters, request.sides
+    around = window.with_margin(MARGIN_PX)
+    planes = pixels.part(around, request.numbers)
+    inside = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
+    given = tuple(planes.sources)
+    known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
+    if not given or known[inside].mean() < MIN_VALID:
+        return _nothing(window, levels, float(known[inside].any()))
+    image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
+    if filters is not None:  # by the numbers of planes instead of the sources'
+        taps = {plane: filters.taps[i] for plane, i in enumerate(given) if i in filters.taps}
+        filters = replace(filters, taps=taps)
+    if filters is not None and filters.taps:
+        followed = follow_given(image, list(planes.sources.values()), filters)
+    else:
+        followed = follow_sources(image, list(planes.sources.values()))
+        if sides is not None and followed.following.unclear_share >= MIN_UNCLEAR_SHARE:
+            followed = clearer_by_parts(followed, sides.parts(around))
+    closeness = Closeness(QUICK, PATCH_PX, bool(planes.resampled))
+    expected = expected_mosaic(followed, filters, closeness).of_sources(given)
+    labels, clear, mixed = expected.labels, followed.clear, followed.following.mixed
+    guessed = known & guesses(labels, clear | mixed)
+    if guessed.any() and expected.is_filtered:  # sources on other pixels than the mosaic are hardly told apart as such
+        seen = follow_planes([followed.fine[0], *map(high_pass, expected.shown.values())])
+        guessed = known & guesses(labels, seen.clear | seen.mixed)
+    labels = np.where(guessed, np.uint8(UNKNOWN), labels)
+    details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
+    masks = {number: one.valid for number, one in planes.sources.items() if one.valid is not None}
+    sources = MeetingSources.of(replace(expected, labels=labels), masks)
+    cells, beside = detail_sums(details, sources, energy_of_rounding(image.plane))
+    labels = filled_in(labels, guessed)
+    margin = MARGIN_PX // CELL_PX
+    place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
+    first = around.row // CELL_PX, around.column // CELL_PX
+    return DensePart(
+        window,
+        labels[inside][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
+        square_shares(mixed[inside], CELL_PX),
+        square_shares(image.plane[inside], CELL_PX),
+        _grain(followed, known)[place],
+        cells.within(place).moved(*first),
+        beside.within(place).moved(*first),
+        np.count_nonzero((labels[inside] == UNKNOWN) & known[inside]) / np.count_nonzero(known[inside]),
+    )
+
+
+def _grain(sources: PlacedSources, known: np.ndarray) -> np.ndarray:
+    """Largest rms of the sources' finest detail in every cell, (rows, columns) of cells; NaN where the mosaic has no
+    pixels, ``known``, since what fills it there makes a step, and where no source has, which says nothing of detail."""
+    squares, everywhere = [], narrowed(known, HIGH_PASS_PX)
+    for number, fine in enumerate(sources.fine[1:]):
+        inner = narrowed(known & sources.valid[number], HIGH_PASS_PX) if number in sources.valid else everywhere
+        seen = square_shares(inner, CELL_PX) * CELL_PX**2
+        total = square_sums(fine, fine if inner.all() else fine * inner, CELL_PX)
+        squares.append(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))
+    return np.sqrt(np.fmax.reduce(squares))
+
+
+def guesses(labels: np.ndarray, clear: np.ndarray) -> np.ndarray:
+    """Parts that follow a source for sure almost nowhere: compression or smooth ground left nothing to tell it by.
+    (rows, columns) bool."""
+    if np.count_nonzero(clear) >= MIN_CLEAR * clear.size:
+        return np.zeros(labels.shape, bool)
+    coarse, sure = labels[::LABEL_PX, ::LABEL_PX], clear[::LABEL_PX, ::LABEL_PX]
+    unsure = np.zeros(coarse.shape, bool)
+    for number in np.unique(coarse[coarse != UNKNOWN]).tolist():
+        parts, count = ndimage.label(coarse == number)
+        shares = [1.0, *ndimage.mean(sure, parts, np.arange(1, count + 1))]
+        unsure |= (np.array(shares) < MIN_SURE)[parts]
+    return enlarged(unsure, LABEL_PX)
+
+
+def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
+    nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
+    labels = np.full((window.height // LABEL_PX, window.width // LABEL_PX), UNKNOWN, np.uint8)
+    tables = CellTable.empty(levels), MixtureTable.empty(levels)
+    return DensePart(window, labels, nothing, nothing, np.full_like(nothing, np.nan), *tables, unexplained)
+
+
+BLOCK_MARGIN_PX = 32
+"""Around a block: the finest details of its outermost cells need to know so much."""
+
+
+def measure_plain(
+    pixels: BlockPixels, look: SquareLook, dense: np.ndarray, wavelet: str, levels: int
+) -> CellTable:
+    """The cells of a block but for its ``dense`` units, (rows, columns) bool, in cells of the mosaic.
+
+    Their finest level only: the picture of losses shows no other. Every square is measured by the source that its patch
+    follows. Raises RasterError where the mosaic can't be read.
+    """
+    block = pixels.window
+    rows, columns = -(-block.height // SQUARE_PX) * SQUARE_PX, -(-block.width // SQUARE_PX) * SQUARE_PX
+    window = replace(block, width=columns, height=rows).with_margin(BLOCK_MARGIN_PX)
+    if look.learned is None:
+        return CellTable.empty(levels)
+    source = np.where(is_one_of(look.source, look.learned.of), look.source, np.uint8(UNKNOWN))
+    numbers = present(source)
+    if not numbers:
+        return CellTable.empty(levels)
+    planes = pixels.part(window, numbers)
+    labels = np.pad(enlarged(source, SQUARE_PX), BLOCK_MARGIN_PX, mode="edge")
+    for number in numbers:
+        if number not in planes.sources:
+            labels[labels == number] = UNKNOWN
+        elif (valid := planes.sources[number].valid) is not None:
+            labels[(labels == number) & ~valid] = UNKNOWN
+    if planes.mosaic_valid is not None:
+        labels[~planes.mosaic_valid] = UNKNOWN
+    made, gain = _composite(planes, labels, list(planes.sources), look.learned.filters)
+    inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
+    known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
+    measured = enlarged(dense, UNIT_PX // CELL_PX)
+    known[: measured.shape[0], : measured.shape[1]] &= ~measured
+    finest = np.s_[:, 0, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
+    # One by one: arrays of more than 32 MB would be taken from the system every time.
+    m, c = (next(placed_components(plane[np.newaxis], wavelet, 1))[finest] for plane in (planes.mosaic, made))
+    sums = np.stack([
+        np.sum([square_sums(*both, CELL_PX // 2) for both in zip(a, b)], axis=0)[np.newaxis]
+        for a, b in ((m, m), (c, c), (m, c))
+    ])
+    # The gain is even within a cell, and what evens out the background has no detail.
+    sums[1] *= gain**2
+    sums[2] *= gain
+    cell_rows, cell_columns = (
+        first // CELL_PX + np.arange(length) for first, length in zip((block.row, block.column), known.shape)
+    )
+    return CellTable.far(cell_rows, cell_columns, known, sums, levels)
+
+
+def _composite(
+    planes: Planes, labels: np.ndarray, numbers: list[int], filters: Filters
+) -> tuple[np.ndarray, np.ndarray]:
+    """The sources as sharp as the mosaic shows them, the mosaic itself where none is followed; and by cells, without
+    the margin, what their detail is multiplied by in its tones."""
+    made = planes.mosaic.copy()
+    means = square_means(planes.mosaic)
+    gain = np.ones(means.shape, np.float32)
+    for number in numbers:
+        followed = labels == number
+        if not followed.any():
+            continue
+        place = _around(followed)
+        squares = tuple(slice(part.start // TONE_PX, part.stop // TONE_PX) for part in place)
+        plane = planes.sources[number].plane[place]
+        whole = followed[place][TONE_PX // 2 :: TONE_PX, TONE_PX // 2 :: TONE_PX]
+        gains = gain_field(means[squares], square_means(plane), whole, PATCH_PX // TONE_PX)
+        np.copyto(gain[squares], gains, where=whole)
+        np.copyto(made[place], filters.applied(number, plane), where=followed[place])
+    margin, per_cell = BLOCK_MARGIN_PX // TONE_PX, CELL_PX // TONE_PX
+    inside = gain[margin:-margin, margin:-margin]
+    return made, square_shares(inside, per_cell)
+
+
+def _around(mask: np.ndarray) -> tuple[slice, slice]:
+    """Rows and columns in which a mask is set, in whole squares of tone."""
+    rows, columns = (np.flatnonzero(mask.any(axis=axis)) for axis in (1, 0))
+    down, across = (
+        slice(int(one[0]) // TONE_PX * TONE_PX, -(-(int(one[-1]) + 1) // TONE_PX) * TONE_PX) for one in (rows, columns)
+    )
+    return down, across

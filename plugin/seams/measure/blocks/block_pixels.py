@@ -1,0 +1,187 @@
+"""The pixels of one block, read once: what mosaic and sources show of it, in the band that is judged."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Callable
+
+import numpy as np
+
+from ....imagery.clips import Clip, read_clip
+from ....imagery.errors import Message, NotCoveredError, RasterError
+from ....imagery.grids import PixelWindow
+from ....imagery.limits import LUMINANCE, measured_bands
+from ....imagery.raster_pool import open_raster
+from ....imagery.rasters import Raster, RasterRef
+from ....imagery.wavelets import judged_plane
+from .. import messages
+from ..compared_image import ComparedImage
+from ..inputs.grey_values import factor_of
+
+_Pick = Callable[[np.ndarray], np.ndarray]
+"""Picks of pixels (..., rows, columns) those that are wanted, as an image of their own."""
+
+JUDGED = ("judged",)
+"""The band of such an image."""
+_EVERY = 16  # rows and columns of which the range of values is taken
+MOST_HELD = 8
+"""Sources of a block that are held in memory; of others only what is asked for is read."""
+
+
+@dataclass(frozen=True, eq=False)
+class Planes:
+    """A part of a block in the band that is judged."""
+
+    mosaic: np.ndarray
+    """(rows, columns) float32"""
+    mosaic_valid: np.ndarray | None
+    """(rows, columns) bool; None: everywhere."""
+    sources: dict[int, ComparedImage]
+    """By number, of one plane each."""
+    resampled: frozenset[int]
+    """Sources that had to be warped to the mosaic's grid."""
+
+
+class BlockPixels:
+    """The clips of one window of the mosaic, and parts of them; what lies beyond is read anew."""
+
+    def __init__(
+        self, mosaic: Raster, refs: Sequence[RasterRef], window: PixelWindow, margin_px: int | None = 0,
+        grey_factor: float = 1.0,
+    ) -> None:
+        """Reads the mosaic and the sources that have pixels there, and ``margin_px`` around; None: only the parts that
+        are asked for.
+
+        A source that can't be read is told in ``notices`` and takes no part. Raises NotCoveredError where the mosaic
+        has no pixels, RasterError where it can't be read.
+        """
+        self.window = window
+        self.notices: list[Message] = []
+        self.has_sources: bool | None = None
+        """Whether any orthoimage was read; None where none has pixels here."""
+        self.mosaic, self._refs, self._band = mosaic, refs, mosaic.judged_band
+        self._absent: set[int] = set()
+        self._factors: dict[int, float] = {}
+        self._margin, self._factor = margin_px or 0, grey_factor
+        self._around = window.with_margin(self._margin)
+        self._held = None if margin_px is None else self._read(self._around, range(min(len(refs), MOST_HELD)))
+
+    @property
+    def held(self) -> BlockClips:
+        """All that was read, as the files have it, of a block that was read as a whole."""
+        assert self._held is not None
+        return self._held
+
+    @property
+    def numbers(self) -> tuple[int, ...]:
+        """Numbers of the sources that may have pixels here."""
+        return tuple(i for i in range(len(self._refs)) if i not in self._absent)
+
+    @property
+    def valid(self) -> np.ndarray | None:
+        """(rows, columns) bool: where the mosaic has pixels; None: everywhere."""
+        if self._held is None or self._held.own.valid is None:
+            return None
+        first = self._margin
+        return self._held.own.valid[first : first + self.window.height, first : first + self.window.width]
+
+    def patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
+        """Squares of ``side`` px that begin at these rows and columns of the block, side by side as one image, of a
+        block that was read as a whole."""
+        down, across = (rows + self._margin).tolist(), (columns + self._margin).tolist()
+
+        def pick(pixels: np.ndarray) -> np.ndarray:
+            return _squares(pixels, down, across, side)
+
+        planes = self._planes(self.held, pick)
+        for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
+            read = BlockClips(self.held.own, self._read_sources(self._around, [number]))
+            more = self._planes(read, pick)
+            planes = replace(
+                planes, sources={**planes.sources, **more.sources}, resampled=planes.resampled | more.resampled
+            )
+        return planes
+
+    def strip_of_patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
+        """Squares of ``side`` px that begin at these places (n,) of the block, one below the other, of a block that was
+        read as a whole; of the sources that are held only."""
+        places = (np.column_stack([rows, columns]) + self._margin).tolist()
+        return self._planes(self.held, lambda pixels: np.concatenate(
+            [pixels[..., row : row + side, column : column + side] for row, column in places], axis=-2
+        ))
+
+    def part(self, window: PixelWindow, numbers: Sequence[int]) -> Planes:
+        """A window of the mosaic of some sources. Raises RasterError where the mosaic can't be read."""
+        around = self._around
+        left, top = window.column - around.column, window.row - around.row
+        within = min(left, top) >= 0 and left + window.width <= around.width and top + window.height <= around.height
+        if self._held is None or not within or any(i not in self._held.clips for i in numbers):
+            return self._planes(self._read(window, numbers))
+        held = BlockClips(self._held.own, {i: self._held.clips[i] for i in numbers})
+        return self._planes(held, lambda pixels: pixels[..., top : top + window.height, left : left + window.width])
+
+    def _read(self, window: PixelWindow, numbers: Sequence[int]) -> BlockClips:
+        own = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
+        return BlockClips(own, self._read_sources(window, numbers))
+
+    def _read_sources(self, window: PixelWindow, numbers: Sequence[int]) -> dict[int, Clip]:
+        clips = {}
+        for i in numbers:
+            try:
+                clip = read_clip(open_raster(self._refs[i]), self.mosaic, window, partly=True, holes=True)
+            except NotCoveredError:
+                continue
+            except RasterError as error:
+                self.notices.append(error.message.as_warning())
+                self.has_sources = bool(self.has_sources)
+                continue
+            self.has_sources = True
+            if self._band not in measured_bands(clip.raster.band_names):
+                self.notices.append(messages.SOURCE_WITHOUT_BAND(name=clip.raster.ref.name, band=self._band))
+                continue
+            clips[i] = clip
+            if i not in self._factors:
+                self._factors[i] = factor_of(clip.bands[:3, ::_EVERY, ::_EVERY])
+        if window == self._around:
+            self._absent.update(i for i in numbers if i not in clips)
+        return clips
+
+    def _planes(self, read: BlockClips, pick: _Pick = lambda pixels: pixels) -> Planes:
+        sources = {}
+        for i, clip in read.clips.items():
+            plane = _plane(clip, self._band, pick, self._factors.get(i, 1.0))
+            valid = None if clip.valid is None else pick(clip.valid)
+            offset = clip.offset_x, clip.offset_y
+            sources[i] = ComparedImage(plane[np.newaxis], JUDGED, {}, {}, clip.raster, offset, valid, plane)
+        return Planes(
+            _plane(read.own, self._band, pick, self._factor),
+            None if read.own.valid is None else pick(read.own.valid),
+            sources, frozenset(i for i, clip in read.clips.items() if clip.resampled),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class BlockClips:
+    """What was read of one window."""
+
+    own: Clip
+    clips: dict[int, Clip]
+
+
+def _plane(clip: Clip, band: str, pick: _Pick, factor: float) -> np.ndarray:
+    names = clip.raster.band_names
+    wanted = slice(0, 3) if band == LUMINANCE else slice(names.index(band), names.index(band) + 1)
+    plane = judged_plane(pick(clip.bands[wanted]), names[wanted])
+    if factor != 1:
+        plane *= np.float32(factor)
+    return plane
+
+
+def _squares(pixels: np.ndarray, rows: Sequence[int], columns: Sequence[int], side: int) -> np.ndarray:
+    """Squares that begin at these rows and columns, side by side; by arrays of indices it takes ten times as long."""
+    found = np.empty((*pixels.shape[:-2], len(rows) * side, len(columns) * side), pixels.dtype)
+    for i, row in enumerate(rows):
+        for j, column in enumerate(columns):
+            square = pixels[..., row : row + side, column : column + side]
+            found[..., i * side : (i + 1) * side, j * side : (j + 1) * side] = square
+    return found

@@ -1,0 +1,308 @@
+"""A sparse look at a block: a patch in every square of 128 px tells which source is followed there.
+
+Where a patch is unsure of it, or its neighbours follow another source, the squares are measured densely.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+from scipy import ndimage
+
+from ....imagery.wavelets import placed_components
+from ..following.best_ground import learn_best_ground
+from ..following.boxes import enlarged, in_squares, opened
+from ..following.compression import was_compressed
+from ..following.expected_mosaic import mosaic_of
+from ..following.followed_source import (
+    LEAST_ENERGY,
+    MIN_WINNER_LEAD,
+    high_pass,
+    highest,
+    is_sure,
+    local_correlation,
+    mixtures,
+)
+from ..following.foreign_ground import IsCompressed, foreign_patches
+from ..following.likely_source import MIN_FIT
+from ..following.source_filters import Learned
+from ..profile.cell_table import CELL_PX, CellTable
+from ..seam_cells import UNKNOWN, present
+from .block_grid import SQUARE_PX
+from .block_pixels import MOST_HELD, BlockPixels, Planes
+
+PATCH_PX = 40
+"""Side of a patch."""
+PATCH_START_PX = 36
+"""Where it begins in its square: its middle cell of 16 px is one of the block's."""
+
+MIN_QUARTER_FIT = 0.15  # of a quarter's: strangers reach 0.1 there by chance
+MIN_STRANGE = 0.6  # of the way from what true sources leave over to all: surely another image
+MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR = 0.15, 3.0  # as in windows, of ground that fewer places tell of
+_ALIKE_SQUARES = 2  # a side of the least part of an image that others resemble
+_INNER = slice(4, 36)  # of a patch: what its high-pass knows
+_CELL = slice(12, 12 + CELL_PX)  # of a patch: its middle
+_STRANGE_SQUARES = 2  # a side of what lies together, so that one patch alone condemns nothing
+_MIN_VALID = 0.98  # of a patch
+_FARTHEST_FILLED = 1.5  # squares
+_MANY = 100  # patches
+
+
+@dataclass(frozen=True, eq=False)
+class SquareLook:
+    """What the patches of a block say, each (rows, columns) of squares."""
+
+    source: np.ndarray
+    """uint8: number of the source that is followed, ``UNKNOWN`` where none explains it or there are no pixels."""
+    doubtful: np.ndarray
+    """bool: where a patch shows more than one source, or none for sure."""
+    empty: np.ndarray
+    """bool: where the mosaic has no pixels at all."""
+    cells: CellTable
+    """One cell of each patch that follows one source for sure, finest level only."""
+    learned: Learned | None = None
+    """What came over the mosaic here; None where it is not known."""
+    plain: np.ndarray | bool = False
+    """bool: those whose patch has no texture to tell a source by."""
+
+
+def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLook:
+    """The patches of a block that was read as a whole."""
+    rows, columns = (_starts(length) for length in (pixels.window.height, pixels.window.width))
+    shape = len(rows), len(columns)
+    planes = pixels.patches(rows, columns, PATCH_PX)
+    with_patch = _share(planes.mosaic_valid, shape) >= _MIN_VALID
+    empty = np.zeros(shape, bool)
+    if pixels.valid is not None:
+        firsts = [np.arange(0, length, SQUARE_PX) for length in pixels.valid.shape]
+        has_any = np.logical_or.reduceat(np.logical_or.reduceat(pixels.valid, firsts[0], axis=0), firsts[1], axis=1)
+        empty = ~with_patch & ~has_any
+    if not planes.sources or empty.all():
+        nothing = np.full(shape, UNKNOWN, np.uint8)
+        return SquareLook(nothing, np.zeros(shape, bool), empty, CellTable.empty(levels))
+    fine = high_pass(planes.mosaic)
+    fines = {i: high_pass(one.plane) for i, one in planes.sources.items()}
+    told = _told(fine, fines, planes, with_patch, empty)
+    if not told.sampled.any():
+        return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels), plain=_is_plain(fine, shape))
+
+    def cells_of(found: _Told) -> tuple[CellTable, Learned]:
+        return _cells(planes, found.sampled_source, (rows, columns), wavelet, levels)
+
+    mosaic_was = cache(lambda: was_compressed(planes.mosaic))
+    source_was = cache(lambda number: was_compressed(planes.sources[number].plane))
+
+    def is_compressed(number: int | None) -> bool:
+        return mosaic_was() or (any(map(source_was, fines)) if number is None else source_was(number))
+
+    shown = fines
+    # Ground of another image would be explained by a filter that nothing came through.
+    cells, learned = cells_of(told.without(told.odd(is_compressed)))
+    if learned.filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
+        shown = {i: learned.applied(i, one) for i, one in fines.items()}
+        told = _told(fine, shown, planes, with_patch, empty)
+        cells, learned = cells_of(told)
+    # What was warped is explained as badly as by another image.
+    strangers = told.strangers(is_compressed) & ~np.isin(told.source, list(planes.resampled))
+    if strangers.any():
+        told = told.without(strangers)
+        cells, learned = cells_of(told)
+    return SquareLook(told.source, told.doubtful, empty, cells, learned, plain=_is_plain(fine, shape))
+
+
+@dataclass(frozen=True, eq=False)
+class _Told:
+    """What patches say, each (rows, columns)."""
+
+    source: np.ndarray
+    """uint8: as in ``SquareLook``."""
+    doubtful: np.ndarray
+    """bool"""
+    sampled: np.ndarray
+    """bool: those that follow one source. Not those alone that tell it best: smooth ground comes over otherwise."""
+    own: np.ndarray
+    """Energy of the mosaic, DN squared, 0 where it shows nothing to tell a source by."""
+    left: np.ndarray
+    """What the sources leave over of it, alone or mixed."""
+
+    @property
+    def sampled_source(self) -> np.ndarray:
+        """uint8: of those, else ``UNKNOWN``."""
+        return np.where(self.sampled, self.source, np.uint8(UNKNOWN))
+
+    def odd(self, is_compressed: IsCompressed) -> np.ndarray:
+        """bool: what is explained worse than the ground of the same source, on its own."""
+        if is_compressed(None):
+            return foreign_patches(self.own, self.left, self.source, is_compressed)
+        each = [self._strange(self.source == number)[1] for number in present(self.source)]
+        return np.logical_or.reduce([np.zeros(self.own.shape, bool), *each])
+
+    def strangers(self, is_compressed: IsCompressed) -> np.ndarray:
+        """bool: of an image that isn't given, where so much lies together that it is no chance; where nothing was
+        compressed, by the best ground of all sources, one that a given one resembles as well."""
+        if is_compressed(None):
+            return opened(self.odd(is_compressed) & ~self.doubtful, _STRANGE_SQUARES)
+        strange, alike = self._strange(np.ones(self.own.shape, bool))
+        surely = opened(strange & ~self.doubtful, _STRANGE_SQUARES) | opened(alike, _ALIKE_SQUARES)
+        return (self.own > 0) & surely
+
+    def _strange(self, of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """bool: surely of another image, and perhaps of one that resembles a source; of a part by its best ground."""
+        textured = of & (self.own > 0)
+        ground = learn_best_ground(self.own[textured], self.left[textured])
+        if ground is None or ground.is_of_none():  # there are too few patches to condemn a whole block
+            return np.zeros_like(textured), np.zeros_like(textured)
+        own = np.where(textured, self.own, 1)
+        strange, alike = ground.strangeness(own, self.left, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR)
+        return textured & (strange > MIN_STRANGE), textured & alike
+
+    def without(self, strangers: np.ndarray) -> _Told:
+        """Where those follow none."""
+        source = np.where(strangers, np.uint8(UNKNOWN), self.source)
+        return replace(self, source=source, doubtful=self.doubtful & ~strangers, sampled=self.sampled & ~strangers)
+
+
+def _told(
+    fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, with_patch: np.ndarray, empty: np.ndarray
+) -> _Told:
+    shape = with_patch.shape[0], with_patch.shape[1]
+    winner, sure, doubtful, own, left = _followed(fine, fines, planes, shape)
+    winner[~with_patch], doubtful[~with_patch], sure[~with_patch] = UNKNOWN, False, False
+    silent = ~empty & (~with_patch | (_is_plain(fine, shape) & (winner == UNKNOWN) & ~doubtful))
+    filled, alone, known = winner, silent, winner != UNKNOWN
+    if silent.any() and known.any():  # squares that say nothing follow what is nearest to them
+        distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
+        filled, alone = np.where(silent, winner[row, column], winner), silent & (distance > _FARTHEST_FILLED)
+    doubtful |= alone & ~with_patch
+    sampled = with_patch & ~doubtful & (filled != UNKNOWN) & sure.any()
+    return _Told(filled, doubtful, sampled, np.where(with_patch, own, 0), left)
+
+
+def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarray:
+    """Between squares that follow different sources a patch midway: the source that it follows for sure,
+    ``UNKNOWN`` where it follows none for sure or the squares do not differ.
+
+    ``axis`` 1: of each square and the next one to the right, (rows, columns - 1) uint8; 0: downwards.
+    """
+    here, there = (np.s_[:, :-1], np.s_[:, 1:]) if axis else (np.s_[:-1], np.s_[1:])
+    source = look.source
+    found = np.full(source[here].shape, UNKNOWN, np.uint8)
+    held = source < MOST_HELD
+    differ = (source[here] != source[there]) & held[here] & held[there]
+    squares = np.argwhere(differ)
+    starts = squares * SQUARE_PX + PATCH_START_PX
+    starts[:, axis] += SQUARE_PX // 2
+    last = np.array([pixels.window.height, pixels.window.width]) - PATCH_PX
+    squares, starts = (one[(starts <= last).all(axis=1)] for one in (squares, starts))
+    if not len(squares):
+        return found
+    planes = pixels.strip_of_patches(starts[:, 0], starts[:, 1], PATCH_PX)
+    shape = len(squares), 1
+    valid = _share(planes.mosaic_valid, shape) >= _MIN_VALID
+    fines = {i: high_pass(one.plane) for i, one in planes.sources.items()}
+    if look.learned is not None:
+        fines = {i: look.learned.applied(i, one) for i, one in fines.items()}
+    winner, sure, *_ = _followed(high_pass(planes.mosaic), fines, planes, shape)
+    found[tuple(squares.T)] = np.where(sure & valid, winner, UNKNOWN)[:, 0]
+    return found
+
+
+def _starts(length: int) -> np.ndarray:
+    """First row or column of every square's patch; the last square may be smaller, its patch lies within it or ends
+    where the block does."""
+    starts = np.arange(0, length, SQUARE_PX) + PATCH_START_PX
+    last = (length - PATCH_PX - PATCH_START_PX) // CELL_PX * CELL_PX + PATCH_START_PX
+    return np.minimum(starts, last)
+
+
+def _share(valid: np.ndarray | None, shape: tuple[int, int]) -> np.ndarray:
+    if valid is None:
+        return np.ones(shape)
+    return np.asarray(in_squares(valid, PATCH_PX).mean(axis=(1, 3)))
+
+
+def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """Sums of a x b over the four quarters of every patch, (4, rows, columns)."""
+    rows, columns = shape
+    # Whole rows first: a fifth of the time.
+    inner = (one.reshape(rows, PATCH_PX, -1)[:, _INNER].reshape(rows, 2, CELL_PX, -1) for one in (a, b))
+    down = np.einsum("apij,apij->apj", *inner).reshape(rows, 2, columns, PATCH_PX)[..., _INNER]
+    return np.asarray(down.reshape(rows, 2, columns, 2, CELL_PX).sum(axis=4).transpose(1, 3, 0, 2).reshape(4, *shape))
+
+
+def _followed(
+    fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, shape: tuple[int, int]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """What each patch follows: the source of highest correlation, whether it is that for sure, whether a dense look is
+    called for, the mosaic's energy, 0 without texture, and what sources leave over of it."""
+    numbers = np.array(list(fines), np.uint8)
+    least = LEAST_ENERGY * (CELL_PX**2)
+    own = _quadrants(fine, fine, shape) + least
+    energies = np.stack([_quadrants(one, one, shape) for one in fines.values()]) + least
+    shared = np.stack([_quadrants(fine, one, shape) for one in fines.values()])
+    for k, i in enumerate(fines):
+        if (valid := planes.sources[i].valid) is not None:
+            shared[k][:, _share(valid, shape) < _MIN_VALID] = 0
+    whole_own, whole_energies, whole_shared = own.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
+    correlation = local_correlation(whole_own, whole_energies, whole_shared)
+    best, lead = highest(correlation)
+    winner = numbers[best]
+    top = correlation.max(axis=0)
+    textured = whole_own > 8 * least
+    explained = np.maximum(top, 0) ** 2
+    sure = textured & is_sure(top, lead) & (explained >= MIN_FIT)
+    quarters = local_correlation(own, energies, shared)
+    quarter, quarter_lead = highest(quarters)
+    quarter_fit = np.maximum(quarters.max(axis=0), 0) ** 2
+    differs = (
+        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (own > 8 * least)
+    ).any(axis=0)
+    images = list(fines.values())
+    mixed_quarters, explained_by_two = mixtures(
+        own, dict(enumerate(energies)), dict(enumerate(shared)),
+        lambda i, j: _quadrants(images[i], images[j], shape),
+    )
+    mixed = mixed_quarters.any(axis=0)
+    strange = textured & (explained < MIN_FIT) & ~differs & ~mixed
+    doubtful = (textured & ~sure & ~strange) | differs | mixed
+    left = (own * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
+    winner = np.where(sure | doubtful, winner, np.uint8(UNKNOWN))
+    return winner, sure & ~doubtful, doubtful, np.where(textured, whole_own, 0), left
+
+
+def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """Patches without texture to tell a source by."""
+    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * LEAST_ENERGY)
+
+
+def _cells(
+    planes: Planes, followed: np.ndarray, starts: tuple[np.ndarray, np.ndarray], wavelet: str, levels: int
+) -> tuple[CellTable, Learned]:
+    """The middle cells of patches that follow one source for sure, and what came over the mosaic there.
+
+    ``followed``: (rows, columns), ``UNKNOWN`` where none is sure. Of many patches every second along both sides is
+    enough.
+    """
+    step = 2 if followed.size >= _MANY else 1
+    kept = [np.repeat(np.arange(count) % step == step // 2, PATCH_PX) for count in followed.shape]
+    chosen = np.ix_(*kept)
+    followed = followed[step // 2 :: step, step // 2 :: step]
+    shape = followed.shape
+    inside = np.zeros(PATCH_PX, bool)
+    inside[6:-6] = True
+    labels = enlarged(followed, PATCH_PX)
+    within = np.outer(np.tile(inside, shape[0]), np.tile(inside, shape[1]))
+    mosaic = planes.mosaic[chosen]
+    numbers = np.unique(followed[followed != UNKNOWN]).tolist()
+    expected, filters = mosaic_of(
+        mosaic, {i: planes.sources[i].plane[chosen] for i in numbers}, labels, within, PATCH_PX
+    )
+    (details,) = placed_components(np.stack([mosaic, expected]), wavelet, 1)
+    cell = slice(_CELL.start // 2, _CELL.stop // 2)
+    own, other = (
+        details[:, k].reshape(3, shape[0], PATCH_PX // 2, shape[1], PATCH_PX // 2)[:, :, cell, :, cell] for k in (0, 1)
+    )
+    sums = [np.einsum("daibj,daibj->ab", a, b)[np.newaxis] for a, b in ((own, own), (other, other), (own, other))]
+    rows, columns = ((one[step // 2 :: step] + _CELL.start) // CELL_PX for one in starts)
+    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), Learned(filters, frozenset(numbers))

@@ -1,0 +1,354 @@
+"""One block of a mosaic: request -> what was measured in it."""
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ....imagery.errors import Message, NotCoveredError, RasterError
+from ....imagery.grids import PixelWindow
+from ....imagery.rasters import Raster
+from ..following.boxes import enlarged, in_squares, widened
+from ..following.source_filters import Learned
+from ..limits import FULL
+from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
+from ..profile.detail_sums import ROUNDING
+from ..seam_cells import UNKNOWN
+from ..source_images import Source
+from ..while_measuring import measuring
+from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey, rectangles
+from .block_parts import BLOCK_MARGIN_PX, DensePart, PartRequest, measure_part, measure_plain
+from .block_pixels import BlockPixels
+from .mosaic_reading import ALL_READ, BlockReading
+from .patches import SquareLook, look_at_squares, middle_sources
+from .scan_settings import ScanSettings
+from .seam_sides import SeamSides
+
+WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
+MOST_MEASURED_PX = 5_200_000  # of a part, times its sources: memory grows with that, time still faster
+CROWDED_PX = 384  # side of a part that is measured at once however many they are
+MOST_UNEXPLAINED = 0.1  # of a part: beyond it sources that no patch follows are tried, too
+LACKING, NOT_LOOKED, EMPTY, PLAIN = -1, -2, -3, -4
+"""Units that no source explains, that nobody looked at, in which the mosaic has no pixels, and without texture to
+tell a source by where none is near."""
+MOST_LACKING = 3 / 8
+"""Share of a unit without a source, or without pixels: with as much it is lacking, or empty. A strip of 24 px, wider
+than those that labels are closed across, takes so much of one unit wherever it lies."""
+CELLS = BLOCK_PX // CELL_PX
+"""Cells along a side of a block."""
+
+
+@dataclass(frozen=True, eq=False)
+class BlockRequest:
+    """All that is needed to scan one block, in plain data that can cross threads and processes."""
+
+    mosaic: Raster
+    sources: tuple[Source, ...]
+    """Those that meet the block."""
+    key: BlockKey
+    window: PixelWindow
+    """Its pixels, on the mosaic's grid."""
+    settings: ScanSettings
+    wanted: np.ndarray | None = None
+    """(UNITS, UNITS) bool, what is to be measured densely, without a look at patches; None: what these call for."""
+    along_seams: np.ndarray | None = None
+    """(UNITS, UNITS) bool, what given seams call for beside the patches."""
+    grey_factor: float = 1.0
+    """What floating point values are multiplied by."""
+    sides: SeamSides | None = None
+    """The seams that are given."""
+    learned: Learned | None = None
+    """What an earlier look told of what came over the mosaic."""
+    followed: frozenset[int] | None = None
+    """The sources that it found followed in the block or just beside it; None: any may be."""
+
+
+@dataclass(frozen=True, eq=False)
+class BlockScan:
+    """What was measured in one block."""
+
+    key: BlockKey
+    sources: tuple[str, ...]
+    """Paths of the sources that its numbers mean."""
+    squares: np.ndarray
+    """(SQUARES, SQUARES) uint8: number of the source that the patch of each square follows, or ``UNKNOWN``."""
+    dense: np.ndarray
+    """(UNITS, UNITS) bool: what was measured pixel by pixel."""
+    labels: np.ndarray
+    """(LABELS, LABELS) uint8: number of the source that is followed, or ``UNKNOWN``."""
+    mixture: np.ndarray
+    """(CELLS, CELLS) float32: share of the pixels that are a mixture of two sources; NaN where not measured."""
+    grey: np.ndarray
+    """(CELLS, CELLS) float32: mean of the mosaic; NaN where not measured densely."""
+    grain: np.ndarray
+    """(CELLS, CELLS) float32: rms of the finest detail of the source that has most of it, DN; NaN likewise."""
+    cells: CellTable
+    beside: MixtureTable
+    """What is mixed of what along its seams."""
+    ground: np.ndarray
+    """(UNITS, UNITS) int16: number of the source that most of a unit follows, or ``LACKING``, ``EMPTY`` or
+    ``PLAIN``."""
+    learned: Learned | None = None
+    """What its patches tell of what came over the mosaic."""
+    notices: tuple[Message, ...] = ()
+    """What could not be read; the block then lacks it."""
+    reading: BlockReading = ALL_READ
+    """What could be read."""
+
+    @classmethod
+    def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> BlockScan:
+        """A block of which nothing could be measured; without notices the mosaic has no pixels there."""
+        made, window = _Block(request), request.window
+        made.leave_out(None if notices else np.zeros((window.height, window.width), bool))
+        return replace(made.result(notices), reading=BlockReading((window,), False) if notices else ALL_READ)
+
+
+@measuring()
+def scan_block(request: BlockRequest) -> BlockScan:
+    """Look at the patches of a block, then measure what they call for. A block that can't be read tells why in its
+    notices; it never raises for that."""
+    try:
+        return _scanned(request)
+    except NotCoveredError:
+        return BlockScan.nothing(request, ())
+    except RasterError as error:
+        nothing = BlockScan.nothing(request, (error.message.as_warning(),))
+        return nothing if request.along_seams is None else _along_seams(request, nothing)
+
+
+def _along_seams(request: BlockRequest, nothing: BlockScan) -> BlockScan:
+    """What can be read beside the given seams of a block that can't be read as a whole, and so was not looked at."""
+    try:
+        found = _scanned(replace(request, wanted=request.along_seams))
+    except RasterError:
+        return nothing
+    notices = tuple(dict.fromkeys((*nothing.notices, *found.notices)))
+    return replace(found, notices=notices, reading=replace(found.reading, unread=(request.window,)))
+
+
+def _scanned(request: BlockRequest) -> BlockScan:
+    """Scan of a block; raises NotCoveredError or RasterError where it can't be read."""
+    wanted = request.wanted
+    is_full = request.settings.density == FULL and wanted is None
+    whole = wanted is None or wanted.mean() >= WHOLE_SHARE
+    refs, settings = [one.ref for one in request.sources], request.settings
+    margin_px = (BLOCK_MARGIN_PX if is_full else 0) if whole else None
+    # Those of a block at the mosaic's edge may be too few for a patch.
+    width, height = max(request.window.width, SQUARE_PX), max(request.window.height, SQUARE_PX)
+    around = replace(request.window, width=width, height=height)
+    pixels = BlockPixels(request.mosaic, refs, around, margin_px, request.grey_factor)
+    made = _Block(request)
+    look = look_at_squares(pixels, settings.wavelet, settings.levels) if wanted is None else None
+    if look is not None:
+        midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
+        doubtful = widened(enlarged(look.doubtful, SQUARE_PX // UNIT_PX), 1)  # and a unit around it
+        wanted = called_for(look.source, UNKNOWN, midway) | doubtful
+        if request.along_seams is not None:
+            wanted |= request.along_seams[: wanted.shape[0], : wanted.shape[1]]
+    assert wanted is not None
+    wanted = wanted[: -(-request.window.height // UNIT_PX), : -(-request.window.width // UNIT_PX)]
+    if look is not None:
+        made.take_look(look, wanted)
+        if is_full:
+            made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
+    waiting = deque(rectangles(wanted))
+    unread: list[PixelWindow] = []
+    has_mosaic = look is not None or not waiting
+    while waiting:
+        window = waiting.popleft()
+        try:
+            part = _measured(pixels, look, window, request)
+        except NotCoveredError:
+            has_mosaic = True
+            continue
+        except RasterError as error:
+            pixels.notices.append(error.message.as_warning())
+            unread.append(window.moved_by(request.window.column, request.window.row))
+            continue
+        has_mosaic = True
+        if part is None:
+            waiting.extendleft(reversed(_halves(window)))
+        else:
+            made.take_part(part)
+    made.leave_out(pixels.valid)
+    reading = BlockReading(tuple(unread), has_mosaic, pixels.has_sources)
+    return replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
+
+
+def called_for(
+    source: np.ndarray, unknown: int = UNKNOWN, midway: tuple[np.ndarray, np.ndarray] | None = None
+) -> np.ndarray:
+    """Units between squares that follow different sources, bool; ``source``: (rows, columns) of squares.
+
+    Between two patches there is a seam somewhere; ground of a patch's width beside it is enough, the samples tell the
+    rest. ``midway``: what the patches between squares follow, to the right and downwards (``middle_sources``): they
+    tell in which half the seam lies.
+    """
+    per_square = SQUARE_PX // UNIT_PX
+    found = np.zeros([length * per_square for length in source.shape], bool)
+    known = source != unknown
+    across, down = midway or (None, None)
+    for view, labels, there, middles in (
+        (found, source, known, across), (found.T, source.T, known.T, None if down is None else down.T),
+    ):
+        differ = (labels[:, :-1] != labels[:, 1:]) & there[:, :-1] & there[:, 1:]
+        for row, column in np.argwhere(differ).tolist():
+            first, last = 1, 2 * per_square - 1
+            middle = unknown if middles is None else middles[row, column]
+            if middle == labels[row, column]:
+                first = per_square - 1
+            elif middle == labels[row, column + 1]:
+                last = per_square + 1
+            start = column * per_square
+            view[row * per_square : (row + 1) * per_square, start + first : start + last] = True
+    return found
+
+
+def _measured(
+    pixels: BlockPixels, look: SquareLook | None, window: PixelWindow, request: BlockRequest
+) -> DensePart | None:
+    """A rectangle by the sources that are followed around it, and that given seams name; by all where they leave
+    something over, and where there is but one, which makes no seam. None where these are so many that halves of it,
+    with fewer around each, are to be measured instead."""
+    placed = window.moved_by(request.window.column, request.window.row)
+    everyone, sides, decomposition = pixels.numbers, request.sides, (request.settings.wavelet, request.settings.levels)
+    if look is not None:
+        rows, columns = (
+            slice(max(first // SQUARE_PX - 1, 0), -(-(first + length) // SQUARE_PX) + 1)
+            for first, length in ((window.row, window.height), (window.column, window.width))
+        )
+        around = set(np.unique(look.source[rows, columns]).tolist())
+    else:
+        around = set(everyone if request.followed is None else request.followed)
+    named = sides.named_near(placed) if sides is not None else set()
+    likely = tuple(i for i in everyone if i in named | around)
+    learned = request.learned if look is None else look.learned
+    filters = learned.filters if learned is not None and learned.of.issuperset(likely) else None
+    if len(likely) > 1:
+        if _is_crowded(likely, window):
+            return None
+        part = measure_part(pixels, PartRequest(placed, likely, filters, sides), *decomposition)
+        if part.unexplained <= MOST_UNEXPLAINED or likely == everyone:
+            return part
+    if _is_crowded(everyone, window):
+        return None
+    return measure_part(pixels, PartRequest(placed, everyone, None, sides), *decomposition)
+
+
+def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
+    measured = window.width * window.height * len(numbers)
+    return measured > MOST_MEASURED_PX and max(window.width, window.height) > CROWDED_PX
+
+
+def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
+    """Across its longer side, in whole squares."""
+    if window.width >= window.height:
+        first = -(-window.width // (2 * SQUARE_PX)) * SQUARE_PX
+        other = replace(window, column=window.column + first, width=window.width - first)
+        return replace(window, width=first), other
+    first = -(-window.height // (2 * SQUARE_PX)) * SQUARE_PX
+    return replace(window, height=first), replace(window, row=window.row + first, height=window.height - first)
+
+
+class _Block:
+    """What becomes a BlockScan."""
+
+    def __init__(self, request: BlockRequest) -> None:
+        self._request = request
+        self._squares = np.full((SQUARES, SQUARES), UNKNOWN, np.uint8)
+        self._dense = np.zeros((UNITS, UNITS), bool)
+        self._labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
+        self._mixture = np.full((CELLS, CELLS), np.nan, np.float32)
+        self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
+        self._grain = np.full((CELLS, CELLS), np.nan, np.float32)
+        self._valid = np.ones((LABELS, LABELS), bool)
+        self._plain = np.zeros((SQUARES, SQUARES), bool)
+        self._learned: Learned | None = None
+        self._tables: list[CellTable] = []
+        self._mixtures: list[MixtureTable] = []
+
+    def take_look(self, look: SquareLook, wanted: np.ndarray) -> None:
+        """What the patches say where nothing more is measured."""
+        self._learned = look.learned
+        rows, columns = look.source.shape
+        self._squares[:rows, :columns] = look.source
+        self._plain[:rows, :columns] = look.plain & (look.source == UNKNOWN)
+        side = SQUARE_PX // LABEL_PX
+        self._labels[: rows * side, : columns * side] = enlarged(look.source, side)
+        cells, window = look.cells, self._request.window
+        sides = UNIT_PX // CELL_PX
+        kept = ~wanted[cells.row // sides, cells.column // sides]
+        placed = cells.chosen(kept)
+        self._mixture[placed.row, placed.column] = 0
+        self._tables.append(placed.moved(window.row // CELL_PX, window.column // CELL_PX))
+
+    def take_plain(self, cells: CellTable) -> None:
+        """All cells between the seams, instead of samples of them."""
+        window = self._request.window
+        self._mixture[cells.row - window.row // CELL_PX, cells.column - window.column // CELL_PX] = 0
+        self._tables = [cells]
+
+    def take_part(self, part: DensePart) -> None:
+        """What was measured in a rectangle; what sticks out of the block is left out."""
+        window = self._request.window
+        top, left = part.window.row - window.row, part.window.column - window.column
+
+        def place(step: int, length: int) -> tuple[slice, slice]:
+            rows, columns = (
+                slice(first // step, min((first + side) // step, length))
+                for first, side in ((top, part.window.height), (left, part.window.width))
+            )
+            return rows, columns
+
+        for target, values, step in (
+            (self._labels, part.labels, LABEL_PX), (self._mixture, part.mixture, CELL_PX),
+            (self._grey, part.grey, CELL_PX), (self._grain, part.grain, CELL_PX),
+        ):
+            own = place(step, len(target))
+            target[own] = values[: own[0].stop - own[0].start, : own[1].stop - own[1].start]
+        self._dense[place(UNIT_PX, UNITS)] = True
+        self._tables.append(part.cells)
+        self._mixtures.append(part.beside)
+
+    def leave_out(self, valid: np.ndarray | None) -> None:
+        """Where the mosaic has no pixels nothing is followed."""
+        window, half = self._request.window, LABEL_PX // 2
+        rows, columns = -(-(window.height - half) // LABEL_PX), -(-(window.width - half) // LABEL_PX)
+        self._valid[rows:], self._valid[:, columns:] = False, False
+        if valid is not None:
+            self._valid[:rows, :columns] &= valid[half : window.height : LABEL_PX, half : window.width : LABEL_PX]
+        self._labels[~self._valid] = UNKNOWN
+
+    def _ground(self) -> np.ndarray:
+        """Ground of the units as ``BlockScan`` has it."""
+        side, window = LABELS // UNITS, self._request.window
+        labels, valid = (in_squares(one, side) for one in (self._labels, self._valid))
+        rows, columns = (
+            np.clip(-(-(length - LABEL_PX // 2) // LABEL_PX) - side * np.arange(UNITS), 0, side)
+            for length in (window.height, window.width)
+        )
+        inside, has_pixels = np.outer(rows, columns), valid.sum(axis=(1, 3))
+        held = np.sort(labels.transpose(0, 2, 1, 3).reshape(UNITS, UNITS, -1), axis=2)  # UNKNOWN last
+        known = np.count_nonzero(held != UNKNOWN, axis=2)
+        middle = np.take_along_axis(held, known[:, :, np.newaxis] // 2, axis=2)[:, :, 0]  # of two that which has more
+        ground = np.where(has_pixels - known >= MOST_LACKING * has_pixels, LACKING, middle.astype(np.int16))
+        ground[enlarged(self._plain, SQUARE_PX // UNIT_PX) & ~self._dense] = PLAIN
+        is_even = self._grain <= ROUNDING * np.abs(self._grey)  # never where that is not known
+        ground[in_squares(is_even, CELLS // UNITS).all(axis=(1, 3))] = PLAIN
+        ground[inside - has_pixels >= np.maximum(MOST_LACKING * inside, 1)] = EMPTY
+        ground[inside == 0] = EMPTY
+        return ground
+
+    def result(self, notices: tuple[Message, ...]) -> BlockScan:
+        """All that was taken."""
+        request = self._request
+        levels = request.settings.levels
+        table = CellTable.joined([CellTable.empty(levels), *self._tables])
+        beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
+        return BlockScan(
+            request.key, tuple(one.ref.path for one in request.sources), self._squares, self._dense, self._labels,
+            self._mixture, self._grey, self._grain, table, beside, self._ground(),
+            self._learned, notices,
+        )

@@ -1,0 +1,130 @@
+"""Windows that lie near each other tell less than as many far apart: they share ground, sources and feathering.
+
+So judged windows are put into neighbourhoods, and resampled neighbourhood by neighbourhood (the cluster bootstrap:
+Davison and Hinkley 1997, section 3.8; blocks of a long row: Kuensch 1989, Annals of Statistics 17, 1217-1241)."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from ....imagery.grids import Extent
+
+LINK_SIDES = 2.0  # centres that far apart or less: windows that overlap, touch or leave room for one between them,
+# as those of one seam do at the standard spacing
+LONGEST_SIDES = 8.0  # a row of windows is cut to this length: four windows at the standard spacing
+SHORTEST_SIDES = 3.0  # what is no longer is never cut
+FEWEST_NEIGHBOURHOODS = 3.0  # of either kind: below it rows are cut shorter
+MIN_NEIGHBOURHOODS = 1.5  # of either kind: below it there is nothing to resample
+
+_SEED = 20100705  # the same verdicts give the same interval
+_CELLS_AT_ONCE = 1 << 20  # of a table of resamples by windows, 8 MB a table
+
+
+def find_neighbourhoods(extents: Sequence[Extent | None], visible: Sequence[bool]) -> list[int]:
+    """The number of each window's neighbourhood; a window without an outline is one of its own.
+
+    Windows that come within a side of each other belong together. A long row of them is cut, shorter where the verdicts
+    of a kind would lie in too few neighbourhoods.
+    """
+    placed = [place for place, extent in enumerate(extents) if extent is not None]
+    found = np.arange(len(extents)) + len(extents)
+    if placed:
+        centres, kinds = _centres([extents[place] for place in placed]), np.array([visible[place] for place in placed])
+        found[placed] = _cut(centres, kinds, _linked(centres))
+    return np.unique(found, return_inverse=True)[1].tolist()
+
+
+def effective_count(places: Sequence[int] | np.ndarray) -> float:
+    """How many neighbourhoods of equal size would tell as much."""
+    counts = np.bincount(places)
+    return float(counts.sum() ** 2 / (counts**2).sum())
+
+
+class Neighbourhoods:
+    """Neighbourhoods of the judged windows of a measure, resampled as wholes."""
+
+    def __init__(self, visible: Sequence[int], invisible: Sequence[int]) -> None:
+        """The neighbourhoods' numbers, verdict by verdict."""
+        self._places = np.unique(np.array([*visible, *invisible]), return_inverse=True)[1]
+        self._visible = len(visible)
+        self.count = int(self._places.max()) + 1
+        self.fewest = min(effective_count(self._places[: len(visible)]), effective_count(self._places[len(visible) :]))
+        """Effective number of those that hold verdicts of a kind, of the kind that has fewer."""
+
+    @classmethod
+    def of_single_windows(cls, visible: int, invisible: int) -> Neighbourhoods:
+        """Neighbourhoods as if no window had anything to do with another."""
+        return cls(range(visible), range(visible, visible + invisible))
+
+    def resamples(self, count: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """How often each visible and each invisible verdict is drawn, (resamples, verdicts), in parts.
+
+        Neighbourhoods with visible verdicts alone, with invisible ones alone and with both are drawn among themselves,
+        so that both kinds remain, and one fewer than there are, so that resamples spread as much as samples do (Rao and
+        Wu 1988, Journal of the American Statistical Association 83, 231-241). A draw with fewer than two verdicts of a
+        kind is left out.
+        """
+        random = np.random.default_rng(_SEED)
+        rows = max(1, _CELLS_AT_ONCE // len(self._places))
+        for done in range(0, count, rows):
+            drawn = self._draw(random, min(rows, count - done))[:, self._places]
+            seen, unseen = drawn[:, : self._visible], drawn[:, self._visible :]
+            usable = (seen.sum(axis=1) >= 2) & (unseen.sum(axis=1) >= 2)
+            yield seen[usable], unseen[usable]
+
+    def _draw(self, random: np.random.Generator, rows: int) -> np.ndarray:
+        """How often each neighbourhood is drawn, (rows, neighbourhoods)."""
+        drawn = np.empty((rows, self.count), np.int64)
+        for stratum in self._strata():
+            drawn[:, stratum] = random.multinomial(len(stratum) - 1, np.full(len(stratum), 1 / len(stratum)), rows)
+        return drawn
+
+    def _strata(self) -> list[np.ndarray]:
+        """Neighbourhoods that are drawn among each other; all together where one would be alone."""
+        seen = np.bincount(self._places[: self._visible], minlength=self.count) > 0
+        unseen = np.bincount(self._places[self._visible :], minlength=self.count) > 0
+        strata = [np.flatnonzero(kind) for kind in (seen & ~unseen, unseen & ~seen, seen & unseen)]
+        return [np.arange(self.count)] if 1 in map(len, strata) else [one for one in strata if len(one)]
+
+
+def _centres(extents: Sequence[Extent | None]) -> np.ndarray:
+    """Centres of the windows, in sides of a window, so that degrees do as well as metres."""
+    left, bottom, right, top = np.array(extents, np.float64).T
+    sides = np.median([right - left, top - bottom], axis=1)
+    return np.column_stack([left + right, bottom + top]) / 2 / np.where(sides > 0, sides, 1)
+
+
+def _linked(centres: np.ndarray) -> np.ndarray:
+    """Numbers of the groups in which each window comes near another."""
+    pairs = cKDTree(centres).query_pairs(LINK_SIDES, p=np.inf, output_type="ndarray")
+    links = coo_matrix((np.ones(len(pairs), bool), (pairs[:, 0], pairs[:, 1])), shape=(len(centres),) * 2)
+    return connected_components(links, directed=False)[1]
+
+
+def _cut(centres: np.ndarray, visible: np.ndarray, groups: np.ndarray) -> np.ndarray:
+    """Groups after the long ones were halved, the longest first."""
+    groups = groups.copy()
+    length = {group: _length(centres[groups == group]) for group in set(groups.tolist())}
+    while True:
+        longest = max(length, key=lambda group: length[group])
+        if length[longest] <= (SHORTEST_SIDES if _too_few(groups, visible) else LONGEST_SIDES):
+            return groups
+        members = np.flatnonzero(groups == longest)
+        along = centres[members, np.ptp(centres[members], axis=0).argmax()]
+        new = max(length) + 1
+        groups[members[along > (along.min() + along.max()) / 2]] = new
+        length.update({group: _length(centres[groups == group]) for group in (longest, new)})
+
+
+def _length(centres: np.ndarray) -> float:
+    """How far a group reaches along an axis, in sides."""
+    return float(np.ptp(centres, axis=0).max()) + 1
+
+
+def _too_few(groups: np.ndarray, visible: np.ndarray) -> bool:
+    kinds = [groups[kind] for kind in (visible, ~visible) if kind.any()]
+    return min(effective_count(kind) for kind in kinds) < FEWEST_NEIGHBOURHOODS

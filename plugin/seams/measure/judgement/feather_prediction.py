@@ -1,0 +1,208 @@
+"""What a feather between two sources would leave of their detail, known before any mosaic exists.
+
+A 50:50 blend of two images has the detail variance (1 + rho) / 2 of their mean, with rho = 2 cov / (v_a + v_b) of
+their detail coefficients: images that do not fit, or whose noise differs, cancel each other.
+
+Of a feather of some width the two are mixed along every place where the seam may run,
+
+    kept = sum |(1 - a) p + a q|^2 / sum |the one that is followed|^2
+
+with p and q their own details: what a cut adds, its edge, is detail of neither. Texture is not even, so it is summed
+where it lies: over the window, and over the feather's own strip.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from osgeo import ogr
+from scipy import ndimage
+
+from ....imagery import limits as imagery_limits
+from ....imagery.grids import Extent, PixelWindow
+from ....imagery.lines import burnt, read_geometry
+from ....imagery.rasters import Raster
+from ....imagery.reference_systems import geometry_on
+from ....imagery.wavelets import component_products, placed_components
+from ..following.boxes import in_squares
+from ..limits import GAUSSIAN, LINEAR
+
+
+@dataclass(frozen=True)
+class Feather:
+    """Two sources of one window, blended half and half."""
+
+    first: int
+    """Index of a source."""
+    second: int
+    rho: tuple[float | None, ...]
+    """Agreement of their details, levels 1..R, 1 for equal images; None where neither has detail."""
+
+    @property
+    def ratios(self) -> tuple[float | None, ...]:
+        """Detail variance that a 50:50 feather leaves of their mean, levels 1..R."""
+        return tuple(None if rho is None else (1 + rho) / 2 for rho in self.rho)
+
+
+def feathers(planes: Sequence[np.ndarray], wavelet: str, levels: int) -> list[Feather]:
+    """Every pair of the sources' planes, (rows, columns) each, of one window."""
+    pairs = list(combinations(range(len(planes)), 2))
+    if not pairs:
+        return []
+    products = component_products(np.stack(planes), wavelet, levels, pairs)
+    found = []
+    for (i, j), shared in zip(pairs, products.cross):
+        energy = products.own[i] + products.own[j]
+        least = imagery_limits.MIN_SHARE * (products.own_totals[i] + products.own_totals[j])
+        rho = tuple(2 * s / e if e > least else None for s, e in zip(shared[:-1].tolist(), energy[:-1].tolist()))
+        found.append(Feather(i, j, rho))
+    return found
+
+
+def expected_ratios(found: Sequence[Feather], levels: int) -> tuple[float | None, ...]:
+    """The smallest over the pairs, level by level: where feathering will hurt most."""
+    return _smallest([(None,) * levels, *(feather.ratios for feather in found)])
+
+
+def _smallest(values: Iterable[Sequence[float | None]]) -> tuple[float | None, ...]:
+    """Of several, level by level."""
+    return tuple(min((one for one in level if one is not None), default=None) for level in zip(*values))
+
+
+SIGMAS_PER_WIDTH = 4.0  # a Gaussian has no end; over two sigmas to either side the weights go from 0.02 to 0.98
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedFeather:
+    """A feather between two sources at one place in a window; its arrays are (rows, columns)."""
+
+    weight: np.ndarray
+    """Share of the second source, 0 to 1, float32."""
+    strip: np.ndarray
+    """The feather's full width, bool."""
+
+
+def place_feather(distance: np.ndarray, ramp: str, width_m: float, pixel_m: tuple[float, float]) -> PlacedFeather:
+    """The feather of a full width along a seam.
+
+    ``distance``: (rows, columns) m from the seam, negative on one side. ``ramp``: one of ``limits.RAMPS``.
+    ``pixel_m``: height and width of a pixel.
+    """
+    if ramp == GAUSSIAN:
+        weight = _smoothed(distance > 0, width_m / SIGMAS_PER_WIDTH / np.array(pixel_m))
+    else:
+        across = np.clip(distance / width_m, -0.5, 0.5)
+        weight = 0.5 + (across if ramp == LINEAR else np.sin(np.pi * across) / 2)
+    return PlacedFeather(weight.astype(np.float32), abs(distance) <= width_m / 2)
+
+
+@dataclass(frozen=True)
+class KeptDetail:
+    """Detail variance of the feathered sources over their own, levels 1..R; None where there is none."""
+
+    window: tuple[float | None, ...]
+    """In the whole window."""
+    strip: tuple[float | None, ...]
+    """In the feather's full width."""
+
+
+def kept_detail(
+    first: np.ndarray, second: np.ndarray, feathers: Sequence[PlacedFeather], wavelet: str, levels: int
+) -> KeptDetail:
+    """What feathers leave of two sources' planes, (rows, columns) each.
+
+    Detail is summed over all places where the seam may run, and over both ways of sharing the sides out to the sources.
+    """
+    planes = np.stack([first, second]).astype(np.float32)
+    energies = np.zeros((2, 2, levels))  # feathered and cut; window and strip
+    for level, details in enumerate(placed_components(planes, wavelet, levels)):
+        own, both = (details**2).sum(axis=(0, 1)), 2 * (details[:, 0] * details[:, 1]).sum(axis=0)
+        for feather in feathers:
+            # Of (1 - a) p + a q and a p + (1 - a) q together.
+            apart = 2 * feather.weight * (1 - feather.weight)
+            lost, strip = (in_squares(one, 2 ** (level + 1)).mean(axis=(1, 3)) for one in (apart, feather.strip))
+            for row, energy in enumerate(((1 - lost) * own + lost * both, own)):
+                energies[row, 0, level] += float(energy.sum(dtype=np.float64))
+                energies[row, 1, level] += float((energy * strip).sum(dtype=np.float64))
+    least = imagery_limits.MIN_SHARE * planes.size * float(planes.var(axis=(1, 2), dtype=np.float64).sum())
+    feathered, cut = energies
+    window, strip = (
+        tuple(float(a / b) if b > least else None for a, b in zip(*both)) for both in zip(feathered, cut)
+    )
+    return KeptDetail(window, strip)
+
+
+def least_kept(found: Sequence[KeptDetail]) -> KeptDetail:
+    """The smallest over several pairs of sources, level by level: where feathering will hurt most."""
+    return KeptDetail(_smallest(one.window for one in found), _smallest(one.strip for one in found))
+
+
+def _smoothed(mask: np.ndarray, sigma_px: np.ndarray) -> np.ndarray:
+    """A mask smoothed by a Gaussian.
+
+    A wide one is smoothed on a coarser grid, off by up to 0.02 at the window's edge and by 0.0005 in the mean.
+    """
+    fits = (side for side in (8, 4, 2) if 4 * side <= sigma_px.min() and not any(size % side for size in mask.shape))
+    side = next(fits, 1)
+    smooth = ndimage.gaussian_filter(in_squares(mask, side).mean(axis=(1, 3)), sigma_px / side, mode="nearest")
+    return np.asarray(ndimage.zoom(smooth, side, order=1, grid_mode=True, mode="nearest")) if side > 1 else smooth
+
+
+_DIRECTIONS = np.pi / 4 * (np.arange(4) + 0.5)
+"""Directions of assumed seams. All are 8 % longer than a window's side; the mean of all directions is 12 %."""
+_MIN_SIDE_SHARE = 0.01  # of the window: smaller pieces are what is left between a line's steps and the pixels
+
+
+class Seamlines:
+    """Lines along which images are to be joined, or polygons with such borders, in the windows' reference system."""
+
+    def __init__(self, geometries: Iterable[bytes]) -> None:
+        """``geometries``: WKB of each. Raises SeamlineError for bytes that are none."""
+        self._geometries = list(geometries)
+        boxes = [read_geometry(wkb, number).GetEnvelope() for number, wkb in enumerate(self._geometries, 1)]
+        self._xmin, self._xmax, self._ymin, self._ymax = np.array(boxes, float).reshape(-1, 4).T
+
+    def over(self, extent: Extent) -> tuple[bytes, ...]:
+        """Those whose bounding box meets a rectangle."""
+        xmin, ymin, xmax, ymax = extent
+        meets = (self._xmin <= xmax) & (self._xmax >= xmin) & (self._ymin <= ymax) & (self._ymax >= ymin)
+        return tuple(self._geometries[number] for number in np.flatnonzero(meets))
+
+
+def assumed_seams(rows: int, columns: int, pixel_m: tuple[float, float]) -> list[np.ndarray]:
+    """Straight seams through the middle of a window, in four directions: (rows, columns) m from each of them.
+
+    Windows lie along seams, and a seam runs through its window in any direction. ``pixel_m``: height and width of a
+    pixel.
+    """
+    y, x = np.ogrid[:rows, :columns]
+    y, x = (y - (rows - 1) / 2) * pixel_m[0], (x - (columns - 1) / 2) * pixel_m[1]
+    return [x * np.cos(direction) + y * np.sin(direction) for direction in _DIRECTIONS]
+
+
+def drawn_seam(
+    lines: Sequence[bytes], wkt: str, mosaic: Raster, window: PixelWindow, pixel_m: tuple[float, float]
+) -> np.ndarray | None:
+    """Distance from the seamlines of a window, (rows, columns) m; None where they do not divide it.
+
+    ``lines``: WKB in the reference system ``wkt``. One side is the largest part of the window, the other all the rest.
+
+    Raises RasterError when the lines can't be transformed to the mosaic's reference system.
+    """
+    borders = []
+    for line in lines:
+        geometry = geometry_on(ogr.CreateGeometryFromWkb(line).GetLinearGeometry(), wkt, mosaic.wkt)
+        borders.append((geometry.Boundary() if geometry.GetDimension() == 2 else geometry, 1))
+    parts, _ = ndimage.label(burnt(borders, mosaic.grid, window, touched=True) == 0)
+    sizes = np.bincount(parts.ravel())
+    sizes[0] = 0
+    sides = np.flatnonzero(sizes >= _MIN_SIDE_SHARE * parts.size)
+    if len(sides) < 2:
+        return None
+    nearest = ndimage.distance_transform_edt(~np.isin(parts, sides), return_distances=False, return_indices=True)
+    largest = parts[tuple(nearest)] == sizes.argmax()
+    inside, outside = (ndimage.distance_transform_edt(side, pixel_m) for side in (largest, ~largest))
+    half = min(pixel_m) / 2  # the seam runs between two pixels
+    return np.where(largest, inside - half, half - outside)

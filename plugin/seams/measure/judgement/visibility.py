@@ -1,0 +1,158 @@
+"""What a loss of detail means to an eye: just noticeable differences of contrast (JND) at the desk's magnification.
+
+The detail of level r stands as the contrast c of luminance, rms over mean, at one frequency f on the screen. An eye
+sees it from c_T = 1 / S(f) on (S: Mannos and Sakrison 1974), and tells it from more or less of it by
+
+    delta_c(c) = c_T max(1, (c / c_T)^0.6)        (Legge and Foley 1980)
+
+so between what the sources have, c, and what the mosaic kept of its variance, c sqrt(kept), there lie
+
+    the integral of dc / delta_c(c)               from c sqrt(kept) to c
+
+differences that an eye just notices. Those of all levels together are their Minkowski sum (Quick 1974).
+
+- J. L. Mannos, D. J. Sakrison: The effects of a visual fidelity criterion on the encoding of images, IEEE Transactions
+  on Information Theory 20 (4), 1974, 525-536.
+- G. E. Legge, J. M. Foley: Contrast masking in human vision, Journal of the Optical Society of America 70 (12), 1980,
+  1458-1471.
+- R. F. Quick: A vector-magnitude model of contrast detection, Kybernetik 16, 1974, 65-67.
+- A. B. Watson, A. J. Ahumada: A standard model for foveal detection of spatial contrast, Journal of Vision 5 (9), 2005,
+  717-740.
+"""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ....imagery.rasters import Raster, value_range
+from ..limits import JUDGED_MAGNIFICATION
+from ..profile.cell_table import CELL_PX, CellTable
+from ..profile.seam_profile import SeamProfile, strip_bins
+from ..tone import coarse_means
+
+PEAK_SENSITIVITY = 200.0  # 1 / contrast: of the order that all measurements of gratings on a bright screen have
+_PEAK = 0.9809  # of Mannos and Sakrison's formula, at 7.9 cycles a degree
+DISCRIMINATION_EXPONENT = 0.6  # Legge and Foley 1980: 0.62 in the mean of their masks
+POOLING_EXPONENT = 3.0  # between some 2.6 (Watson and Ahumada 2005) and the 4 of early summation over channels
+CENTRE_FREQUENCY = 3 / 8  # cycles a pixel: the middle of the octave from 1/4 to 1/2 that level 1 holds
+_CELL_STEPS = CELL_PX.bit_length() - 1  # halvings that lead from pixels to cells
+
+
+@dataclass(frozen=True)
+class Viewing:
+    """How an operator sees the mosaic."""
+
+    magnification: float = JUDGED_MAGNIFICATION
+    """Screen pixels a pixel of the mosaic."""
+    screen_dpi: float = 96.0
+    """Screen pixels an inch."""
+    distance_cm: float = 60.0
+    """From eye to screen."""
+    gamma: float = 2.2
+    """Luminance of the screen over grey values, both as shares of white: sRGB's (IEC 61966-2-1) as one power."""
+    flare: float = 0.01
+    """Light that the room adds to all of the screen, as a share of white: sRGB's encoding viewing flare."""
+
+    @property
+    def pixels_per_degree(self) -> float:
+        """Screen pixels a degree of visual angle."""
+        return 2 * self.distance_cm * math.tan(math.radians(0.5)) * self.screen_dpi / 2.54
+
+    def frequency(self, level: int) -> float:
+        """Frequency of the middle of a level's detail, level 1 the finest, in cycles a degree."""
+        return CENTRE_FREQUENCY / 2 ** (level - 1) / self.magnification * self.pixels_per_degree
+
+    def contrast(self, rms: float, grey: float, white: float) -> float:
+        """Contrast of luminance of detail with that rms about a mean grey, rms and mean in DN above black.
+
+        The tangent of the screen's curve at the mean; what is brighter than ``white`` is shown as white.
+        """
+        share = min(grey / white, 1.0)
+        return self.gamma * share ** (self.gamma - 1) * rms / white / (self.flare + share**self.gamma)
+
+
+DESK = Viewing()
+"""How the desk shows a window to be judged."""
+
+
+def contrast_sensitivity(frequency: float) -> float:
+    """1 / the contrast that is just seen at so many cycles a degree (Mannos and Sakrison 1974)."""
+    reach = 0.114 * frequency
+    return PEAK_SENSITIVITY / _PEAK * 2.6 * (0.0192 + reach) * math.exp(-(reach**1.1))
+
+
+def noticeable_differences(contrast: float, kept_contrast: float, frequency: float) -> float:
+    """How many just noticeable differences lie between two contrasts at one frequency, in cycles a degree; 0 where
+    nothing is lost."""
+    sensitivity = contrast_sensitivity(frequency)
+    return max(0.0, _steps_from_nothing(contrast * sensitivity) - _steps_from_nothing(kept_contrast * sensitivity))
+
+
+def _steps_from_nothing(times_threshold: float) -> float:
+    """The integral from 0 of dc / delta_c, contrasts as multiples of the threshold."""
+    if times_threshold <= 1:
+        return times_threshold
+    kept_contrast = 1 - DISCRIMINATION_EXPONENT
+    return 1 + (times_threshold**kept_contrast - 1) / kept_contrast
+
+
+def visibility(
+    kept: Sequence[float | None], detail_variance: Sequence[float], grey: float, white: float, viewing: Viewing = DESK
+) -> float | None:
+    """The loss of detail beside a seam in JND, 1 being what an eye just sees side by side.
+
+    By level, from level 1: what is ``kept`` of the variance, and the variance that the sources' detail has there, DN
+    squared. ``grey``: the mosaic's mean there, ``white``: the brightest value it can have, DN above black. A level of
+    which nothing is known adds nothing, and more detail than there was is no loss. None where level 1 is not known or
+    nothing says how bright the screen is.
+    """
+    if not kept or kept[0] is None or not (grey > 0 and white > 0):
+        return None
+    total = 0.0
+    for level, (share, variance) in enumerate(zip(kept, detail_variance), 1):
+        if share is None:
+            continue
+        contrast = viewing.contrast(math.sqrt(variance), grey, white)
+        lost = noticeable_differences(contrast, contrast * math.sqrt(max(share, 0.0)), viewing.frequency(level))
+        total += lost**POOLING_EXPONENT
+    return float(total ** (1 / POOLING_EXPONENT))
+
+
+MOST_REFLECTANCE = 2.0
+"""Reflectance of the brightest ground, glints with it; grey values are more."""
+
+
+def white_grey(raster: Raster, largest: float) -> float:
+    """The grey value that a screen shows as white, DN above black; ``largest``: of means of its cells.
+
+    Black is 0. Values without a range of their own are shown as those of the smallest usual depth that holds them, and
+    reflectances up to the largest.
+    """
+    if raster.data_type.startswith("float") and largest <= MOST_REFLECTANCE:
+        return max(largest, MOST_REFLECTANCE * 1e-6)
+    known = raster if raster.data_type in ("uint8", "uint16") else replace(raster, data_type="uint16", bits=None)
+    grey = value_range(known, largest)
+    assert grey is not None
+    return grey[1]
+
+
+def window_visibility(
+    profile: SeamProfile | None, cells: CellTable, plane: np.ndarray, inside: tuple[slice, slice], raster: Raster
+) -> float | None:
+    """Visibility of a window's loss by its profile and cells; ``plane``: (rows, columns), the mosaic's pixels in the
+    band that is judged, ``inside`` their place in what was read around them, in which cells have theirs."""
+    if profile is None:
+        return None
+    rows, columns = (length // CELL_PX for length in plane.shape)
+    means = coarse_means(plane[: rows * CELL_PX, : columns * CELL_PX], _CELL_STEPS)
+    strip = cells.chosen(cells.bin < strip_bins(0).stop)
+    row, column = strip.row - inside[0].start // CELL_PX, strip.column - inside[1].start // CELL_PX
+    known = (row < rows) & (column < columns)
+    weights = strip.area[0][known]
+    if not weights.sum():
+        return None
+    grey = float(np.average(means[row[known], column[known]], weights=weights))
+    return visibility(profile.kept, profile.energy, grey, white_grey(raster, float(means.max())))

@@ -1,0 +1,280 @@
+"""One window of a mosaic that does not exist yet: request -> what feathering its sources would leave of their detail.
+
+There is no mosaic whose pixels a window could lie on. It lies on those of the first source that covers it, north-up
+and among the finest; the others are clipped to it as they would be to a mosaic.
+"""
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from itertools import zip_longest
+
+import numpy as np
+
+from ....imagery import limits as imagery_limits
+from ....imagery import messages as imagery_messages
+from ....imagery.clips import Clip, read_clip
+from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError, WindowError
+from ....imagery.grids import Extent, PixelWindow, snap_window
+from ....imagery.open_raster import OpenRaster, placed
+from ....imagery.rasters import Raster
+from ....imagery.reference_systems import extent_on, metres_per_unit
+from ....imagery.shifts import Shift, Spectra, find_shift
+from ....imagery.wavelets import check_decomposition, judged_plane
+from .. import messages
+from ..judgement.feather_prediction import (
+    Feather,
+    KeptDetail,
+    assumed_seams,
+    drawn_seam,
+    expected_ratios,
+    feathers,
+    kept_detail,
+    least_kept,
+    place_feather,
+)
+from ..limits import COSINE, RAMPS
+from ..source_images import Source, covers
+from ..while_measuring import measuring
+
+
+@dataclass(frozen=True)
+class ForecastSettings:
+    """What is foretold."""
+
+    wavelet: str = imagery_limits.DEFAULT_WAVELET
+    """Any orthogonal wavelet of PyWavelets."""
+    levels: int = imagery_limits.DEFAULT_LEVELS
+    """R, 1 to 8."""
+    width_m: float = 0.0
+    """Full width of the feather; 0: of its middle only."""
+    ramp: str = COSINE
+    """How it leads from one source to the other, one of ``limits.RAMPS``."""
+
+    def check(self) -> None:
+        """Raise SettingsError when a value is out of its range."""
+        check_decomposition(self.wavelet, self.levels)
+        if not 0 <= self.width_m < np.inf:
+            raise SettingsError(messages.WIDTH_NEGATIVE(width=self.width_m))
+        if self.ramp not in RAMPS:
+            raise SettingsError(messages.RAMP_UNKNOWN(ramp=self.ramp, known=", ".join(RAMPS)))
+
+
+@dataclass(frozen=True)
+class ForecastRequest:
+    """All that is needed to foretell one window, in plain data that can cross threads."""
+
+    window_id: int
+    sources: tuple[Source, ...]
+    """Those whose footprint covers the window, in the order they were named."""
+    extent: Extent | None
+    """The window; None when what was drawn can't be measured."""
+    wkt: str
+    """Reference system of the window, the footprints and the seamlines."""
+    settings: ForecastSettings
+    seamlines: tuple[bytes, ...] | None = None
+    """WKB of those that may run through the window; None where nobody knows them."""
+    reason: Message | None = None
+    """Why there is no window."""
+
+
+@dataclass(frozen=True)
+class ForecastPair:
+    """Two sources of one window."""
+
+    source: str
+    """File name without its folder."""
+    other: str
+    """File name without its folder."""
+    feather: Feather
+    """How their details agree, and what half of each would leave."""
+    shift: Shift | None
+    """How ``other`` lies on ``source`` on the ground, px; None where they show nothing in common."""
+    resampled: bool
+    """Whether one of them was warped to the window's grid."""
+    kept: KeptDetail | None = None
+    """What a feather of the width asked for would leave; None where none was."""
+
+
+@dataclass(frozen=True)
+class Forecast:
+    """What is to be expected in one window."""
+
+    window_id: int
+    extent: Extent | None
+    """The pixels that were measured, in the request's reference system; None where nothing was."""
+    sources: int
+    """How many sources took part."""
+    band: str | None
+    """The band that was looked at; None where nothing was."""
+    pairs: tuple[ForecastPair, ...]
+    expected: tuple[float | None, ...]
+    """Detail variance that a 50:50 feather would leave, levels 1..R, the smallest over the pairs."""
+    kept: KeptDetail | None = None
+    """What a feather of the width asked for would leave, the smallest over the pairs; None where none was."""
+    reason: Message | None = None
+    """Why nothing can be foretold."""
+    notices: tuple[Message, ...] = field(default=(), compare=False)
+    """Why a source that could not be read or compared did not take part."""
+
+
+@measuring()
+def forecast_window(request: ForecastRequest) -> Forecast:
+    """Clip the sources of one window and foretell each pair of them.
+
+    A raster that can't be read or compared is left out with a notice; a window of which nothing can be foretold
+    says why. Neither raises.
+    """
+    if request.extent is None:
+        return not_foretold(request, request.reason)
+    sources: list[OpenRaster] = []
+    unreadable: list[Message] = []
+    for source in request.sources:
+        try:
+            raster = OpenRaster(source.ref)
+            placed(raster.raster)
+            sources.append(raster)
+        except RasterError as error:
+            unreadable.append(error.message.as_warning())
+    # The band that most are judged by, so that a source of other bands does not cost all the others.
+    counts = Counter(source.raster.judged_band for source in sources)
+    band = counts.most_common(1)[0][0] if counts else None
+    try:
+        place, unfit = _place(request, [source for source in sources if source.raster.judged_band == band])
+    except WindowError as error:
+        return replace(not_foretold(request, error.message), notices=tuple(unreadable))
+    if place is None:
+        why = tuple([*unreadable, *unfit][: imagery_limits.MAX_REASONS])
+        reason = messages.NO_SOURCE_COMPARABLE(why=why) if why else messages.NO_SOURCES()
+        return replace(not_foretold(request, reason), notices=tuple(unreadable))
+    clips, refused = _comparable_clips(place, sources, band)
+    notices = (*unreadable, *refused)
+    planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
+    wavelet, levels = request.settings.wavelet, request.settings.levels
+    pairs = feathers(planes, wavelet, levels)
+    expected = expected_ratios(pairs, levels)
+    kept, assumed = _kept(request, place, planes, pairs)
+    spectra = [Spectra(plane) for plane in planes]
+    mosaic = place.mosaic
+    return Forecast(
+        request.window_id,
+        extent_on(mosaic.grid.window_extent(place.window), mosaic.wkt, request.wkt or mosaic.wkt),
+        len(clips),
+        band,
+        tuple(_pair(clips, spectra, feather, detail) for feather, detail in zip_longest(pairs, kept)),
+        expected,
+        least_kept(kept) if kept else None,
+        _reason(len(clips), expected, notices),
+        (*notices, *assumed),
+    )
+
+
+def not_foretold(request: ForecastRequest, reason: Message | None) -> Forecast:
+    """The result of a window of which nothing can be foretold."""
+    return Forecast(request.window_id, None, 0, None, (), (None,) * request.settings.levels, reason=reason)
+
+
+@dataclass(frozen=True, eq=False)
+class _ForecastPlace:
+    """Where the window lies: on the pixels of one source."""
+
+    mosaic: Raster
+    """That source, which stands in for the mosaic."""
+    window: PixelWindow
+    clip: Clip
+    """Its pixels."""
+
+
+def _place(request: ForecastRequest, sources: Sequence[OpenRaster]) -> tuple[_ForecastPlace | None, list[Message]]:
+    """The window on the first of the finest sources that covers it north-up, and why those before it did not do.
+
+    Raises WindowError when the window can't be measured on that grid.
+    """
+    assert request.extent is not None
+    unfit: list[Message] = []
+    finest = min((source.raster.ground_sample_distance for source in sources), default=0.0)
+    alike = (1 + imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE) * finest
+    for source in sorted(sources, key=lambda source: max(source.raster.ground_sample_distance, alike)):
+        try:
+            raster, grid = source.raster, source.raster.grid
+            extent = extent_on(request.extent, request.wkt or raster.wkt, raster.wkt)
+            if not covers(raster.extent, extent, grid.pixel_width, grid.pixel_height):
+                raise NotCoveredError(imagery_messages.NOT_COVERED(name=raster.ref.name))
+            window = snap_window(grid, extent, request.settings.levels)
+            return _ForecastPlace(raster, window, read_clip(source, raster, window)), unfit
+        except RasterError as error:
+            unfit.append(error.message)
+    return None, unfit
+
+
+def _comparable_clips(
+    place: _ForecastPlace, sources: Sequence[OpenRaster], band: str | None
+) -> tuple[list[Clip], list[Message]]:
+    """The clips of the sources that cover the window, and why others that do can't be compared."""
+    clips: list[Clip] = []
+    notices: list[Message] = []
+    for source in sources:
+        try:
+            is_mosaic = source.ref == place.mosaic.ref
+            clip = place.clip if is_mosaic else read_clip(source, place.mosaic, place.window)
+        except NotCoveredError:
+            continue
+        except RasterError as error:
+            notices.append(error.message.as_warning())
+            continue
+        name, bands = clip.raster.ref.name, clip.raster.band_names
+        if clip.raster.judged_band != band:
+            notices.append(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)).as_warning())
+        elif not np.ptp(judged_plane(clip.bands, bands)) > 0:
+            notices.append(messages.SOURCE_CONSTANT(name=name).as_warning())
+        else:
+            clips.append(clip)
+    return clips, notices
+
+
+def _kept(
+    request: ForecastRequest, place: _ForecastPlace, planes: Sequence[np.ndarray], pairs: Sequence[Feather]
+) -> tuple[list[KeptDetail], list[Message]]:
+    """What a feather of the width asked for would leave of each pair, and what had to be assumed for it."""
+    settings = request.settings
+    if not settings.width_m or not pairs:
+        return [], []
+    grid = place.mosaic.grid
+    metres_x, metres_y = metres_per_unit(place.mosaic.wkt, grid.window_extent(place.window)[1])
+    pixel_m = grid.pixel_height * metres_y, grid.pixel_width * metres_x
+    seams = assumed_seams(place.window.height, place.window.width, pixel_m)
+    assumed: list[Message] = []
+    if request.seamlines is not None:
+        drawn = None
+        with suppress(RasterError):
+            drawn = drawn_seam(request.seamlines, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
+        seams, assumed = (seams, [messages.SEAM_ASSUMED()]) if drawn is None else ([drawn], assumed)
+    places = [place_feather(distance, settings.ramp, settings.width_m, pixel_m) for distance in seams]
+    return [
+        kept_detail(planes[pair.first], planes[pair.second], places, settings.wavelet, settings.levels)
+        for pair in pairs
+    ], assumed
+
+
+def _pair(
+    clips: Sequence[Clip], spectra: Sequence[Spectra], feather: Feather, kept: KeptDetail | None
+) -> ForecastPair:
+    source, other = clips[feather.first], clips[feather.second]
+    shift = find_shift(spectra[feather.second], spectra[feather.first])
+    if shift is not None:  # their pixel grids may lie beside each other
+        x, y = source.offset_x - other.offset_x, source.offset_y - other.offset_y
+        shift = replace(shift, x=shift.x + x, y=shift.y + y)
+    return ForecastPair(
+        source.raster.ref.name, other.raster.ref.name, feather, shift, source.resampled or other.resampled, kept
+    )
+
+
+def _reason(count: int, expected: Sequence[float | None], notices: Sequence[Message]) -> Message | None:
+    why = tuple(notices[: imagery_limits.MAX_REASONS])
+    if count == 0:
+        return messages.NO_SOURCE_COMPARABLE(why=why)
+    if count == 1:
+        return messages.ONE_SOURCE_COMPARABLE(why=why) if why else messages.ONE_SOURCE()
+    return messages.SOURCES_WITHOUT_DETAIL() if expected[0] is None else None

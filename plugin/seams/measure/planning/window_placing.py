@@ -1,0 +1,345 @@
+"""Windows along seams: where to measure, evenly, inside the mosaic and without measuring a place twice.
+
+Every stretch of a seam inside the mosaic is divided evenly: as many windows as the spacing goes into its length
+(rounded, at least one), exactly one spacing apart, the rest split between both ends. Each window so stands for
+the stretch half a spacing to either side of it; where it would stick out of the mosaic, or hold too few valid
+pixels, it is moved within that stretch, and dropped when it fits nowhere there."""
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from operator import itemgetter
+from typing import Callable
+
+import numpy as np
+
+from ....imagery import limits as imagery_limits
+from ....imagery import messages as imagery_messages
+from ....imagery.errors import Message, SettingsError
+from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
+from ....imagery.lines import Seam, points_at, shares_inside, vertex_stations
+from .. import limits, messages
+
+_MOST_PLACES = 12  # named in a sentence
+MIN_SEAM_PX = 8  # around two or three pixels: noise of labels
+MIN_SEAM_SHARE = 1 / 16  # of a window's side: a seam shorter and narrower than that is 0.4 % of the window
+
+
+@dataclass(frozen=True)
+class PlacedWindow:
+    """A window on a seam."""
+
+    window_id: int
+    """1..n, in the order of seam and station."""
+    seam_id: int
+    """The seam it lies on."""
+    station_m: float
+    """Metres along the seam from its start to the window's centre."""
+    window: PixelWindow
+    """Its pixels on the mosaic's grid."""
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Where to measure, and where not."""
+
+    windows: tuple[PlacedWindow, ...]
+    dropped: tuple[Message, ...]
+    """For the log, in a sentence a reason: places along seams that got no window, and those that need none."""
+
+
+@dataclass(frozen=True)
+class PlacingSettings:
+    """How windows are placed."""
+
+    side_m: float = imagery_limits.STANDARD_SIDE_M
+    """Metres that a window spans at least."""
+    spacing_m: float = limits.STANDARD_SPACING_M
+    """Metres along the seam between windows."""
+    levels: int = imagery_limits.DEFAULT_LEVELS
+    """Of the decomposition, 1..8."""
+
+
+def place_windows(
+    seams: Sequence[Seam], grid: Grid, settings: PlacingSettings,
+    is_valid: Callable[[PixelWindow], bool] = lambda window: True,
+) -> Placement:
+    """Standard windows along seams in the CRS of the mosaic, longest first.
+
+    All windows lie inside the mosaic and are centred on their seam to half a pixel; no two on one seam share more
+    than half of their pixels. A seam that lies within windows of longer ones gets none, nor does one shorter than
+    a sixteenth of a window's side or than 8 px.
+
+    Raises SettingsError when a length is not a positive number or the window is too small for the levels.
+    """
+    side_px = window_side_px(grid, settings)
+    metres_x, metres_y = grid.pixel_width * grid.metres_x, grid.pixel_height * grid.metres_y
+    if side_px > min(grid.columns, grid.rows):
+        too_small = messages.MOSAIC_TOO_SMALL(
+            width=grid.columns * metres_x, height=grid.rows * metres_y, side=side_px * max(metres_x, metres_y)
+        )
+        return Placement((), (too_small.as_warning(),))
+    # Half a side apart windows share half of their pixels; one more pixel allows for the snapping.
+    densest_m = (side_px / 2 + 1) * max(metres_x, metres_y)
+    shortest_m = max(MIN_SEAM_SHARE * side_px, MIN_SEAM_PX) * grid.ground_sample_distance
+
+    placed = WindowIndex(side_px)
+    windows: list[PlacedWindow] = []
+    places: list[str] = []
+    outside = tiny = covered = crowded = 0
+    for seam in seams:
+        track = SeamTrack(seam, grid, side_px)
+        inside = track.stretches(0, 0, grid.columns, grid.rows)
+        stretches = inside[np.diff(inside)[:, 0] >= shortest_m]
+        if not np.diff(inside).any():
+            outside += 1
+        elif not len(stretches):
+            tiny += 1
+        elif all(map(placed.covers, *track.pixels_along(stretches).T)):
+            covered += 1
+        else:
+            along, lost, too_near = _along(track, stretches, settings.spacing_m, densest_m, is_valid)
+            for station, window in along:
+                placed.add(window)
+                windows.append(PlacedWindow(len(windows) + 1, seam.seam_id, station, window))
+            for start, end in lost:
+                places.append(f"{seam.seam_id} ({start:.1f}" + (f"\u2013{end:.1f} m)" if end > start else " m)"))
+            crowded += too_near
+    named = ", ".join([*places[:_MOST_PLACES], *["\u2026"] * (len(places) > _MOST_PLACES)])
+    dropped = (
+        (len(places), messages.PLACES_WITHOUT_WINDOW(count=len(places), places=named)),
+        (crowded, messages.WINDOWS_CROWDED(count=crowded)),
+        (covered, messages.SEAMS_COVERED(count=covered)),
+        (tiny, messages.SEAMS_TINY(count=tiny, shortest=shortest_m)),
+        (outside, messages.SEAMS_OUTSIDE(count=outside)),
+    )
+    return Placement(tuple(windows), tuple(sentence for count, sentence in dropped if count))
+
+
+def _along(
+    track: SeamTrack, stretches: np.ndarray, spacing_m: float, densest_m: float, is_valid: Callable[[PixelWindow], bool]
+) -> tuple[list[tuple[float, PixelWindow]], list[tuple[float, float]], int]:
+    """Windows on one seam.
+
+    ``stretches``: (k, 2) stations in metres between which the seam lies inside the mosaic.
+
+    Returns (station, window) in the order of stations; first and last station of each row of windows that would
+    stick out or hold too few valid pixels; and how many windows were left out because they would share too much
+    with another one.
+    """
+    spots = np.concatenate([_spots(start, end, max(spacing_m, densest_m)) for start, end in stretches])
+    asked = sum(_count(start, end, spacing_m) for start, end in stretches)
+    fitting = track.fitting_stretches()
+    inside = ((fitting[:, 0] <= spots[:, :1]) & (spots[:, :1] <= fitting[:, 1])).any(axis=1)
+    taken = WindowIndex(track.side_px)
+    along: list[tuple[float, PixelWindow]] = []
+    too_near = asked - len(spots)
+    to_move = ~inside
+    for number, window in zip(np.flatnonzero(inside), track.windows(spots[inside, 0])):
+        if taken.shares_too_much(window):
+            too_near += 1
+        elif is_valid(window):
+            taken.add(window)
+            along.append((float(spots[number, 0]), window))
+        else:
+            to_move[number] = True
+
+    lost = np.zeros(len(spots), dtype=bool)
+    for number in np.flatnonzero(to_move):
+        stations = track.nearby(fitting, *spots[number])
+        for moved, window in zip(stations.tolist(), track.windows(stations)):
+            if not taken.shares_too_much(window) and is_valid(window):
+                taken.add(window)
+                along.append((moved, window))
+                break
+        else:
+            lost[number] = True
+    return sorted(along, key=itemgetter(0)), list(_rows(spots[:, 0], lost)), too_near
+
+
+def _count(start: float, end: float, spacing_m: float) -> int:
+    """How many windows a stretch gets."""
+    return max(1, math.floor((end - start) / spacing_m + 0.5))
+
+
+def _spots(start: float, end: float, spacing_m: float) -> np.ndarray:
+    """(n, 3): stations of windows on a stretch, and from where to where each stands for the seam, metres."""
+    count = _count(start, end, spacing_m)
+    station = (start + end - (count - 1) * spacing_m) / 2 + spacing_m * np.arange(count)
+    between = (station[1:] + station[:-1]) / 2
+    return np.column_stack([station, np.append(start, between), np.append(between, end)])
+
+
+def _rows(stations: np.ndarray, chosen: np.ndarray) -> Iterator[tuple[float, float]]:
+    """First and last station of every row of chosen ones."""
+    edge = np.diff(np.concatenate([[0], chosen.astype(int), [0]]))
+    for first, after in zip(np.flatnonzero(edge > 0), np.flatnonzero(edge < 0)):
+        yield float(stations[first]), float(stations[after - 1])
+
+
+SIDES_ACROSS = 4  # of a mosaic that is too small for the window that was asked for
+LONGEST_SIDE_PX = 2 ** int(math.log2(math.sqrt(imagery_limits.MAX_WINDOW_PIXELS)))
+"""Longest side of a square window that is not too large."""
+
+
+def window_side_px(grid: Grid, settings: PlacingSettings) -> int:
+    """The side of a window in pixels. Raises SettingsError, see ``place_windows``."""
+    side_px, levels = standard_side_px(grid, settings.side_m), settings.levels
+    if not (math.isfinite(settings.spacing_m) and settings.spacing_m > 0):
+        raise SettingsError(messages.SPACING_NOT_POSITIVE(spacing=settings.spacing_m))
+    if not imagery_limits.MIN_LEVELS <= levels <= imagery_limits.MAX_LEVELS:
+        least, most = imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS
+        raise SettingsError(imagery_messages.LEVELS_OUT_OF_RANGE(levels=levels, least=least, most=most))
+    fewest = max(imagery_limits.MIN_SIDE_PX, 2**levels)
+    if side_px < fewest:  # both are powers of two, so any longer side is a multiple of 2 ** levels
+        metres = math.ceil(fewest * grid.ground_sample_distance * 100) / 100
+        raise SettingsError(
+            messages.SIDE_TOO_SHORT(side=settings.side_m, pixels=side_px, levels=levels, fewest=fewest, metres=metres)
+        )
+    return side_px
+
+
+def fitting_side_m(grid: Grid, settings: PlacingSettings) -> float:
+    """The side itself where mosaic and levels allow it; else one that they do, in centimetres.
+
+    The standard side grows to as many pixels as it takes to measure. Of a mosaic that no window fits on, the side
+    itself.
+    """
+    side_m, shorter = settings.side_m, min(grid.columns, grid.rows)
+    fewest = max(imagery_limits.MIN_SIDE_PX, 2**settings.levels)
+    if shorter >= limits.MEASURABLE_SIDE_PX:
+        fewest = max(fewest, limits.MEASURABLE_SIDE_PX)
+    try:
+        wanted = window_side_px(grid, settings)
+    except SettingsError:
+        wanted = fewest
+    else:
+        is_enough = wanted >= fewest or side_m != imagery_limits.STANDARD_SIDE_M
+        if is_enough and wanted <= min(shorter, LONGEST_SIDE_PX):
+            return side_m
+        across = 2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1)))
+        wanted = min(max(across, fewest), LONGEST_SIDE_PX) if is_enough else fewest
+    if wanted > shorter:
+        return side_m
+    return max(math.floor(100 * wanted * grid.ground_sample_distance + 1e-6) / 100, 0.1)
+
+
+MAX_SHARED_SHARE = 0.5  # two windows on one seam share at most half of their pixels
+
+
+class WindowIndex:
+    """Windows of one size by place."""
+
+    def __init__(self, side_px: int) -> None:
+        self._side = side_px
+        self._cells: defaultdict[tuple[int, int], list[PixelWindow]] = defaultdict(list)
+
+    def add(self, window: PixelWindow) -> None:
+        """Take a window in."""
+        self._cells[window.column // self._side, window.row // self._side].append(window)
+
+    def _around(self, column: float, row: float) -> Iterator[PixelWindow]:
+        """All windows whose corner lies less than a side from a place, and some more."""
+        home_column, home_row = int(column // self._side), int(row // self._side)
+        for near_column in (home_column - 1, home_column, home_column + 1):
+            for near_row in (home_row - 1, home_row, home_row + 1):
+                yield from self._cells.get((near_column, near_row), ())
+
+    def covers(self, column: float, row: float) -> bool:
+        """Whether a place lies in a window."""
+        return any(
+            0 <= column - window.column <= window.width and 0 <= row - window.row <= window.height
+            for window in self._around(column, row)
+        )
+
+    def shares_too_much(self, window: PixelWindow) -> bool:
+        """Whether a window shares more than half of its pixels with one that is here."""
+        most = MAX_SHARED_SHARE * window.width * window.height
+        return any(window.shared_pixels(other) > most for other in self._around(window.column, window.row))
+
+
+class SeamTrack:
+    """A seam on the mosaic's pixel grid, by station."""
+
+    def __init__(self, seam: Seam, grid: Grid, side_px: int) -> None:
+        self.side_px = side_px
+        self._grid = grid
+        self._vertices = seam.vertices
+        self._station = vertex_stations(seam.vertices * (grid.metres_x, grid.metres_y))
+        self._pixels = grid.to_pixels(seam.vertices)
+
+    def _points(self, stations: np.ndarray) -> np.ndarray:
+        """(n, 2) on the map."""
+        return points_at(self._vertices, self._station, stations)
+
+    def windows(self, stations: np.ndarray) -> list[PixelWindow]:
+        """The window centred at each station."""
+        return [standard_window(self._grid, x, y, self.side_px) for x, y in self._points(stations)]
+
+    def nearby(self, fitting: np.ndarray, station: float, first: float, last: float) -> np.ndarray:
+        """Stations from first to last that lie in the stretches (k, 2), an eighth of a window apart, nearest first."""
+        within = fitting[(fitting[:, 0] <= last) & (fitting[:, 1] >= first)]
+        starts, ends = np.maximum(within[:, 0], first), np.minimum(within[:, 1], last)
+        every = np.concatenate([np.clip(station, starts, ends), *self._spaced(zip(starts, ends))])
+        return every[np.argsort(abs(every - station), kind="stable")]
+
+    def pixels_along(self, stretches: np.ndarray) -> np.ndarray:
+        """(n, 2) columns and rows along stretches, an eighth of a window apart."""
+        return self._grid.to_pixels(self._points(np.concatenate(self._spaced(stretches))))
+
+    def _spaced(self, stretches: Iterable[tuple[float, float]]) -> list[np.ndarray]:
+        """Stations along each stretch, an eighth of a window apart."""
+        step = self.side_px * self._grid.ground_sample_distance / 8
+        return [np.linspace(start, end, math.ceil((end - start) / step) + 1) for start, end in stretches]
+
+    def fitting_stretches(self) -> np.ndarray:
+        """(k, 2): stations between which a window centred on the seam lies inside the mosaic."""
+        margin = self.side_px / 2 - 0.499  # a window is snapped by up to half a pixel
+        return self.stretches(margin, margin, self._grid.columns - margin, self._grid.rows - margin)
+
+    def stretches(self, left: float, top: float, right: float, bottom: float) -> np.ndarray:
+        """(k, 2): stations between which the seam lies inside a rectangle of columns and rows (Liang-Barsky)."""
+        enter, leave = shares_inside(self._pixels, np.array([left, top]), np.array([right, bottom]))
+        crosses = enter <= leave
+        station, length = self._station[:-1][crosses], np.diff(self._station)[crosses]
+        first, last = station + enter[crosses] * length, station + leave[crosses] * length
+        apart = first[1:] > last[:-1] + 1e-9 * self._station[-1]  # else the seam goes on at a vertex
+        return np.column_stack([first[np.append(True, apart)[: len(first)]], last[np.append(apart, True)[: len(last)]]])
+
+
+class SeamIndex:
+    """All pieces of all seams; ten thousand of them are searched in well under a millisecond."""
+
+    def __init__(self, seams: Sequence[Seam]) -> None:
+        lines = [seam.vertices @ (1, 1j) for seam in seams]
+        self._start = np.concatenate([line[:-1] for line in lines]) if lines else np.empty(0, dtype=complex)
+        self._step = np.concatenate([np.diff(line) for line in lines]) if lines else np.empty(0, dtype=complex)
+
+    def nearest(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
+        """The nearest point of a seam in map units, or None when it is farther than ``reach``."""
+        if not len(self._start):
+            return None
+        place = complex(x, y)
+        squared = np.maximum(abs(self._step) ** 2, np.finfo(float).tiny)
+        share = np.clip(((place - self._start) * self._step.conj()).real / squared, 0, 1)
+        points = self._start + share * self._step
+        best = points[np.argmin(abs(points - place))]
+        return (float(best.real), float(best.imag)) if abs(best - place) <= reach else None
+
+    def points(self, x: float, y: float, reach: float, spacing: float) -> np.ndarray:
+        """(n, 2) points on the seams, some ``spacing`` apart, in the square of that reach around a place."""
+        if not len(self._start):
+            return np.empty((0, 2))
+        end = self._start + self._step
+        low = np.minimum(self._start.real, end.real), np.minimum(self._start.imag, end.imag)
+        high = np.maximum(self._start.real, end.real), np.maximum(self._start.imag, end.imag)
+        near = (low[0] <= x + reach) & (high[0] >= x - reach) & (low[1] <= y + reach) & (high[1] >= y - reach)
+        start, step = self._start[near], self._step[near]
+        counts = np.ceil(abs(step) / spacing).astype(np.int64) + 1
+        which = np.repeat(np.arange(len(start)), counts)
+        place = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        found = start[which] + place / np.maximum(counts - 1, 1)[which] * step[which]
+        inside = (abs(found.real - x) <= reach) & (abs(found.imag - y) <= reach)
+        return np.column_stack([found.real, found.imag])[inside]

@@ -1,0 +1,227 @@
+"""Seams as producers deliver them: lines with what lies left and right, or polygons of what each part was made from."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import chain
+
+import numpy as np
+from osgeo import ogr
+
+from ....imagery import lines as seamlines
+from ....imagery import messages as imagery_messages
+from ....imagery.errors import Message, SeamlineError
+from ....imagery.gdal_calls import gdal_silenced
+from ....imagery.grids import Grid
+from .. import messages
+from ..seam_cells import Cell, meant_sources
+from .seam_features import SeamFeature, gathered, owner_name
+from .seam_fields import said, seam_fields
+from .seam_pieces import SidedSeam
+from .seam_tracing import parts_with_area
+
+
+@dataclass(frozen=True, eq=False)
+class GivenSeams:
+    """What a layer of seams says."""
+
+    seams: tuple[SidedSeam, ...]
+    """Longest first."""
+    cells: tuple[Cell, ...]
+    """The polygons that name their orthoimage."""
+    notices: tuple[Message, ...]
+    """What is wrong with it or lacks in it, and is left out or assumed."""
+    dates: Mapping[str, str] = field(default_factory=dict)
+    """When what lies beside the seams was taken, by its name; of those only that are said to be of one date."""
+
+
+def given_seams(
+    features: Iterable[SeamFeature], grid: Grid, source_field: str = "", paths: Sequence[str] = ()
+) -> GivenSeams:
+    """The seams that a layer's lines and polygons describe inside the mosaic's grid, and what lies beside them.
+
+    ``source_field``: see ``seam_fields``. ``paths``: of the sources; a name that fits several of them tells nothing.
+    Borders between polygons of one source are no seams, and what lies between two overlapping or gaping polygons has
+    none. Raises SettingsError when the layer has no such field, SeamlineError
+    when it is empty, lies elsewhere, spans far more than a mosaic can, or holds no seam.
+    """
+    held = list(features)
+    rows = [attributes for attributes, _ in held]
+    fields = seam_fields(rows, source_field)
+    names = {said(row.get(name)) for row in rows for name in (fields.source, fields.left, fields.right) if name}
+    ambiguous = {name for name, places in meant_sources(names - {""}, paths).items() if len(places) > 1}
+    pieces = gathered(held, fields, grid, ambiguous)
+    network = _Network(grid)
+    if pieces.rings:
+        network.add_polygons(pieces.rings, pieces.ring_owners)
+    if pieces.lines:
+        network.add_lines(pieces.lines, pieces.line_sides)
+    named = any(map(owner_name, chain(pieces.ring_owners, *pieces.line_sides)))
+
+    def longest_first(seam: SidedSeam) -> tuple[float, float, float]:
+        return -round(seam.length / grid.pixel_width, 3), seam.vertices[0, 0], seam.vertices[0, 1]
+
+    seams = sorted(network.seams(whoever=not named), key=longest_first)
+    if not seams:
+        raise SeamlineError(
+            imagery_messages.SEAMLINES_APART() if pieces.rings else imagery_messages.SEAMLINES_TOO_SHORT()
+        )
+    notices = [
+        *([messages.SEAM_FEATURES_BROKEN(count=pieces.broken)] if pieces.broken else []),
+        *([messages.SEAM_LINES_CROSS(count=pieces.crossing)] if pieces.crossing else []),
+        *([messages.SEAM_POLYGONS_REPAIRED(count=pieces.repaired)] if pieces.repaired else []),
+        *polygon_faults(pieces.polygons, grid),
+    ]
+    if fields.names_by_date and named and pieces.rings:
+        notices.append(messages.SEAMS_NAMED_BY_DATE(field=fields.date))
+    elif not named and not ambiguous:
+        notices.append(messages.SEAMS_UNNAMED())
+    if ambiguous:
+        told_names = ", ".join(sorted(ambiguous)[:_NAMED])
+        notices.append(messages.SEAM_SOURCES_AMBIGUOUS(count=len(ambiguous), names=told_names))
+    dates = {name: next(iter(days)) for name, days in pieces.dates.items() if len(days) == 1}
+    return GivenSeams(tuple(seams), tuple(pieces.cells), tuple(notices), dates)
+
+
+class _Network:
+    """Straight pieces between common nodes, each with what lies on either side of it."""
+
+    def __init__(self, grid: Grid) -> None:
+        xmin, ymin, _, _ = grid.extent
+        self._origin, self._size = complex(xmin, ymin), grid.pixel_width
+        self._parts: list[tuple[np.ndarray, np.ndarray, np.ndarray, list[str]]] = []
+
+    def add_polygons(self, rings: Sequence[np.ndarray], owners: Sequence[str]) -> None:
+        """The borders that have one owner on their left and another on their right."""
+        names, owner = np.unique(owners, return_inverse=True)
+        ends, ring = seamlines.line_pieces(rings)
+        shift, ends = self._in_pixels(ends)
+        nodes, edges, piece = seamlines.network(ends, seamlines.BORDER_SNAP_PX)
+        of_edge = owner[ring[piece]]
+        pairs, pair = seamlines.undirected(edges, len(nodes))
+        forward = edges[:, 0] < edges[:, 1]
+        # Two owners on one side overlap there: the line is inside one of them, and no border.
+        low = np.full((2, len(pairs)), len(names))
+        high = np.full((2, len(pairs)), -1)
+        for side, chosen in enumerate((forward, ~forward)):
+            np.minimum.at(low[side], pair[chosen], of_edge[chosen])
+            np.maximum.at(high[side], pair[chosen], of_edge[chosen])
+        border = (high >= 0).all(axis=0) & (low == high).all(axis=0) & (low[0] != low[1])
+        self._parts.append((nodes + shift, pairs[border], low[:, border].T, [str(name) for name in names]))
+
+    def add_lines(self, lines: Sequence[np.ndarray], sides: Sequence[tuple[str, str]]) -> None:
+        """Lines as they are, each pair of nodes once."""
+        names, side = np.unique(np.array(sides), return_inverse=True)
+        side = side.reshape(-1, 2)
+        ends, line = seamlines.line_pieces(lines)
+        shift, ends = self._in_pixels(ends)
+        nodes, edges, piece = seamlines.network(ends, seamlines.END_SNAP_PX)
+        pairs, pair = seamlines.undirected(edges, len(nodes))
+        first = np.full(len(pairs), len(edges))
+        np.minimum.at(first, pair, np.arange(len(edges)))
+        of_pair = side[line[piece[first]]]
+        backward = edges[first, 0] > edges[first, 1]
+        of_pair[backward] = of_pair[backward, ::-1]
+        self._parts.append((nodes + shift, pairs, of_pair, [str(name) for name in names]))
+
+    def seams(self, whoever: bool) -> Iterator[SidedSeam]:
+        """The longest paths through pieces that part the same two owners; or just the longest paths."""
+        for nodes, pairs, sides, names in self._parts:
+            group = np.zeros(len(pairs), dtype=int)
+            if not whoever:
+                group = sides.min(axis=1) * len(names) + sides.max(axis=1)
+            order = np.argsort(group, kind="stable")
+            for chosen in np.split(order, np.flatnonzero(np.diff(group[order])) + 1):
+                if len(chosen):
+                    yield from self._of_group(nodes, pairs[chosen], sides[chosen], names)
+
+    def _of_group(
+        self, nodes: np.ndarray, pairs: np.ndarray, sides: np.ndarray, names: Sequence[str]
+    ) -> Iterator[SidedSeam]:
+        used, local = np.unique(pairs, return_inverse=True)
+        local = local.reshape(-1, 2)
+        places = nodes[used]  # ascending, as all nodes are
+        key = local.min(axis=1) * len(used) + local.max(axis=1)
+        order = np.argsort(key)
+        key, sides = key[order], np.where((local[:, 0] < local[:, 1])[:, np.newaxis], sides, sides[:, ::-1])[order]
+        for path in seamlines.joined(places, local):
+            seam = seamlines.straightened(seamlines.directed(path))
+            if not abs(np.diff(seam)).any():
+                continue  # a loop of a pixel
+            walk = np.searchsorted(places, seamlines.directed(path))
+            low, high = np.minimum(walk[:-1], walk[1:]), np.maximum(walk[:-1], walk[1:])
+            found = sides[np.searchsorted(key, low * len(used) + high)]
+            found = np.where((walk[:-1] < walk[1:])[:, np.newaxis], found, found[:, ::-1])
+            one, other = int(found[0].min()), int(found[0].max())
+            weight = abs(np.diff(places[walk]))
+            left, right = (one, other) if weight[found[:, 0] == one].sum() * 2 >= weight.sum() else (other, one)
+            named = (owner_name(names[side]) or None for side in (left, right))
+            yield SidedSeam(seamlines.as_xy(seam * self._size + self._origin), *named)
+
+    def _in_pixels(self, ends: np.ndarray) -> tuple[complex, np.ndarray]:
+        """Places in pixels, none of them negative, and what has to be added to have them from the mosaic's corner."""
+        ends = (ends - self._origin) / self._size
+        width, height = np.ptp(ends.real), np.ptp(ends.imag)
+        if max(width, height) > seamlines.MAX_EXTENT_PX:
+            raise SeamlineError(imagery_messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
+        shift = complex(np.floor(ends.real.min()), np.floor(ends.imag.min()))
+        return shift, ends - shift
+
+
+WIDTH_PX = 1.0  # on the mean: what is narrower is how borders drawn twice differ, and is bridged
+_NAMED = 3  # overlaps that are told by name
+
+
+def polygon_faults(polygons: Sequence[tuple[str, ogr.Geometry]], grid: Grid) -> list[Message]:
+    """One notice of overlaps and one of gaps, where there are any.
+
+    ``polygons``: what each is called (empty: nothing), and valid polygons or multipolygons in map units. Gaps are
+    holes in what all cover together, inside the mosaic.
+    """
+    if not polygons:
+        return []
+    square_metres = grid.metres_x * grid.metres_y
+    narrow = WIDTH_PX * grid.pixel_width
+    notices = []
+    with gdal_silenced():
+        overlaps = []
+        left, right, bottom, top = np.array([geometry.GetEnvelope() for _, geometry in polygons]).T
+        for number, (name, geometry) in enumerate(polygons):
+            meets = (left < right[number]) & (right > left[number]) & (bottom < top[number]) & (top > bottom[number])
+            for other in np.flatnonzero(meets[number + 1 :]) + number + 1:
+                shared = geometry.Intersection(polygons[other][1])
+                parts = () if shared is None else parts_with_area(shared)
+                area = sum(one.GetArea() for one in parts if 2 * one.GetArea() > narrow * one.Boundary().Length())
+                if area:
+                    overlaps.append((area * square_metres, name, polygons[other][0]))
+        if overlaps:
+            overlaps.sort(key=lambda found: -found[0])
+            named = [f"{one} / {other}" for _, one, other in overlaps if one and other][:_NAMED]
+            total = sum(area for area, _, _ in overlaps)
+            notices.append(
+                messages.SEAM_POLYGONS_OVERLAP_NAMED(count=len(overlaps), area=total, names=", ".join(named))
+                if named
+                else messages.SEAM_POLYGONS_OVERLAP(count=len(overlaps), area=total)
+            )
+        gaps = [gap.GetArea() * square_metres for gap in _gaps([one for _, one in polygons], grid, narrow)]
+    if gaps:
+        notices.append(messages.SEAM_POLYGONS_GAPE(count=len(gaps), area=sum(gaps)))
+    return notices
+
+
+def _gaps(geometries: Sequence[ogr.Geometry], grid: Grid, narrow: float) -> Iterator[ogr.Geometry]:
+    """Holes in what polygons cover together."""
+    together = ogr.Geometry(ogr.wkbMultiPolygon)
+    for geometry in geometries:
+        for part in parts_with_area(geometry):
+            together.AddGeometry(part)
+    # Slits that are bridged are closed first: they are no gaps, and one that leads outside would hide a gap.
+    whole = together.UnionCascaded().Buffer(narrow / 2, 1)
+    xmin, ymin, xmax, ymax = grid.extent
+    for part in parts_with_area(whole):
+        for index in range(1, part.GetGeometryCount()):
+            hole = ogr.Geometry(ogr.wkbPolygon)
+            hole.AddGeometry(part.GetGeometryRef(index))
+            left, right, bottom, top = hole.GetEnvelope()
+            if left < xmax and right > xmin and bottom < ymax and top > ymin:
+                yield hole

@@ -1,0 +1,196 @@
+"""The features of a layer or file of seams: lines and polygons with what is written beside them."""
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from osgeo import ogr
+
+from ....imagery import lines as seamlines
+from ....imagery import messages as imagery_messages
+from ....imagery.errors import Message, RasterError, SeamlineError
+from ....imagery.gdal_calls import gdal_silenced
+from ....imagery.gdal_paths import FEATURES, check_raster_path, open_dataset
+from ....imagery.grids import Extent, Grid, extents_meet
+from ....imagery.rasters import Raster
+from ....imagery.reference_systems import geometry_on
+from .. import messages
+from ..seam_cells import Cell
+from .seam_fields import Attributes, SeamFields, said, seam_fields
+
+SeamFeature = tuple[Attributes, "bytes | None"]
+"""Attributes by field, and WKB in the mosaic's reference system."""
+_UNNAMED = "\x1f"
+
+
+@dataclass
+class GatheredLines:
+    """What the features of a layer hold on the mosaic."""
+
+    lines: list[np.ndarray] = field(default_factory=list)
+    """(n,) complex each, map units."""
+    line_sides: list[tuple[str, str]] = field(default_factory=list)
+    """What lies left and right of each, empty where nothing is said."""
+    rings: list[np.ndarray] = field(default_factory=list)
+    """(n,) complex each, map units, the interior on their left."""
+    ring_owners: list[str] = field(default_factory=list)
+    """The source that each belongs to, else the feature; ``owner_name`` says what it is called."""
+    cells: list[Cell] = field(default_factory=list)
+    """Polygons that name their source."""
+    dates: dict[str, set[str]] = field(default_factory=dict)
+    """When each source was taken, as far as anything says."""
+    polygons: list[tuple[str, ogr.Geometry]] = field(default_factory=list)
+    """All of them, repaired, with what they are called."""
+    repaired: int = 0
+    """Polygons that crossed themselves."""
+    crossing: int = 0
+    """Lines that cross themselves."""
+    broken: int = 0
+    """Features that can't be read."""
+    elsewhere: int = 0
+    """Features that don't lie on the mosaic."""
+
+
+def gathered(
+    features: Sequence[SeamFeature], fields: SeamFields, grid: Grid, ambiguous: Collection[str] = ()
+) -> GatheredLines:
+    """The lines and polygons of a layer that lie on the mosaic.
+
+    ``ambiguous``: names that fit several sources, which are as good as none. Raises SeamlineError when there is none.
+    """
+    lines = GatheredLines()
+    empty = True
+    # A pixel wider: a line along the mosaic's edge has no width.
+    xmin, ymin, xmax, ymax = grid.extent
+    widened = xmin - grid.pixel_width, ymin - grid.pixel_height, xmax + grid.pixel_width, ymax + grid.pixel_height
+    for number, (attributes, wkb) in enumerate(features, start=1):
+        if not wkb:
+            continue
+        try:
+            with gdal_silenced():
+                geometry = seamlines.read_geometry(wkb, number)
+            if geometry.IsEmpty():
+                continue
+            empty = False
+            if extents_meet(_extent(geometry), widened):
+                _gather(lines, geometry, number, _words(attributes, fields, ambiguous), fields.names_by_date)
+            else:
+                lines.elsewhere += 1
+        except SeamlineError:
+            empty = False
+            lines.broken += 1
+    if empty:
+        raise SeamlineError(imagery_messages.SEAMLINES_EMPTY())
+    if lines.lines or lines.rings:
+        return lines
+    if lines.elsewhere:
+        raise SeamlineError(messages.SEAMS_ELSEWHERE(count=lines.elsewhere))
+    if lines.broken:
+        raise SeamlineError(messages.SEAM_FEATURES_ALL_BROKEN())
+    raise SeamlineError(imagery_messages.SEAMLINES_NO_LINES())
+
+
+def _words(attributes: Attributes, fields: SeamFields, ambiguous: Collection[str]) -> dict[str, str]:
+    """What a feature says in each of ``SeamFields``; nothing where it names what is ambiguous."""
+    words = {key: said(attributes.get(name)) if name else "" for key, name in vars(fields).items()}
+    return {key: "" if word in ambiguous and "date" not in key else word for key, word in words.items()}
+
+
+def _gather(
+    lines: GatheredLines, geometry: ogr.Geometry, number: int, words: Mapping[str, str], named_by_date: bool
+) -> None:
+    """Take in one feature. Raises SeamlineError when it can't be read or repaired."""
+    source, date, sides = words["source"], words["date"], (words["left"], words["right"])
+    # Without a name each is a part of its own: two images of one day meet in a seam too.
+    owner = source or f"{_UNNAMED}{number}{_UNNAMED}{date if named_by_date else ''}"
+    days = date, words["left_date"], words["right_date"]
+    for name, day in zip((owner_name(owner), *sides), days):
+        if name and day:
+            lines.dates.setdefault(name, set()).add(day)
+    for part in seamlines.simple_parts(geometry):
+        if seamlines.is_polygon(part):
+            rings = [_finite(ring) for ring in seamlines.polygon_rings(part, number)]
+            with gdal_silenced():
+                is_valid = part.IsValid()
+                polygon = part.Clone() if is_valid else part.MakeValid()
+            lines.repaired += not is_valid
+            lines.rings += rings
+            lines.ring_owners += [owner] * len(rings)
+            lines.polygons.append((owner_name(owner), polygon))
+            if source:
+                lines.cells.append(Cell(source, bytes(polygon.ExportToWkb(ogr.wkbNDR)), _extent(polygon)))
+        elif part.GetPointCount() > 1:
+            lines.lines.append(_finite(seamlines.line_points(part)))
+            lines.line_sides.append(sides)
+            with gdal_silenced():
+                lines.crossing += not part.IsSimple()
+
+
+def _finite(points: np.ndarray) -> np.ndarray:
+    if not np.isfinite(points).all():
+        raise SeamlineError(imagery_messages.SEAMLINES_NOT_FINITE())
+    return points
+
+
+def owner_name(owner: str) -> str:
+    """The name of an owner: a source, else a date, else nothing."""
+    return owner.split(_UNNAMED)[2] if owner.startswith(_UNNAMED) else owner
+
+
+def _extent(geometry: ogr.Geometry) -> Extent:
+    xmin, xmax, ymin, ymax = geometry.GetEnvelope()
+    return xmin, ymin, xmax, ymax
+
+
+_LAYER = "|layername="  # as QGIS writes which layer of a file is meant
+_DATES = (ogr.OFTDate, ogr.OFTDateTime)
+
+
+def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message | None]:
+    """Attributes and outlines of a vector file in a reference system, and how many can't be transformed.
+
+    ``path`` is ``file`` or ``file|layername=name``; without a name the first layer counts. Raises SeamlineError when
+    there is no such layer, RasterError for a path that must not be opened.
+    """
+    file, _, name = path.partition(_LAYER)
+    with gdal_silenced():
+        check_raster_path(file, os.path.basename(file))
+        dataset = open_dataset(file, FEATURES)
+        layer = None if dataset is None else (dataset.GetLayerByName(name) if name else dataset.GetLayer(0))
+        if layer is None:
+            if os.path.exists(file) or file.startswith("/vsi"):
+                raise SeamlineError(messages.SEAM_FILE_NOT_READ(path=path))
+            raise SeamlineError(imagery_messages.NOT_FOUND(path=file))
+        system = layer.GetSpatialRef()
+        own_wkt = wkt if system is None else str(system.ExportToWkt())
+        features: list[SeamFeature] = []
+        lost = 0
+        for feature in layer:
+            geometry = feature.GetGeometryRef()
+            try:
+                placed = None if geometry is None else geometry_on(geometry, own_wkt, wkt)
+            except RasterError:
+                lost += 1
+                continue
+            definitions = [feature.GetFieldDefnRef(number) for number in range(feature.GetFieldCount())]
+            attributes = {
+                one.GetName(): _value(feature, number, one.GetType()) for number, one in enumerate(definitions)
+            }
+            features.append((attributes, None if placed is None else bytes(placed.ExportToWkb(ogr.wkbNDR))))
+    return features, messages.SEAM_FEATURES_NOT_TRANSFORMED(count=lost) if lost else None
+
+
+def read_cells(path: str, mosaic: Raster) -> tuple[Cell, ...]:
+    """The polygons of a vector file that name their source. Raises SeamlineError when none lies on the mosaic."""
+    features, _ = read_seam_features(path, mosaic.wkt)
+    return tuple(gathered(features, seam_fields([attributes for attributes, _ in features]), mosaic.grid).cells)
+
+
+def _value(feature: ogr.Feature, number: int, kind: int) -> object:
+    """Dates as 2019-07-04, lists of elements that a file repeats parted by commas."""
+    value = feature.GetField(number)
+    if kind in _DATES and isinstance(value, str):
+        return value.replace("/", "-")
+    return ", ".join(map(str, value)) if isinstance(value, (list, tuple)) else value

@@ -1,0 +1,189 @@
+"""A mosaic with its sources, and windows of it: request -> result, one by one or many on any executor."""
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from typing import Callable, Union
+
+from ....imagery import limits as imagery_limits
+from ....imagery.errors import Message, SeamInspectorWarning, SettingsError, WindowError
+from ....imagery.grids import Extent, PixelWindow, snap_window, standard_side_px, standard_window
+from ....imagery.open_raster import describe_mosaic
+from ....imagery.raster_pool import own_threads
+from ....imagery.rasters import Raster, RasterRef
+from .. import messages
+from ..inputs.mosaic_copies import leave_out_copies
+from ..seam_cells import Cell, cells_over, source_stem
+from ..seamlines.seam_features import read_cells
+from ..source_images import Source, gather_sources, sources_in
+from ..while_measuring import measuring
+from ..workers import Workers, in_order, unforeseen
+from .explained_window import explain_window
+from .measured_window import MeasuredWindow, MeasureWindow, measure_window
+from .window_request import InspectionSettings, WindowRequest
+from .window_result import WindowClips, WindowResult, not_comparable
+
+PathLike = Union[str, "os.PathLike[str]"]
+"""A file, or whatever else GDAL opens, as ``/vsicurl/https://...``."""
+
+
+@dataclass(frozen=True)
+class Block:
+    """A mosaic and the orthoimages it may have been made from."""
+
+    mosaic: Raster
+    """North-up, on the map."""
+    sources: tuple[Source, ...]
+    """Each once, with its footprint in the mosaic's reference system."""
+    cells: tuple[Cell, ...] = ()
+    """Which source each part of the mosaic was cut from, where that is known."""
+    paths: tuple[str, ...] = ()
+    """All files that ``open_block`` was given, those left out too: no result takes their place."""
+
+    def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
+        """Those whose footprint meets the window, wholly or in part."""
+        return sources_in(self.sources, self.mosaic.grid.window_extent(window))
+
+    def window(
+        self, extent: Extent, settings: InspectionSettings | None = None, window_id: int = 1
+    ) -> WindowRequest:
+        """What ``inspect_window`` takes for a rectangle: xmin, ymin, xmax, ymax in the mosaic's reference system.
+
+        It is snapped to the mosaic's pixels and trimmed to a multiple of ``2 ** levels`` of them, at least 64 px. One
+        that can't be measured makes a request that says why, and its result will. ``settings``: the standard ones
+        where None. Raises SettingsError for settings out of their range.
+        """
+        settings = settings or InspectionSettings()
+        settings.check()
+        return window_request(self, window_id, extent, settings)
+
+    def window_at(
+        self, x: float, y: float, side_m: float = imagery_limits.STANDARD_SIDE_M,
+        settings: InspectionSettings | None = None, window_id: int = 1,
+    ) -> WindowRequest:
+        """What ``inspect_window`` takes for a standard window about a place in the mosaic's reference system.
+
+        Its side is the smallest power of two of pixels that spans at least ``side_m`` metres.
+        """
+        grid = self.mosaic.grid
+        window = standard_window(grid, x, y, standard_side_px(grid, side_m))
+        return self.window(grid.window_extent(window), settings, window_id)
+
+
+def open_block(
+    mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLike = "", *, keep_copies: bool = False
+) -> Block:
+    """Open a mosaic with the orthoimages that it may have been made from.
+
+    ``mosaic``: a north-up raster with a reference system. ``sources``: rasters in any reference system, each opened for
+    its footprint; without any the block can be scanned along given seamlines only. ``cells``: a vector file of polygons
+    that name in a field which source each part of the mosaic was cut from, as ``file.gpkg|layername=cells`` where it
+    has several layers. ``keep_copies``: whether copies of the mosaic among the sources take part, though they hide
+    every loss; without it they are looked for, and doubtful ones take part and are told.
+
+    What is left out (sources that can't be opened, copies of the mosaic) is told by a SeamInspectorWarning each. Raises
+    RasterError when the mosaic can't be used, SettingsError when none of the sources can, SeamlineError when the cells
+    can't.
+    """
+    raster = describe_mosaic(RasterRef(os.fspath(mosaic)))
+    refs = [RasterRef(os.fspath(source)) for source in sources]
+    known = read_cells(os.fspath(cells), raster) if cells else ()
+    paths = (raster.ref.path, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))
+    if not refs:
+        return Block(raster, (), tuple(known), paths)
+    block, notices = make_block(raster, refs, (), known)
+    if not keep_copies:
+        block, of_copies = without_copies(block)
+        notices += of_copies
+    for notice in notices:
+        warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
+    if not block.sources:
+        raise SettingsError(messages.NO_SOURCE_USABLE())
+    return replace(block, paths=paths)
+
+
+def make_block(
+    mosaic: Raster, sources: Iterable[RasterRef], indexed: Iterable[Source] = (), cells: Iterable[Cell] = ()
+) -> tuple[Block, list[Message]]:
+    """A mosaic with its sources, each once, and notices about those left out.
+
+    ``sources`` are opened for their footprints; ``indexed`` ones come with theirs and are not. The mosaic
+    itself among the sources is dropped.
+
+    Raises SettingsError when no source is named at all.
+    """
+    kept, notices = gather_sources(sources, indexed, mosaic.wkt, mosaic.ref)
+    block = Block(mosaic, tuple(kept), tuple(cells))
+    given = {source_stem(source.ref.name) for source in kept}
+    if block.cells and given.isdisjoint(source_stem(cell.source) for cell in block.cells):
+        notices.append(messages.CELLS_OF_OTHERS(name=block.cells[0].source))
+    return block, notices
+
+
+def without_copies(block: Block) -> tuple[Block, list[Message]]:
+    """A block without copies of the mosaic among its sources, which are opened for that; and notices about them."""
+    kept, notices = leave_out_copies(block.mosaic, block.sources)
+    return replace(block, sources=tuple(kept)), notices
+
+
+def window_request(block: Block, window_id: int, extent: Extent, settings: InspectionSettings) -> WindowRequest:
+    """The request for a rectangle in the mosaic's reference system, snapped to the mosaic's pixels."""
+    try:
+        window = snap_window(block.mosaic.grid, extent, settings.levels)
+    except WindowError as error:
+        return WindowRequest(window_id, block.mosaic, (), None, settings, error.message)
+    cells = cells_over(block.cells, block.mosaic.grid.window_extent(window))
+    return WindowRequest(window_id, block.mosaic, block.sources_over(window), window, settings, cells=cells)
+
+
+def inspect_window(request: WindowRequest) -> WindowResult:
+    """Clip, decompose, compare, judge and explain one window.
+
+    A raster that can't be compared is left out with a notice; a window that can't be measured is
+    ``not_comparable`` with the reason. Neither raises.
+    """
+    *_, result = inspect_in_stages(request)
+    assert isinstance(result, WindowResult)
+    return result
+
+
+def inspect_in_stages(
+    request: WindowRequest, measure: MeasureWindow = measure_window
+) -> Iterator[WindowClips | WindowResult]:
+    """Inspect one window: the curves as soon as they are there, unless there are none, then all.
+
+    ``measure`` may know a faster way to the first of them.
+    """
+    measured = measure(request)
+    if isinstance(measured, MeasuredWindow):
+        yield measured.clips
+        yield explain_window(measured)
+    else:
+        yield not_comparable(request, measured)
+
+
+def inspect_windows(
+    requests: Iterable[WindowRequest],
+    executor: Executor | None = None,
+    ahead: int = 0,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Iterator[WindowResult]:
+    """``inspect_window`` for many, in their order, each as soon as it is ready.
+
+    ``executor``: where they are measured, a thread per core where None; ``ahead``: how many it should have under way,
+    twice this machine's cores where 0. A window that fails in a way nobody foresaw is ``not_comparable`` for that
+    reason.
+    """
+    with measuring(), own_threads(executor, ahead) as opened:  # memory is kept from one window to the next
+        yield from in_order(requests, inspect_window, not_comparable, Workers(*opened, cancelled))
+
+
+def inspect_one(request: WindowRequest, measure: MeasureWindow) -> Iterator[WindowClips | WindowResult]:
+    """``inspect_in_stages`` for a window that somebody waits for; what nobody foresaw becomes the reason likewise."""
+    try:
+        yield from inspect_in_stages(request, measure)
+    except Exception as error:  # as an executor keeps it for ``in_order``
+        yield not_comparable(request, unforeseen(error))

@@ -1,0 +1,79 @@
+"""Work done for many requests by an executor: results in order, within a bound of memory, until it is cancelled."""
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Executor, Future, wait
+from dataclasses import dataclass
+from typing import Callable, TypeVar
+
+from ...imagery.errors import Message, WorkersLostError
+from . import messages
+
+Request = TypeVar("Request")
+Result = TypeVar("Result")
+
+_PATIENCE_SECONDS = 0.2  # between two looks at whether the run was cancelled
+
+
+@dataclass(frozen=True, eq=False)
+class Workers:
+    """Who measures, and until when."""
+
+    executor: Executor
+    ahead: int
+    """Most requests under way or waiting to be taken, so that memory does not grow with their number."""
+    cancelled: Callable[[], bool] = lambda: False
+
+
+def in_order(
+    requests: Iterable[Request],
+    measure: Callable[[Request], Result],
+    failed: Callable[[Request, Message], Result],
+    workers: Workers,
+) -> Iterator[Result]:
+    """Results in the order of the requests, each as soon as it and those before it are ready.
+
+    ``failed`` makes the result of a request whose measurement raised an error that nobody foresaw. Stops when the run
+    is cancelled, with the results that are ready by then, within a fraction of a second even while a window is under
+    way. Raises WorkersLostError when nobody is left to measure.
+    """
+    waiting: deque[tuple[Request, Future[Result]]] = deque()
+    try:
+        for request in requests:
+            if workers.cancelled():
+                break
+            waiting.append((request, workers.executor.submit(measure, request)))
+            if len(waiting) >= workers.ahead:
+                yield from _ready(*waiting.popleft(), failed, workers.cancelled)
+        while waiting:
+            yield from _ready(*waiting.popleft(), failed, workers.cancelled)
+    finally:
+        for _, future in waiting:
+            future.cancel()
+
+
+def _ready(
+    request: Request,
+    future: Future[Result],
+    failed: Callable[[Request, Message], Result],
+    cancelled: Callable[[], bool],
+) -> Iterator[Result]:
+    """The result as soon as it is there; nothing when ``cancelled`` says so before."""
+    while not future.done():
+        if cancelled():
+            future.cancel()
+            return
+        wait([future], timeout=_PATIENCE_SECONDS)
+    error = future.exception()
+    if error is None:
+        yield future.result()
+    elif isinstance(error, Exception) and not isinstance(error, WorkersLostError):
+        yield failed(request, unforeseen(error))
+    else:
+        raise error
+
+
+def unforeseen(error: Exception) -> Message:
+    """Why there is no result, of an error that nobody foresaw."""
+    return messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}")
