@@ -39,11 +39,6 @@ class DecidedPiece:
     windows: tuple[SeenWindow, ...] = ()
     """Inspected windows that lie over it, the one whose middle is nearest first."""
 
-    @property
-    def is_measured(self) -> bool:
-        """Whether it passed or failed."""
-        return self.state in (PieceState.PASSED, PieceState.FAILED)
-
 
 @dataclass(frozen=True)
 class FailureRun:

@@ -76,16 +76,12 @@ class ClipNoise:
     """The value of the field that windows are grouped by."""
 
 
-def measure_request(request: NoiseRequest, wavelet: str, levels: int) -> list[ClipNoise]:
-    """The noise of each image in a window; one that can't be measured has the reason. Never raises for bad data."""
-    return _measured(request, _read(request, {}), wavelet, levels)
-
-
 def measure_requests(
     requests: Iterable[NoiseRequest], wavelet: str, levels: int, executor: Executor, ahead: int,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Iterator[list[ClipNoise]]:
-    """The results of each request in order, ``ahead`` of them under way at a time. Stops when cancelled.
+    """The noise of each image in a window, window by window in order, ``ahead`` of them under way at a time; one that
+    can't be measured has the reason. Never raises for bad data. Stops when cancelled.
 
     The pixels are read here, one request after the other, so that a raster stays open from window to window: a
     JPEG file is decoded from its top again for each new opening.

@@ -38,8 +38,8 @@ from ..measure import messages
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import MEASURED
 from ..measure.window_records import WindowRecord
-from . import (
-    result_tables,  # noqa: F401  which gives the fields their titles
+from . import (  # noqa: F401  result_tables gives the fields their titles
+    result_tables,
     window_file,
 )
 from .input_layers import plain_text

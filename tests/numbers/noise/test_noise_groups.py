@@ -18,6 +18,7 @@ from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
 from seam_inspector.plugin.noise.measure.noise_plan import GroupedImage, NoiseRequest, Part, Plan
 from seam_inspector.plugin.noise.measure.window_choice import choose_windows
 
+from tests.numbers.noise.measuring import measured
 from tests.numbers.synthetic import ORIGIN, decompose, orthoimage, patchy_texture, texture, wkt, write_raster
 
 MakeRaster = Callable[..., str]
@@ -28,9 +29,7 @@ def images(paths: Sequence[str], group: int = 1) -> list[GroupedImage]:
 
 
 def measure(plan: Plan, levels: int = 3) -> list[ClipNoise]:
-    with ThreadPoolExecutor(2) as executor:
-        return [one for clips in group_noise.measure_requests(plan.requests, "coif3", levels, executor, 3)
-                for one in clips]
+    return measured(plan.requests, levels)
 
 
 def chosen(path: str, levels: int = 3) -> list[PixelWindow]:
@@ -322,9 +321,7 @@ def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_b
     wide = np.rint(np.concatenate([rough, smooth, smooth - 80], axis=1)).clip(0, 255).astype(np.uint8)
     image, = images([make_raster("a.tif", wide)])
     parts = [Part(image, PixelWindow(column, 0, 512, 512)) for column in (0, 512, 1024)]
-    (own,), (quiet,), (dark,) = (
-        group_noise.measure_request(NoiseRequest(number, (part,)), "coif3", 3) for number, part in enumerate(parts)
-    )
+    own, quiet, dark = measured([NoiseRequest(number, (part,)) for number, part in enumerate(parts)])
     alone, beside_dark, beside_quiet = (
         group_noise.pooled([own, *others], "coif3")[0].bands["band_1"] for others in ([], [dark], [quiet, dark])
     )
@@ -339,9 +336,8 @@ def test_windows_as_bright_have_the_noise_of_the_quietest_of_them(make_raster: M
     rough, smooth = (120 + scale * texture((512, 512), beta, 1) for scale, beta in ((30, 1.6), (2, 3.0)))
     wide = np.concatenate([rough, smooth], axis=1) + np.random.default_rng(2).normal(0, 5, (512, 1024))
     image, = images([make_raster("a.tif", np.rint(wide).clip(0, 255).astype(np.uint8))])
-    (own,), (quiet,) = (
-        group_noise.measure_request(NoiseRequest(1, (Part(image, PixelWindow(column, 0, 512, 512)),)), "coif3", 3)
-        for column in (0, 512)
+    own, quiet = measured(
+        [NoiseRequest(1, (Part(image, PixelWindow(column, 0, 512, 512)),)) for column in (0, 512)]
     )
     alone, together = (group_noise.pooled(clips, "coif3")[0].bands["band_1"] for clips in ([own], [own, quiet]))
     assert abs((alone.noise or 0) / 5 - 1) > 0.2

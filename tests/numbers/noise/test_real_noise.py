@@ -9,17 +9,18 @@ from osgeo import ogr
 from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.noise.measure import group_noise, noise_plan
+from seam_inspector.plugin.noise.measure import noise_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
 from seam_inspector.plugin.radiometry.measure.assessment import Assessment
 
+from tests.numbers.noise.measuring import measured
 from tests.numbers.radiometry.judging import checked
 from tests.numbers.synthetic import decompose, luminance, read_pixels
 
 
 def check(*paths: Path, most: int = 3) -> list[ClipNoise]:
     plan = noise_plan.plan_chosen([noise_plan.GroupedImage(describe(RasterRef(str(path))), 1) for path in paths], 3)
-    return [one for request in plan.requests[:most] for one in group_noise.measure_request(request, "coif3", 3)]
+    return measured(plan.requests[:most])
 
 
 def verdicts(results: list[ClipNoise]) -> set[str]:

@@ -11,11 +11,12 @@ from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.charts import MAX_LEGEND, draw_noise, draw_rule, noise_figure
 from seam_inspector.plugin.noise.measure.band_noise import noisiest_band
-from seam_inspector.plugin.noise.measure.group_noise import ClipNoise, measure_request
+from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
 from seam_inspector.plugin.noise.measure.noise_plan import GroupedImage, NoiseRequest, Part
 from seam_inspector.plugin.radiometry.report import balance_figure, histogram_figure
 from seam_inspector.plugin.toolkit.charts.figure_files import new_figure, save_figure
 
+from tests.numbers.noise.measuring import measured
 from tests.numbers.radiometry.judging import checked
 from tests.numbers.synthetic import decompose, read_pixels
 from tests.qgis.scenes import Scene
@@ -26,7 +27,7 @@ pytestmark = pytest.mark.usefixtures("qgis_app")
 def noise_of(path: Path, window: PixelWindow) -> ClipNoise:
     """What is measured in one window of an image."""
     part = Part(GroupedImage(describe(RasterRef(str(path))), 1), window)
-    return measure_request(NoiseRequest(1, (part,)), "coif3", 3)[0]
+    return measured([NoiseRequest(1, (part,))])[0]
 
 
 def test_one_window_of_one_raster_is_measured_and_drawn(scene: Scene, qgis_app: QgsApplication) -> None:
