@@ -118,7 +118,8 @@ def store(path: Path, found: Iterable[StoredResult]) -> None:
     with _writing(path) as dataset:
         for number, mark, result in found:
             if result is None:
-                dataset.ExecuteSQL(f"UPDATE {_RESULTS} SET fingerprint = '{mark}' WHERE window_id = {number}")
+                quoted = mark.replace("'", "''")  # the file may be somebody else's
+                dataset.ExecuteSQL(f"UPDATE {_RESULTS} SET fingerprint = '{quoted}' WHERE window_id = {number}")
                 continue
             for name in (*_MEASURED, _RESULTS):
                 dataset.ExecuteSQL(f"DELETE FROM {name} WHERE window_id = {number}")
