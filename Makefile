@@ -10,7 +10,7 @@ WITH_DESKTOP := -n $(shell expr `nproc` + 1) --maxprocesses 5 --dist loadfile --
 # Processes side by side take the cores already
 ONE_THREAD := OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 # Tests of what draws and listens, which ask little of QGIS; those that ask more are skipped
-ALSO_UNDER_QT6 := $(addprefix tests/qgis/,$(addprefix seams/desk/,images judging profile/test_profile_panel.py \
+ALSO_UNDER_QT6 := $(addprefix tests/qgis/,$(addprefix seams/desk/,judging profile/test_profile_panel.py \
 	test_curves_panel.py test_windows_panel.py) $(addprefix toolkit/,test_attribute_values.py test_figure_files.py \
 	test_fitting_tool_bar.py test_latest_only.py test_numbers_in_words.py test_scroll_body.py test_theme.py))
 # Of Qt 5 or 6, whichever there is: the compiled file is the same

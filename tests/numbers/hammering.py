@@ -68,6 +68,7 @@ HAMMERED: dict[str, Callable[[], object]] = {
     "scipy.ndimage.binary_erosion": lambda: ndimage.binary_erosion(~MASK, iterations=2, border_value=1),
     "scipy.ndimage.binary_propagation": lambda: ndimage.binary_propagation(MASK & (PIXELS > 1), mask=MASK),
     "scipy.ndimage.convolve1d": lambda: ndimage.convolve1d(PIXELS, (0.25, 0.5, 0.25), axis=0),
+    "scipy.ndimage.correlate": lambda: ndimage.correlate(PIXELS, np.ones((3, 3)) / 9, mode="mirror"),
     "scipy.ndimage.distance_transform_edt": lambda: ndimage.distance_transform_edt(MASK, return_indices=True)[1],
     "scipy.ndimage.find_objects": lambda: [(place.start, place.stop) for box in ndimage.find_objects(PARTS)
                                            for place in box],
@@ -96,6 +97,7 @@ HAMMERED: dict[str, Callable[[], object]] = {
     "scipy.sparse.diags": lambda: sparse.diags([-1.0, 3.0, -3.0, 1.0], [0, 1, 2, 3], shape=(20, 23)).toarray(),
     "scipy.sparse.linalg.spsolve": lambda: spsolve(NORMAL, VALUES[:8]),
     "scipy.spatial.cKDTree": lambda: near(spatial.cKDTree(POINTS)),
+    "scipy.spatial.distance.cdist": lambda: spatial.distance.cdist(POINTS, POINTS),
     "scipy.spatial.transform.Rotation.from_euler": lambda: Rotation.from_euler("XYZ", VALUES[:3]).as_matrix(),
     "scipy.spatial.transform.Rotation.from_rotvec": lambda: Rotation.from_rotvec(VALUES.reshape(-1, 3)).as_matrix(),
     "scipy.special.betaincinv": lambda: special.betaincinv(0.5, POSITIVE, 0.95),
@@ -103,10 +105,7 @@ HAMMERED: dict[str, Callable[[], object]] = {
     "scipy.special.erfc": lambda: special.erfc(VALUES),
     "scipy.special.gammaincinv": lambda: special.gammaincinv(24.0, SHARES),
     "scipy.special.ndtr": lambda: special.ndtr(VALUES),
-    "scipy.stats.beta.ppf": lambda: stats.beta.ppf(SHARES, 3.0, POSITIVE),
-    "scipy.stats.betabinom.cdf": lambda: stats.betabinom.cdf(2, 10, 3.0, 50.0),
     "scipy.stats.hypergeom.cdf": lambda: stats.hypergeom.cdf(2, 50, 5, 10),
-    "scipy.stats.norm.ppf": lambda: stats.norm.ppf(SHARES),
 }
 
 

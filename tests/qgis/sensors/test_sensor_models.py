@@ -239,6 +239,7 @@ def test_columns_and_rows_interchanged_are_no_geometry_of_an_rpc(tmp_path: Path)
     rpc = made_rational(3, 5, 0.001)
     write_rpc(rpc, tmp_path / "vendor_RPC.TXT")
     layer = gcps(rpc.project(ground)[:, ::-1], ground)
+    rpc_file = str(tmp_path / "vendor_RPC.TXT")
     for name, given in (("comparesensormodels", {}), ("fitsensormodel", {"MODEL": "rpc_bias", "BIAS": "affine"})):
-        given = {**given, "GCPS": layer, "IMAGE_RPC": str(tmp_path / "vendor_RPC.TXT"), "HEIGHTS": "ellipsoid"}
-        assert_refused(name, "columns and rows are interchanged", **given)
+        assert_refused(name, "columns and rows are interchanged", GCPS=layer, IMAGE_RPC=rpc_file, HEIGHTS="ellipsoid",
+                       **given)

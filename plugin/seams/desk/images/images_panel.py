@@ -51,9 +51,9 @@ class WindowMap(QgsMapCanvas):
         self.setMapTool(QgsMapToolPan(self))
         self.outline = WindowOutline(self)
         self.loss = PictureOverlay(self, opacity=LOSS_OPACITY)
-        self.cursor = QgsVertexMarker(self)
-        self.cursor.setIconType(QgsVertexMarker.IconType.ICON_CROSS)
-        self.cursor.hide()
+        self.marker = QgsVertexMarker(self)
+        self.marker.setIconType(QgsVertexMarker.IconType.ICON_CROSS)
+        self.marker.hide()
 
     def minimumSizeHint(self) -> QSize:
         side = 7 * self.fontMetrics().height()
@@ -74,8 +74,8 @@ class WindowMap(QgsMapCanvas):
 
     def mark(self, point: QgsPointXY) -> None:
         """The mouse is there, on the map beside this one."""
-        self.cursor.setCenter(point)
-        self.cursor.show()
+        self.marker.setCenter(point)
+        self.marker.show()
 
     def close_map(self) -> None:
         """Nothing is drawn any more."""
