@@ -26,11 +26,11 @@ import pywt
 from . import limits, messages
 from .clips import Clip
 from .errors import SettingsError
-from .filters import FilterPair, Pair, filter_pair, halved, split, sums_of_products
+from .filters import FilterPair, Pair, filter_pair, halved, scale, split, sums_of_products
 from .limits import has_colours, measured_bands
 
 # A component of a smaller share is not exact to 1e-4 in that chain of coarse components.
-MIN_FLOAT32_SHARE = 3e-3  # shares were off by 3e-7 at most, on textures and orthoimages from 256 x 256 px on
+MIN_FLOAT32_SHARE = 3e-3  # shares were off by 1.5e-7 at most, on textures and orthoimages from 256 x 256 px on
 MIN_FLOAT64_SHARE = 1e-5  # PyWavelets' coefficients are orthonormal to 1e-11 at worst (sym20)
 MIN_EXACT_SHARE = 1e-9  # of the sum of several bands' energies, where each component is computed for itself
 MIN_FLOAT32_PIXELS = 256 * 256  # smaller clips are fast in float64 too, and average less rounding out
@@ -202,12 +202,12 @@ def _chain_products(
     """Products of the components from those of the coarse chain alone: what leaves it is detail."""
     wanted = _own_pairs(bands) + list(pairs)
     offsets: Sequence[float] = _near_means(bands)  # what they miss the means by is taken out below, exactly
-    chain, coarse = [], bands
-    for _ in range(levels):
+    chain, coarse, factor = [], bands, scale(filters.low, dtype)
+    for level in range(levels):
         coarse, products = halved(coarse, offsets, filters, dtype, wanted)
-        chain.append(products)
+        chain.append(products / factor ** (4 * level))
         offsets = [0.0] * len(bands)
-    coarse = coarse.astype(np.float64)
+    coarse = coarse.astype(np.float64) / factor ** (2 * levels)
     chain.append(sums_of_products(coarse, wanted))
     # A constant c has the energy N c^2 at every level, all of it coarse.
     missed = coarse.mean(axis=(1, 2), dtype=np.float64) / 2**levels

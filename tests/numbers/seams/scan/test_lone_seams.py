@@ -159,7 +159,7 @@ def test_intervals_of_pieces_cover_the_truth() -> None:
             for width in (0, 40)
         ]
         for width, energies in zip((0, 40), by_row):
-            found = mosaic.seams(mosaic.blended(width)).by_piece(len(mosaic.pieces))
+            found = mosaic.seams(mosaic.blended(width)).by_piece()
             for one, piece in zip(found, mosaic.pieces):
                 if one is not None:
                     rows = slice(*sorted(int(SHAPE[0] - y) // 2 for y in piece.vertices[[0, -1], 1]))
