@@ -23,6 +23,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....toolkit.desk.widgets import ClippedLabel, single_shot
+from ....toolkit.reference_systems import set_map_system
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.mosaic_copies import covered_share
 from ...words import LOSS_OPACITY, loss_rgba
@@ -62,7 +63,7 @@ class WindowMap(QgsMapCanvas):
     def show_layers(self, layers: list[QgsMapLayer], crs: QgsCoordinateReferenceSystem) -> None:
         """These and no others, the topmost first, in this reference system."""
         if self.mapSettings().destinationCrs() != crs:
-            self.setDestinationCrs(crs)
+            set_map_system(self, crs)
         if self.layers() != layers:
             self.setLayers(layers)
 
@@ -245,7 +246,7 @@ class ImagesPanel(QWidget):
         if result is not None and result.loss is not None and mosaic is not None and grid is not None:
             placed = [placed_picture(result, rgba_image(loss_rgba(result.loss.kept)), grid, result.loss.cell_px)]
         for one in (self.mosaic, self.other):
-            one.loss.show(placed, QgsCoordinateReferenceSystem() if mosaic is None else mosaic.crs())
+            one.loss.show(placed, one.mapSettings().destinationCrs())
 
     def _look(self, *_: object) -> None:
         """At the window at 2x, where it lost most if it is larger than the map."""

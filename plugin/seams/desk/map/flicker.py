@@ -48,9 +48,10 @@ class Flicker(QObject):
         self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._label.hide()
         self._preparer = single_shot(self, self._prepare, _REST_MS)
+        self._placer = single_shot(self, self._place)  # never while QGIS takes layers off its map
         self._connections = Connections(
             (session.selectionChanged, self.hide), (session.inputsChanged, self._renew),
-            (self.hard_cut.changed, self._place), (canvas.layersChanged, self._place),
+            (self.hard_cut.changed, self._place), (canvas.layersChanged, self._placer.start),
         )  # fmt: skip
 
     def close(self) -> None:
@@ -58,6 +59,7 @@ class Flicker(QObject):
         self._preparer.stop()
         self._show(False)
         self._connections.close()
+        self._placer.stop()
         self.hard_cut.close()
         if not sip.isdeleted(self._label):
             self._label.deleteLater()

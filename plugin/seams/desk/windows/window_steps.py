@@ -76,7 +76,7 @@ class PresenceStep:
         return []
 
 
-Step = Union[ValuesStep, PresenceStep]
+Step = Union["ValuesStep", "PresenceStep"]
 
 
 class WindowSteps(QObject):

@@ -67,6 +67,7 @@ def test_it_lies_above_rasters_and_below_lines_in_the_mosaic_s_look(map_: _Map) 
     map_.tap()
     map_.wait_for_cut()
     map_.canvas.setLayers([seamlines, source, mosaic])
+    wait_until(lambda: len(map_.names()) == 4, "for the hard cut on the map again")
     assert map_.names() == [seamlines.name(), "hard cut", source.name(), mosaic.name()]
     assert map_.flicker.hard_cut.layer.renderer().opacity() == 0.5
     assert map_.flicker.hard_cut.layer.id() not in QgsProject.instance().mapLayers()
