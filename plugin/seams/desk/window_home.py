@@ -64,7 +64,7 @@ class WindowHome:
         """
         is_saved = bool(self._project.fileName())
         saved = _written(Path(self._project.fileName())) if is_saved else 0.0
-        found = []
+        candidates = []
         for path in self.folder.glob("windows*.gpkg"):
             written = _written(path)
             if str(path) in self._known() or written is None or written <= (saved or 0.0):
@@ -72,8 +72,8 @@ class WindowHome:
             if window_file.count_windows(path):
                 known = window_file.known_mosaic(path)
                 if known is not None and known.content == mosaic.content:
-                    found.append((written, path))
-        in_order = (path for _, path in sorted(found, reverse=True))
+                    candidates.append((written, path))
+        in_order = (path for _, path in sorted(candidates, reverse=True))
         return next((path for path in in_order if path.parent != unsaved_folder() or self._was_killed(path)), None)
 
     def tidy(self) -> None:
@@ -112,8 +112,8 @@ class WindowHome:
 
     def _known(self) -> set[str]:
         """The files of the project's vector layers."""
-        found = self._project.mapLayers().values()
-        return {layers.layer_path(one) for one in found if isinstance(one, QgsVectorLayer)}
+        map_layers = self._project.mapLayers().values()
+        return {layers.layer_path(layer) for layer in map_layers if isinstance(layer, QgsVectorLayer)}
 
     def _was_killed(self, path: Path) -> bool:
         """Whether a QGIS that is no more had the file open when it ended."""
@@ -139,8 +139,8 @@ def _take(lock: QLockFile) -> bool:
 
 def _written(path: Path) -> float | None:
     """When a file was last changed, which for a GeoPackage may be in the log beside it; None where none is."""
-    files = [one for one in (path, Path(f"{path}-wal")) if one.is_file()]
-    return max(one.stat().st_mtime for one in files) if files else None
+    files = [file for file in (path, Path(f"{path}-wal")) if file.is_file()]
+    return max(file.stat().st_mtime for file in files) if files else None
 
 
 def _remove(windows: Path) -> None:

@@ -60,9 +60,9 @@ class KnownMosaic(NamedTuple):
 def window_fields(levels: int, besides: Iterable[QgsField] = ()) -> QgsFields:
     """Fields of the layer, and others that its windows had elsewhere."""
     fields = column_fields(WINDOW_FIELDS, levels)
-    for one in besides:
-        if fields.indexOf(one.name()) < 0:
-            fields.append(one)
+    for field in besides:
+        if fields.indexOf(field.name()) < 0:
+            fields.append(field)
     return fields
 
 
@@ -81,22 +81,20 @@ def write_window_file(
     return path
 
 
-def is_window_file(path: Path) -> bool:
-    """Whether a file is one that the desk has made, with rows that come to an end."""
-    if not holds_only_tables(path) or (dataset := open_dataset(str(path), FEATURES)) is None:
-        return False
-    with gdal_silenced(), suppress(RuntimeError):
-        return all(dataset.GetLayerByName(name) is not None for name in (TABLE, _RESULTS))
-    return False
-
-
 def count_windows(path: Path) -> int | None:
-    """How many windows a file holds; None for one that is no windows file, or can't be read now."""
-    if not is_window_file(path) or (dataset := open_dataset(str(path), FEATURES)) is None:
+    """How many windows a file holds that the desk has made, with rows that come to an end; None for any other, or one
+    that can't be read now."""
+    if not holds_only_tables(path) or (dataset := open_dataset(str(path), FEATURES)) is None:
         return None
     with gdal_silenced(), suppress(RuntimeError):
-        return int(dataset.GetLayerByName(TABLE).GetFeatureCount())
+        windows, results = map(dataset.GetLayerByName, (TABLE, _RESULTS))
+        return None if windows is None or results is None else int(windows.GetFeatureCount())
     return None
+
+
+def is_window_file(path: Path) -> bool:
+    """Whether a file is one that the desk has made, with rows that come to an end."""
+    return count_windows(path) is not None
 
 
 def fingerprint(row: WindowRecord, inputs: str) -> str:
@@ -113,10 +111,10 @@ class StoredResult(NamedTuple):
     """None: what is there of it stays."""
 
 
-def store(path: Path, found: Iterable[StoredResult]) -> None:
+def store(path: Path, results: Iterable[StoredResult]) -> None:
     """Write what was measured in windows, in the place of what was there of them. Raises WindowLayerError."""
     with _writing(path) as dataset:
-        for number, mark, result in found:
+        for number, mark, result in results:
             if result is None:
                 quoted = mark.replace("'", "''")  # the file may be somebody else's
                 dataset.ExecuteSQL(f"UPDATE {_RESULTS} SET fingerprint = '{quoted}' WHERE window_id = {number}")
@@ -138,8 +136,8 @@ def add_fingerprints(path: Path, marks: Mapping[int, str]) -> None:
 
 def fingerprints(path: Path) -> dict[int, str]:
     """Those that were stored, by window number; none of a file without them."""
-    found = _selected(path, "window_id, fingerprint", "WHERE window_id IS NOT NULL")
-    return {number: mark or "" for number, mark in found}
+    rows = _selected(path, "window_id, fingerprint", "WHERE window_id IS NOT NULL")
+    return {number: mark or "" for number, mark in rows}
 
 
 def load_result(path: Path, window_id: int) -> WindowResult | None:

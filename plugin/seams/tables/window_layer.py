@@ -118,17 +118,17 @@ def write(layer: QgsVectorLayer, change: WindowChange, words: str) -> list[int]:
     if layer.isEditable():
         with edit_step(layer, words):
             is_done = all(layer.changeAttributeValues(fid, changed) for fid, changed in values.items())
-            added = [QgsFeature(one) for one in change.added]
+            added = [QgsFeature(window) for window in change.added]
             is_done = is_done and all(map(layer.addFeature, added)) and layer.deleteFeatures(list(change.removed))
             if not is_done:
                 raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
-        return [one.id() for one in added]
+        return [window.id() for window in added]
     return _write_file(layer, change, values)
 
 
 def _write_file(layer: QgsVectorLayer, change: WindowChange, values: dict[int, dict[int, object]]) -> list[int]:
     """By the data provider, which tells nobody: the layer's own signals do, for the desk and QGIS's tables alike."""
-    provider, added = layer.dataProvider(), [QgsFeature(one) for one in change.added]
+    provider, added = layer.dataProvider(), [QgsFeature(window) for window in change.added]
     if layer.readOnly():
         raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
     is_done = not values or provider.changeAttributeValues(values)
@@ -143,12 +143,12 @@ def _write_file(layer: QgsVectorLayer, change: WindowChange, values: dict[int, d
     for fid, changed in values.items():
         for index, value in changed.items():
             layer.attributeValueChanged.emit(fid, index, value)
-    for one in added:
-        layer.featureAdded.emit(one.id())
+    for window in added:
+        layer.featureAdded.emit(window.id())
     for fid in change.removed:
         layer.featureDeleted.emit(fid)
     layer.deselect(list(change.removed))
-    return [one.id() for one in added]
+    return [window.id() for window in added]
 
 
 def add_levels(layer: QgsVectorLayer, levels: int) -> None:
@@ -196,8 +196,8 @@ def held_values(layer: QgsVectorLayer, fids: Iterable[int], names: Sequence[str]
     request = QgsFeatureRequest().setFilterFids(list(fids)).setFlags(QgsFeatureRequest.Flag.NoGeometry)
     there = [name for name in names if layer.fields().indexOf(name) >= 0]
     return {
-        one.id(): {name: one[name] if is_known(one[name]) else None for name in there}
-        for one in layer.getFeatures(request)
+        window.id(): {name: window[name] if is_known(window[name]) else None for name in there}
+        for window in layer.getFeatures(request)
     }
 
 

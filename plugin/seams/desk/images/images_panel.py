@@ -106,9 +106,9 @@ class ImagesPanel(QWidget):
         self._is_alike = True  # what is compared has the mosaic's look
         self._looker = single_shot(self, self._look)  # when the maps have their sizes
         self._build()
-        for one, beside in ((self.mosaic, self.other), (self.other, self.mosaic)):
-            one.extentsChanged.connect(partial(self._link, one, beside))
-            one.xyCoordinates.connect(beside.mark)
+        for canvas, beside in ((self.mosaic, self.other), (self.other, self.mosaic)):
+            canvas.extentsChanged.connect(partial(self._link, canvas, beside))
+            canvas.xyCoordinates.connect(beside.mark)
         for signal in (session.selectionChanged, session.windowsChanged, session.inputsChanged):
             signal.connect(self._refresh)
         session.resultArrived.connect(self._show_loss)
@@ -117,8 +117,8 @@ class ImagesPanel(QWidget):
     def close(self) -> bool:
         """Leave nothing open."""
         self.compared.close()
-        for one in (self.mosaic, self.other):
-            one.close_map()
+        for canvas in (self.mosaic, self.other):
+            canvas.close_map()
         return bool(super().close())
 
     def _build(self) -> None:
@@ -146,8 +146,8 @@ class ImagesPanel(QWidget):
         self._maps = QBoxLayout(QBoxLayout.Direction.LeftToRight, maps)
         self._maps.setContentsMargins(0, 0, 0, 0)
         self._maps.setSpacing(_GAP)
-        for one in (self.mosaic, self.other):
-            self._maps.addWidget(one, 1)
+        for canvas in (self.mosaic, self.other):
+            self._maps.addWidget(canvas, 1)
         self._pages = QStackedWidget()
         self._pages.addWidget(self._hint)
         self._pages.addWidget(maps)
@@ -235,8 +235,8 @@ class ImagesPanel(QWidget):
         selected, layer = self._session.selected(), self._session.window_layer()
         row = self._session.row(selected[0]) if selected else None
         if row is not None and row.extent is not None and layer is not None:
-            for one, words in ((self.mosaic, tr("mosaic")), (self.other, title)):
-                one.outline.show(QgsRectangle(*row.extent), words, layer.crs())
+            for canvas, words in ((self.mosaic, tr("mosaic")), (self.other, title)):
+                canvas.outline.show(QgsRectangle(*row.extent), words, layer.crs())
 
     def _show_loss(self, *_: object) -> None:
         """Over both maps, where it was measured and is asked for."""
@@ -245,8 +245,8 @@ class ImagesPanel(QWidget):
         placed = []
         if result is not None and result.loss is not None and mosaic is not None and grid is not None:
             placed = [placed_picture(result, rgba_image(loss_rgba(result.loss.kept)), grid, result.loss.cell_px)]
-        for one in (self.mosaic, self.other):
-            one.loss.show(placed, one.mapSettings().destinationCrs())
+        for canvas in (self.mosaic, self.other):
+            canvas.loss.show(placed, canvas.mapSettings().destinationCrs())
 
     def _look(self, *_: object) -> None:
         """At the window at 2x, where it lost most if it is larger than the map."""

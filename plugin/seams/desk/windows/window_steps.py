@@ -57,7 +57,7 @@ class PresenceStep:
     def come(self, layer: QgsVectorLayer, features: Sequence[QgsFeature], words: str) -> list[int]:
         """Add windows, as a part of the step, and return their numbers. Raises WindowLayerError."""
         window_layer.write(layer, WindowChange(added=features), words)
-        numbers = [int(one["window_id"]) for one in features]
+        numbers = [int(window["window_id"]) for window in features]
         self._numbers += numbers
         return numbers
 
@@ -65,9 +65,9 @@ class PresenceStep:
         """Numbers of the windows that came. Raises WindowLayerError."""
         self.is_undone = is_undone
         if self._is_adding != is_undone:
-            back = [one for one in self._away if watch.numbered(int(one["window_id"])) is None]
+            back = [window for window in self._away if watch.numbered(int(window["window_id"])) is None]
             window_layer.write(layer, WindowChange(added=back), words)
-            self._numbers, self._away = [int(one["window_id"]) for one in self._away], []
+            self._numbers, self._away = [int(window["window_id"]) for window in self._away], []
             return self._numbers
         fids = [row.fid for row in map(watch.numbered, self._numbers) if row is not None]
         watch.prepare(fids, 0)  # they come back by the numbers that they have now
