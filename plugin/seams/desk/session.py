@@ -432,7 +432,7 @@ class Session(QObject):
         self._home.tidy()
 
     def _find_windows(self) -> None:
-        """Those of the mosaic that the project lacks, as QGIS ended before it was saved."""
+        """Windows of the mosaic that the project lacks, as QGIS ended before it was saved."""
         mosaic = self._block.known_mosaic()
         if mosaic is None or mosaic.content in self._searched:
             return

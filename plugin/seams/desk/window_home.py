@@ -1,4 +1,4 @@
-"""Where windows files lie: beside the project, and until that is saved in the user's profile, held by a lock.
+"""The place of windows files: beside the project, and until that is saved in the user's profile, held by a lock.
 
 The lock tells a file whose QGIS was killed, which is taken again with its mosaic, from one whose project was discarded
 and from one that another QGIS has open.
@@ -42,7 +42,7 @@ class WindowHome:
 
     @property
     def folder(self) -> Path:
-        """Where the project's windows are made."""
+        """The folder in which the project's windows are made."""
         return Path(self._project.homePath()) if self._project.homePath() else unsaved_folder()
 
     def hold(self, path: Path) -> None:

@@ -135,7 +135,7 @@ def add_fingerprints(path: Path, marks: Mapping[int, str]) -> None:
 
 
 def fingerprints(path: Path) -> dict[int, str]:
-    """Those that were stored, by window number; none of a file without them."""
+    """Fingerprints that were stored, by window number; none of a file without them."""
     rows = _selected(path, "window_id, fingerprint", "WHERE window_id IS NOT NULL")
     return {number: mark or "" for number, mark in rows}
 

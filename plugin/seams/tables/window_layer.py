@@ -127,7 +127,7 @@ def write(layer: QgsVectorLayer, change: WindowChange, words: str) -> list[int]:
 
 
 def _write_file(layer: QgsVectorLayer, change: WindowChange, values: dict[int, dict[int, object]]) -> list[int]:
-    """By the data provider, which tells nobody: the layer's own signals do, for the desk and QGIS's tables alike."""
+    """Write by the data provider, which tells nobody; the layer's own signals tell the desk and QGIS's tables alike."""
     provider, added = layer.dataProvider(), [QgsFeature(window) for window in change.added]
     if layer.readOnly():
         raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))

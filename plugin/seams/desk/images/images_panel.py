@@ -255,7 +255,7 @@ class ImagesPanel(QWidget):
             self.mosaic.look_at(views[0].center(), views[0].width() / max(self.mosaic.width(), 1))
 
     def _link(self, moved: WindowMap, beside: WindowMap) -> None:
-        """Where one is moved to, the other is as well."""
+        """Move the map beside to where this one was moved."""
         if not self._is_moving:
             self._is_moving = True
             beside.look_at(moved.center(), moved.mapUnitsPerPixel())

@@ -46,7 +46,7 @@ _AT_ONCE = 50  # windows added, some 20 ms with all that follows them; then the 
 
 @dataclass(frozen=True)
 class Place:
-    """Where a window is to be, in the reference system of the window layer."""
+    """The outline of a window, in the reference system of the window layer."""
 
     outline: QgsGeometry
     known: Mapping[str, object]

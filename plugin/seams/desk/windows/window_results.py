@@ -36,7 +36,7 @@ class _Version(NamedTuple):
     """What a result is of."""
 
     extent: Extent | None
-    """Where the window lay."""
+    """The extent that the window had."""
     inputs: str
     """Their fingerprint."""
 
