@@ -188,6 +188,7 @@ def test_a_step_that_fails_leaves_nothing(project: QgsProject) -> None:
 
 def test_a_layer_that_cant_be_written_to_is_told(project: QgsProject, tmp_path: Path) -> None:
     locked = made_layer(tmp_path)
+    project.addMapLayer(locked)  # errors that are kept would keep it beyond the end of QGIS
     add(locked, SHARP)
     locked.setReadOnly(True)
     for change in (WindowChange({1: {"observer": "visible"}}), WindowChange(removed=[1])):
