@@ -21,7 +21,8 @@ import numpy as np
 
 from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS, MixtureTable
 from .energy_sums import BLOCK_CELLS
-from .intervals import Kept
+from .ground import FAR_PX
+from .intervals import ALONG, MOST_UNEVEN, Kept
 from .ramps import BEYOND, fit_ramps
 from .seam_profile import UNMIXED_SHARE, in_strip, strip_bins
 
@@ -42,13 +43,14 @@ it is needed. A cosine feather of 13 px has 0.45, one of 33 px 0.2."""
 _EITHER, _FOLLOWED = 0.4, 0.6
 """Shares of a source in a mixture: what has surely more than half of it follows it; of halves nobody knows which is
 followed."""
+_FAR = EDGES_PX.index(FAR_PX)
 MOST_EVERYWHERE = 0.25
 """Share of the other source far off, from which on a mixture has no end; a width is taken above one that is less."""
 
 
 @dataclass(frozen=True, eq=False)
 class Mixtures:
-    """Mixtures of n seams; all levels are mixed alike, and the finest tells it best."""
+    """Mixtures of n seams."""
 
     other: np.ndarray
     """(n, SLOTS): share of the other source, 0 to 1: alpha."""
@@ -88,14 +90,41 @@ def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
     of_edge = edge * (2 * (source * products[..., _SK] + other * products[..., _OK]) + edge * products[..., _KK])
     fitted = np.einsum("...i,...ij,...j->...", weights, products[..., _NORMAL], weights)
     left_over = np.maximum(products[..., _MM] + fitted - 2 * (weights * products[..., _RIGHT]).sum(axis=-1), 0)
-    shares = _shares(products[:, 0], weights[:, 0])
-    known = ~np.isnan(shares)
-    mixed, unsure, blended = fit_ramps(
-        np.where(known, shares, 0), np.where(known, spread, np.inf), _most_floor(products[:, 0], left_over[:, 0])
+    carried = np.maximum(source + other, 0)
+    variance = _unsure_by_left_over(products, left_over, carried)
+    shares, spread = _over_levels(_shares(products, weights), spread, variance)
+    mixed, unsure, blended = fit_ramps(shares, spread, _most_floor(products[:, 0], left_over[:, 0]))
+    return Mixtures(mixed, unsure, blended, 1 - sharp[:, :1], of_edge, left_over, carried[:, 0])
+
+
+def _unsure_by_left_over(products: np.ndarray, left_over: np.ndarray, carried: np.ndarray) -> np.ndarray:
+    """Variance of the share of the other source, (n, levels, SLOTS), by what is left over beside the seam alone, and
+    the weights of both sources together.
+
+    What codecs leave over everywhere is independent of the sources, and the jackknife tells what that makes of a share.
+    What only the strip has was made of their mixture, as by a codec that rounds it for the first time, and changed it
+    along the sources as well: on the same blocks JPEG takes the weaker source's detail for the stronger one's.
+    """
+    ss, so, oo = (products[..., name] for name in _SHOWN)
+    followed, left = (
+        values.reshape(*values.shape[:-1], 2, MIXED_BINS)[..., _FAR:].sum(axis=-1) for values in (ss, left_over)
     )
-    return Mixtures(
-        mixed, unsure, blended, 1 - sharp[:, :1], of_edge, left_over, np.maximum(source[:, 0] + other[:, 0], 0)
-    )
+    around = np.repeat(left / np.maximum(followed, 1e-12), MIXED_BINS, axis=-1)
+    more = np.maximum(left_over - MOST_UNEVEN * around * ss, 0)
+    return np.asarray(ALONG**2 * more / np.maximum(carried**2 * (ss - 2 * so + oo), 1e-12))
+
+
+def _over_levels(shares: np.ndarray, spread: np.ndarray, variance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Shares of all levels together, (n, SLOTS), and their standard deviation, infinite where none is known.
+
+    All levels are mixed alike. The finest has most coefficients, each coarser one a quarter of them, and codecs round
+    coarser ones less."""
+    weights = 1 / (4.0 ** np.arange(shares.shape[1])[:, np.newaxis] * np.square(spread)[:, np.newaxis] + variance)
+    weights[np.isnan(shares)] = 0
+    total = weights.sum(axis=1)
+    with np.errstate(divide="ignore"):
+        deviation = np.sqrt(1 / total)
+    return (weights * np.nan_to_num(shares)).sum(axis=1) / np.maximum(total, 1e-12), deviation
 
 
 def _most_floor(products: np.ndarray, left_over: np.ndarray) -> np.ndarray:

@@ -18,9 +18,9 @@ import numpy as np
 from .cell_table import EDGES_PX, MIXED_BINS
 from .seam_profile import STRIP_PX
 
-WIDTHS_PX = (0, 7, 8.5, 10, 12, 15, 17.5, 20, 30, 40, 60, 80, 110, 150, 200, 260, 350, 600, 1e6)
-"""Full widths, a factor of 1.2 apart as far as the bins of distance tell them and of 1.4 beyond; the last one is a
-mixture that is the same everywhere. Narrower than 7 px none can be told from a cut whose border is known to a pixel."""
+WIDTHS_PX = (0, 7, 8.5, 10, 12, 15, 17.5, 20, 25, 30, 36, 43, 50, 60, 80, 110, 150, 200, 260, 350, 600, 1e6)
+"""Full widths, a factor of 1.2 apart up to 60 px and of 1.4 beyond; the last one is a mixture that is the same
+everywhere. Narrower than 7 px none can be told from a cut whose border is known to a pixel."""
 OFFSETS_PX = (-8, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 8)
 """Offsets from the border, which noise and compression draw so far off (squares of 8 px)."""
 MOST_FLOOR, FLOOR_SPREAD = 0.5, 0.15

@@ -63,10 +63,8 @@ class SeamSums:
     def profiles(self, levels: int | None = None) -> list[StripProfile]:
         """Profiles of all pieces, in their order; with the bins of so many ``levels``, one at least, all where None."""
         energy, mixed = copy(self._energy), self._mixture.result()
-        left_over, mm = in_strip(mixed.left_over), in_strip(energy.own)[0]  # with all that was added
-        left_by_ground = in_strip(energy.left_by_ground)
-        more_left = np.maximum(left_over - left_by_ground, 0)
-        energy.take_out(mixed.edge, mixed.soft_left_over * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
+        mm = in_strip(energy.own)[0]  # with all that was added
+        more_left = energy.take_out(mixed.edge, mixed.left_over, mixed.soft_left_over)
         by_energy, energy_levels = energy.kept()
         # Where a mixture is told and does not end, the ground around is mixed as well.
         is_endless = (mixed.shares()[MIXED_BINS - 1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
@@ -85,7 +83,7 @@ class SeamSums:
             by_energy.times(np.where(is_replaced, np.nan, 1.0)), mixed.kept.times(np.where(is_mixed, 1.0, np.nan))
         )
         # Codecs leave over up to twice as much from place to place, noise along a seam much more than on the ground.
-        unsure = SURE_LEFT * np.minimum(more_left, left_by_ground)[0] / whole
+        unsure = SURE_LEFT * np.minimum(more_left, in_strip(energy.left_by_ground))[0] / whole
         judged = judged.less_sure(unsure * (1 - share))  # of the mixture's part in it
         kept = np.where(share > 0, energy_levels * mixed.before_in_strip, mixed.levels)
         kept[0] = judged.value
