@@ -2,14 +2,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from contextlib import suppress
+from functools import lru_cache
 from typing import Any, Callable
 
 import numpy as np
 from osgeo import ogr, osr
 
 from . import messages
-from .errors import RasterError
+from .errors import RasterError, SettingsError
 from .gdal_calls import gdal_silenced
 from .grids import Extent
 
@@ -49,7 +51,7 @@ def _moved(transform: Callable[[], Any]) -> Any:
 
 
 def _transformation(wkt: str, target_wkt: str) -> osr.CoordinateTransformation:
-    return osr.CoordinateTransformation(_system(wkt), _system(target_wkt))
+    return osr.CoordinateTransformation(_horizontal(wkt), _horizontal(target_wkt))
 
 
 def same_coordinates(wkt: str, other: str, extent: Extent, tolerance: float) -> bool:
@@ -63,23 +65,41 @@ def same_coordinates(wkt: str, other: str, extent: Extent, tolerance: float) -> 
     return max(abs(a - b) for a, b in zip(moved, extent)) <= tolerance
 
 
-def metres_per_unit(wkt: str, y: float) -> tuple[float, float]:
-    """Metres on the ground per map unit along x and y; for degrees on the ellipsoid at latitude ``y``, and NaN beyond
-    its poles."""
-    if not wkt:
-        return 1.0, 1.0
-    system = _system(wkt)
-    if not system.IsGeographic():
-        return system.GetLinearUnits(), system.GetLinearUnits()
-    semi_major, flattening = system.GetSemiMajor(), system.GetInvFlattening()
-    squared_eccentricity = (2 - 1 / flattening) / flattening if flattening else 0.0
-    unit = system.GetAngularUnits()
-    if abs(y * unit) >= math.pi / 2:
+_HALF_STEP = 1e-4
+"""Radians, 640 m, over which a scale is taken: PROJ's own 1e-10 is a millionth of it, the change of the scale less."""
+
+
+def metres_per_unit(wkt: str, place: Sequence[float]) -> tuple[float, float]:
+    """Metres on the ground (the ellipsoid) per map unit along x and y at a place (x, y); NaN where the system describes
+    none there. Map units are metres where there is no system, or one of a site."""
+    system = _horizontal(wkt)
+    geographic = system.CloneGeogCS() if system.IsProjected() else system
+    if geographic is None or not geographic.IsGeographic():
+        return (system.GetLinearUnits(),) * 2
+    axis, angle = geographic.GetSemiMajor(), geographic.GetAngularUnits()
+    half = _HALF_STEP * axis / system.GetLinearUnits() if system.IsProjected() else _HALF_STEP / angle
+    ends: np.ndarray | None = np.add(place[:2], np.array([(-half, 0), (half, 0), (0, -half), (0, half)]))
+    if system.IsProjected():
+        geographic.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+        ends = _points(lambda: osr.CoordinateTransformation(system, geographic), ends)
+    elif not abs(place[1]) * angle < math.pi / 2:
+        ends = None
+    if ends is None:
         return math.nan, math.nan
-    sine, cosine = math.sin(y * unit), math.cos(y * unit)
-    prime_vertical = semi_major / math.sqrt(1 - squared_eccentricity * sine**2)
-    meridian = prime_vertical * (1 - squared_eccentricity) / (1 - squared_eccentricity * sine**2)
-    return prime_vertical * cosine * unit, meridian * unit
+    longitude, latitude = ends[:, :2].T * angle
+    flatness = 1 / geographic.GetInvFlattening() if geographic.GetInvFlattening() else 0.0
+    normal = axis / np.sqrt(1 - (2 - flatness) * flatness * np.sin(latitude) ** 2)
+    around = normal * np.cos(latitude)
+    spatial = np.stack(
+        [around * np.cos(longitude), around * np.sin(longitude), (1 - flatness) ** 2 * normal * np.sin(latitude)]
+    )
+    metres = np.linalg.norm(spatial[:, 1::2] - spatial[:, ::2], axis=0) / (2 * half)
+    return float(metres[0]), float(metres[1])
+
+
+def is_metric(wkt: str) -> bool:
+    """Whether coordinates are metres of a map."""
+    return not is_geographic(wkt) and _system(wkt).GetLinearUnits() == 1
 
 
 def _system(wkt: str) -> osr.SpatialReference:
@@ -90,9 +110,23 @@ def _system(wkt: str) -> osr.SpatialReference:
     return system
 
 
+@lru_cache(1024)
 def same_system(a: str, b: str) -> bool:
-    """Whether two texts name one reference system."""
-    return a == b or bool(_system(a).IsSame(_system(b)))
+    """Whether two texts name one reference system, whatever they say of heights."""
+    return a == b or bool(_horizontal(a).IsSame(_horizontal(b)))
+
+
+def known_wkt(text: str) -> str:
+    """WKT of what names a reference system, such as ``EPSG:2180``. Raises SettingsError for what names none."""
+    found = str(_system(text).ExportToWkt())
+    if text and not found:
+        raise SettingsError(messages.NO_SYSTEM(text=text))
+    return found
+
+
+def system_name(wkt: str) -> str:
+    """What people call a reference system, its authority's code first where it has one."""
+    return " ".join(filter(None, [authority_code(wkt), _system(wkt).GetName()]))
 
 
 def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarray:
@@ -102,7 +136,7 @@ def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarra
     """
     if same_system(wkt, target_wkt) or not len(points):
         return np.array(points[:, :2], float)
-    moved = _points(lambda: osr.CoordinateTransformation(_horizontal(wkt), _horizontal(target_wkt)), points[:, :2])
+    moved = _points(lambda: _transformation(wkt, target_wkt), points[:, :2])
     if moved is None:
         raise RasterError(messages.POINTS_NOT_TRANSFORMED())
     return moved[:, :2]

@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
-from tests.numbers.synthetic import ORIGIN, UTM33
+from tests.numbers.synthetic import ORIGIN, UTM33, wkt
 
 MakeRaster = Callable[..., str]
 SIZE = (256, 256)
@@ -22,8 +22,11 @@ GRAY, ALPHA, UNDEFINED = gdal.GCI_GrayIndex, gdal.GCI_AlphaBand, gdal.GCI_Undefi
 YELLOW, CYAN = gdal.GCI_YellowBand, gdal.GCI_CyanBand
 
 
-def clip_of(path: str, mosaic: Raster, window: PixelWindow = WINDOW, system: str = "") -> Clip:
-    return read_clip(OpenRaster(RasterRef(path, system)), mosaic, window)
+def clip_of(
+    path: str, mosaic: Raster, window: PixelWindow = WINDOW, system: str = "", nodata: float | None = None,
+    partly: bool = False,
+) -> Clip:
+    return read_clip(OpenRaster(RasterRef(path, system, nodata=nodata)), mosaic, window, partly)
 
 
 def inside(array: np.ndarray, window: PixelWindow = WINDOW) -> np.ndarray:
@@ -66,8 +69,8 @@ def scene_raster(
     return make_raster("source.tif", image, geotransform=geotransform, system=system, **options)
 
 
-def reference(system: int) -> osr.SpatialReference:
+def reference(system: int | str) -> osr.SpatialReference:
     made = osr.SpatialReference()
-    made.ImportFromEPSG(system)
+    made.SetFromUserInput(wkt(system))
     made.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return made

@@ -137,7 +137,7 @@ def test_sources_in_other_systems_and_pixel_sizes_are_resampled(scene: Scene, tm
     assert not outcome.log.warnings
     pairs = {row["source"]: row for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
     resampled = {source: row["resampled"] for source, row in pairs.items()}
-    assert resampled == {**{Path(path).name: 1 for path in paths}, "west.tif": 0, "composite": 1}
+    assert resampled == {**{Path(path).name: 1 for path in paths}, "south_up.tif": 0, "west.tif": 0, "composite": 1}
     for source, row in pairs.items():
         # All but the turned one show the same ground at the same place; that is turned by 0.4 px at the corners.
         assert row["similarity"] > 0.97, source
