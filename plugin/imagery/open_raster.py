@@ -178,6 +178,7 @@ class OpenRaster:
             "uint8" if self.roles.palette is not None else str(kind),
             int(bits) if bits else None,
             self._is_lossy,
+            self._is_turned,
         )
 
     @cached_property

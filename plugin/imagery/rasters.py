@@ -89,6 +89,8 @@ class Raster:
     """Bits a pixel where the file says it (NBITS), as 12 in 16."""
     is_lossy: bool = False
     """Whether the file says that its pixels are compressed with loss."""
+    is_turned: bool = False
+    """Whether it is seen turned over, as the rows of its file run north."""
 
     @cached_property
     def has_other_system(self) -> bool:

@@ -74,3 +74,31 @@ def reference(system: int | str) -> osr.SpatialReference:
     made.SetFromUserInput(wkt(system))
     made.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return made
+
+
+STRETCHING: dict[str, tuple[int | str, float, float]] = {
+    "Web Mercator": (3857, 7.0, 46.85),
+    "UTM off its zone": (32633, 9.0, 50.0),
+    "Lambert": (2154, -4.0, 48.0),
+    "Poland": (2180, 14.2, 53.9),
+    "feet": (2263, -74.0, 40.7),
+    "feet of California": (2225, -122.0, 40.5),
+    "kilometres": ("+proj=utm +zone=33 +datum=WGS84 +units=km", 15.0, 50.0),
+}
+"""Systems that show lengths longer or shorter than they are on the ground, each with a longitude and a latitude."""
+
+
+def metres_by_arcs(system: str | int, longitude: float, latitude: float) -> tuple[tuple[float, float], float, float]:
+    """A place on the map, and metres per unit there along the parallel and the meridian: arcs of the ellipsoid of some
+    100 m over their lengths on the map."""
+    to_map = osr.CoordinateTransformation(reference(4326), reference(system))
+    step = math.radians(1e-3)
+    sine = math.sin(math.radians(latitude))
+    vertical = 6378137 / math.sqrt(1 - 0.0066943799901413 * sine**2)
+    meridian = vertical * (1 - 0.0066943799901413) / (1 - 0.0066943799901413 * sine**2)
+    lengths = []
+    for dx, dy in ((5e-4, 0), (0, 5e-4)):
+        ends = [to_map.TransformPoint(longitude + sign * dx, latitude + sign * dy)[:2] for sign in (-1, 1)]
+        lengths.append(math.dist(*ends))
+    x, y, _ = to_map.TransformPoint(longitude, latitude)
+    return (x, y), vertical * math.sqrt(1 - sine**2) * step / lengths[0], meridian * step / lengths[1]

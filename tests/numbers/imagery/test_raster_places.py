@@ -14,7 +14,16 @@ from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic,
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
 
-from tests.numbers.clips import SIZE, MakeRaster, clip_of, inside, reference, scene_raster
+from tests.numbers.clips import (
+    SIZE,
+    STRETCHING,
+    MakeRaster,
+    clip_of,
+    inside,
+    metres_by_arcs,
+    reference,
+    scene_raster,
+)
 from tests.numbers.synthetic import ORIGIN, UTM33, orthoimage, wkt
 
 # --- place on the map ------------------------------------------------------------------------------------------
@@ -140,30 +149,7 @@ def test_metres_mean_metres_in_a_geographic_system(
     assert standard_side_px(grid, 100) == 2 ** math.ceil(math.log2(100 / metres))
 
 
-def metres_by_arcs(system: str | int, longitude: float, latitude: float) -> tuple[tuple[float, float], float, float]:
-    """A place on the map, and metres per unit there along the parallel and the meridian: arcs of the ellipsoid of some
-    100 m over their lengths on the map."""
-    to_map = osr.CoordinateTransformation(reference(4326), reference(system))
-    step = math.radians(1e-3)
-    sine = math.sin(math.radians(latitude))
-    vertical = 6378137 / math.sqrt(1 - 0.0066943799901413 * sine**2)
-    meridian = vertical * (1 - 0.0066943799901413) / (1 - 0.0066943799901413 * sine**2)
-    lengths = []
-    for dx, dy in ((5e-4, 0), (0, 5e-4)):
-        ends = [to_map.TransformPoint(longitude + sign * dx, latitude + sign * dy)[:2] for sign in (-1, 1)]
-        lengths.append(math.dist(*ends))
-    x, y, _ = to_map.TransformPoint(longitude, latitude)
-    return (x, y), vertical * math.sqrt(1 - sine**2) * step / lengths[0], meridian * step / lengths[1]
-
-
-@pytest.mark.parametrize(
-    ("system", "longitude", "latitude"),
-    [
-        (3857, 7.0, 46.85), (32633, 9.0, 50.0), (2154, -4.0, 48.0), (2180, 14.2, 53.9), (2263, -74.0, 40.7),
-        (2225, -122.0, 40.5), ("+proj=utm +zone=33 +datum=WGS84 +units=km", 15.0, 50.0),
-    ],
-    ids=["Web Mercator", "UTM off its zone", "Lambert", "Poland", "feet", "feet of California", "kilometres"],
-)
+@pytest.mark.parametrize(("system", "longitude", "latitude"), STRETCHING.values(), ids=STRETCHING.keys())
 def test_metres_are_those_on_the_ground_whatever_the_system(
     make_raster: MakeRaster, system: str | int, longitude: float, latitude: float
 ) -> None:

@@ -141,7 +141,7 @@ def test_sources_in_other_systems_and_pixel_sizes_are_resampled(scene: Scene, tm
     for source, row in pairs.items():
         # All but the turned one show the same ground at the same place; that is turned by 0.4 px at the corners.
         assert row["similarity"] > 0.97, source
-    for source in ("finer.tif", "south_up.tif"):  # averaging and interpolation give back the very pixels
+    for source in ("finer.tif", "south_up.tif"):  # averaging and turning over give back the very pixels
         assert pairs[source]["ratio_1"] == pytest.approx(pairs["west.tif"]["ratio_1"], rel=1e-6)
 
 
