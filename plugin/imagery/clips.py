@@ -13,9 +13,9 @@ from osgeo import gdal, gdal_array
 from scipy import ndimage
 
 from . import limits, messages
-from .errors import Exceeding, NotCoveredError, RasterError, WindowError
+from .errors import Exceeding, NotCoveredError, RasterError
 from .gdal_calls import gdal_call
-from .grids import Extent, Grid, NumberedWindow, PixelWindow, snap_window
+from .grids import Extent, Grid, NumberedWindow, PixelWindow
 from .open_raster import OpenRaster, PixelBlock, placed
 from .rasters import MAX_SYSTEM_SHIFT_PX, Raster
 from .reference_systems import extent_on, same_coordinates
@@ -29,20 +29,6 @@ class DrawnWindow(NumberedWindow):
     """In ``wkt``."""
     wkt: str
     """Reference system; empty when unknown, and then the images' own is assumed."""
-
-
-def pixels_under(drawn: DrawnWindow, image: Raster, levels: int = 0) -> PixelWindow | None:
-    """The pixels of an image under a window, cut to the image and to multiples of ``2 ** levels``; None where the
-    image does not show it.
-
-    Raises WindowError when the image is rotated, or too few or too many pixels are under it.
-    """
-    if not image.is_north_up:
-        raise WindowError(messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
-    extent = extent_on_image(drawn.extent, drawn.wkt, image)
-    if extent is None or not shown_share(image.grid, extent):
-        return None
-    return snap_window(image.grid, extent, levels)
 
 
 def extent_on_image(extent: Extent, wkt: str, image: Raster) -> Extent | None:
@@ -198,7 +184,8 @@ def _warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, times: floa
     end, below = np.ceil(corners.max(axis=0) + reach).clip(0, size).astype(int).tolist()
     under = PixelWindow(column, row, end - column, below - row)
     if min(under.width, under.height) <= 0:
-        raise NotCoveredError(messages.NOT_COVERED(name=source.ref.name))
+        shape = window.height, window.width
+        return PixelBlock(np.zeros((len(raster.band_names), *shape), raster.data_type), np.ones(shape, bool))
     bands, invalid = source.read(under)
     failure = messages.NOT_READABLE(name=source.ref.name)
     kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.dtype.type)

@@ -12,7 +12,7 @@ from . import messages
 from .errors import Message, RasterError
 from .grids import Extent, Grid, PixelWindow, middle_of
 from .limits import has_colours, measured_bands
-from .reference_systems import metres_per_unit, same_coordinates, system_name
+from .reference_systems import metres_per_unit, other_system, same_coordinates
 
 MAX_SYSTEM_SHIFT_PX = 0.01  # two reference systems whose coordinates agree this closely are one
 MAX_SKEW = 1e-6  # of a pixel per pixel: 0.05 px across 50 000 px
@@ -93,26 +93,18 @@ class Raster:
     """Whether it is seen turned over, as the rows of its file run north."""
 
     @cached_property
-    def has_other_system(self) -> bool:
-        """Whether the reference's system puts it elsewhere than the file's own."""
-        _, right, _, _, _, down = self.placement
-        nearest = MAX_SYSTEM_SHIFT_PX * min(abs(right), abs(down))
-        own, given = self.own_wkt, self.ref.wkt
-        return bool(own and given) and not same_coordinates(own, given, self.extent, nearest)
-
-    @property
     def wkt(self) -> str:
-        """Reference system; empty when neither the file nor its reference names one. Two that mean the same are the
-        file's, as that may tell of heights."""
-        return self.ref.wkt if self.has_other_system else self.own_wkt or self.ref.wkt
+        """Reference system; empty when neither the file nor its reference names one. Of two that mean the same place
+        it is the file's, which may tell of heights."""
+        own, given = self.own_wkt, self.ref.wkt
+        nearest = MAX_SYSTEM_SHIFT_PX * min(abs(self.placement[1]), abs(self.placement[5]))
+        return own if own and (not given or same_coordinates(own, given, self.extent, nearest)) else given
 
     @property
     def notices(self) -> tuple[Message, ...]:
         """What was settled about it that its file says otherwise."""
-        if not self.has_other_system:
-            return ()
-        own, given = system_name(self.own_wkt), system_name(self.ref.wkt)
-        return (messages.OTHER_SYSTEM_TAKEN(name=self.ref.name, system=given, own=own),)
+        own, taken = self.own_wkt, self.wkt
+        return other_system(self.ref.name, own, taken) if own and own != taken else ()
 
     @property
     def whole(self) -> PixelWindow:

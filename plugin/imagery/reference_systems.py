@@ -11,7 +11,7 @@ import numpy as np
 from osgeo import ogr, osr
 
 from . import messages
-from .errors import RasterError, SettingsError
+from .errors import Message, RasterError, SettingsError
 from .gdal_calls import gdal_silenced
 from .grids import Extent
 
@@ -81,7 +81,7 @@ def metres_per_unit(wkt: str, place: Sequence[float]) -> tuple[float, float]:
     ends: np.ndarray | None = np.add(place[:2], np.array([(-half, 0), (half, 0), (0, -half), (0, half)]))
     if system.IsProjected():
         geographic.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
-        ends = _points(lambda: osr.CoordinateTransformation(system, geographic), ends)
+        ends = moved_points(lambda: osr.CoordinateTransformation(system, geographic), ends)
     elif not abs(place[1]) * angle < math.pi / 2:
         ends = None
     if ends is None:
@@ -97,14 +97,10 @@ def metres_per_unit(wkt: str, place: Sequence[float]) -> tuple[float, float]:
     return float(metres[0]), float(metres[1])
 
 
-def is_metric(wkt: str) -> bool:
-    """Whether coordinates are metres of a map."""
-    return not is_geographic(wkt) and _system(wkt).GetLinearUnits() == 1
-
-
-def _system(wkt: str) -> osr.SpatialReference:
+def spatial_reference(wkt: str) -> osr.SpatialReference:
+    """What a text names, x or longitude first; an empty one where it names nothing."""
     system = osr.SpatialReference()
-    with gdal_silenced(), suppress(RuntimeError):  # a text that means nothing leaves the system empty
+    with gdal_silenced(), suppress(RuntimeError):
         system.SetFromUserInput(wkt)
     system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return system
@@ -118,7 +114,7 @@ def same_system(a: str, b: str) -> bool:
 
 def known_wkt(text: str) -> str:
     """WKT of what names a reference system, such as ``EPSG:2180``. Raises SettingsError for what names none."""
-    found = str(_system(text).ExportToWkt())
+    found = str(spatial_reference(text).ExportToWkt())
     if text and not found:
         raise SettingsError(messages.NO_SYSTEM(text=text))
     return found
@@ -126,7 +122,12 @@ def known_wkt(text: str) -> str:
 
 def system_name(wkt: str) -> str:
     """What people call a reference system, its authority's code first where it has one."""
-    return " ".join(filter(None, [authority_code(wkt), _system(wkt).GetName()]))
+    return " ".join(filter(None, [authority_code(wkt), spatial_reference(wkt).GetName()]))
+
+
+def other_system(name: str, own: str, taken: str) -> tuple[Message, ...]:
+    """What to say of a raster whose file names another reference system than the one it is taken in."""
+    return (messages.OTHER_SYSTEM_TAKEN(name=name, system=system_name(taken), own=system_name(own)),)
 
 
 def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarray:
@@ -136,56 +137,28 @@ def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarra
     """
     if same_system(wkt, target_wkt) or not len(points):
         return np.array(points[:, :2], float)
-    moved = _points(lambda: _transformation(wkt, target_wkt), points[:, :2])
+    moved = moved_points(lambda: _transformation(wkt, target_wkt), points[:, :2])
     if moved is None:
         raise RasterError(messages.POINTS_NOT_TRANSFORMED())
     return moved[:, :2]
 
 
-def _points(transformation: Callable[[], osr.CoordinateTransformation], points: np.ndarray) -> np.ndarray | None:
+def moved_points(transformation: Callable[[], osr.CoordinateTransformation], points: np.ndarray) -> np.ndarray | None:
     """Points (n, 3) of points (n, 2) or (n, 3); None where one of them has no place."""
     moved = _moved(lambda: np.array(transformation().TransformPoints(points.tolist()), float))
     return moved if moved is not None and moved.ndim == 2 and np.isfinite(moved).all() else None
 
 
-def vertical_part(wkt: str) -> str:
-    """The name of a compound or three-dimensional system's heights; empty where the system names none."""
-    system = _system(wkt)
-    if system.IsCompound():
-        return str(system.GetAttrValue("VERT_CS") or system.GetAttrValue("VERTCRS") or "")
-    return "ellipsoid" if system.IsGeographic() and system.GetAxesCount() == 3 else ""
-
-
-def vertical_code(wkt: str) -> str:
-    """The vertical part of a compound system, as ``heights_above_ellipsoid`` takes it."""
-    code = _system(wkt).GetAuthorityCode("COMPD_CS|VERT_CS")
-    return f"EPSG:{code}" if code else wkt
-
-
 def authority_code(wkt: str) -> str:
     """What an authority calls a reference system, such as ``EPSG:2180``; empty for one that none names."""
-    system = _system(wkt)
+    system = spatial_reference(wkt)
     name, code = system.GetAuthorityName(None), system.GetAuthorityCode(None)
     return f"{name}:{code}" if name and code else ""
 
 
-def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray:
-    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height in a vertical system.
-
-    ``vertical`` is ``EPSG:`` and a code, or WKT of a compound system. Raises RasterError where PROJ has no grid.
-    """
-    source = _system(f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical)
-    options = osr.CoordinateTransformationOptions()
-    options.SetBallparkAllowed(False)
-    moved = _points(lambda: osr.CoordinateTransformation(source, _system("EPSG:4979"), options), geographic)
-    if moved is None:
-        raise RasterError(messages.NO_GEOID_GRID(vertical=source.GetName() or vertical))
-    return moved[:, 2]
-
-
 def is_geographic(wkt: str) -> bool:
     """Whether coordinates are degrees of longitude and latitude."""
-    return bool(_system(wkt).IsGeographic())
+    return bool(spatial_reference(wkt).IsGeographic())
 
 
 def utm_wkt(longitude: float, latitude: float) -> str:
@@ -201,7 +174,7 @@ def horizontal_wkt(wkt: str) -> str:
 
 
 def _horizontal(wkt: str) -> osr.SpatialReference:
-    system = _system(wkt)
+    system = spatial_reference(wkt)
     if system.IsCompound():
         system.StripVertical()
     if system.GetAxesCount() == 3:

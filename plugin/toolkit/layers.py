@@ -72,15 +72,13 @@ def additional_nodata(layer: QgsRasterLayer) -> float | None:
 
 def other_systems(layers: Iterable[QgsMapLayer | None]) -> Iterator[Message]:
     """What to say of raster layers that were given another reference system than their files'."""
-    from ..imagery.reference_systems import same_system, system_name  # with numpy, not loaded when QGIS starts
+    from ..imagery.reference_systems import other_system, same_system  # with numpy, not loaded when QGIS starts
 
     for layer in layers:
         if isinstance(layer, QgsRasterLayer) and layer.dataProvider() is not None:
             own, given = system_wkt(layer.dataProvider().crs()), system_wkt(layer.crs())
             if own and given and not same_system(own, given):
-                yield imagery_messages.OTHER_SYSTEM_TAKEN(
-                    name=layer.name(), system=system_name(given), own=system_name(own)
-                )
+                yield from other_system(layer.name(), own, given)
 
 
 @lru_cache(4096)

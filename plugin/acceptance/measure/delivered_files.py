@@ -242,9 +242,7 @@ def _placed_outline(sheet: OrderedSheet, raster: Raster) -> ogr.Geometry:
     outline = ogr.CreateGeometryFromWkb(sheet.outline)
     if outline is None:
         raise RuntimeError(gdal.GetLastErrorMsg())
-    return outline if not sheet.wkt or same_system(sheet.wkt, raster.wkt) else geometry_on(
-        outline, sheet.wkt, raster.wkt
-    )
+    return geometry_on(outline, sheet.wkt, raster.wkt) if sheet.wkt else outline
 
 
 def _area_beyond(outline: ogr.Geometry, reach: ogr.Geometry) -> float:

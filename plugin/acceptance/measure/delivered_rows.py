@@ -18,7 +18,6 @@ from ...imagery.lines import points_at, vertex_stations
 from ...imagery.reference_systems import (
     is_geographic,
     same_coordinates,
-    same_system,
     transform_points,
     utm_wkt,
 )
@@ -152,11 +151,11 @@ class LayerDoubts:
         if not totals.is_sealed_by(notes):
             return Seal.BROKEN
         system, extent = notes.get(SYSTEM, ""), self.extent
-        if same_system(wkt, system):
-            return Seal.WHOLE
-        if wkt and system and extent and same_coordinates(wkt, system, extent, _SAME_PLACE * max(map(abs, extent))):
-            return Seal.WHOLE
-        return Seal.OTHER_SYSTEM
+        if wkt and system and extent:
+            is_same = same_coordinates(wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
+        else:
+            is_same = wkt == system
+        return Seal.WHOLE if is_same else Seal.OTHER_SYSTEM
 
     def _gaps(self) -> Iterator[float]:
         """Between the stations of pieces that should follow each other, metres."""

@@ -341,9 +341,9 @@ SCAN_LAYER_NOT_WRITTEN = Message(
     "the layer, and start the scan again with the same picture of losses to go on."
 )
 MORE_SEAMS_THAN_OUTLINES = Message(
-    "{metres:.0f} m of seam were found and the orthoimages are {around:.0f} m around: the mosaic seems to change between "
-    "them at every turn, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the mosaic as it "
-    "was before.", WARNING
+    "{metres:.0f} m of seam were found and the orthoimages are {around:.0f} m around: the mosaic seems to change "
+    "between them at every turn, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the "
+    "mosaic as it was before.", WARNING
 )
 SCAN_WITHOUT_SEAMS = Message(
     "No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.", INFO
