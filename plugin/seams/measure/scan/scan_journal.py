@@ -66,7 +66,7 @@ def fingerprint_of(
         ),
         "places": _digest([
             mosaic.wkt, mosaic.nodata, place, *_said_of_place(mosaic.path, listed),
-            *(item for one in sources for item in (one.ref.wkt, one.ref.nodata, one.extent)),
+            *((one.ref.wkt, one.ref.nodata, one.extent) for one in sources),
             *(said for one in sources for path in one.ref.paths for said in _said_of_place(path, listed)),
         ]),
         "settings": _digest([settings]),
