@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="147"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="148"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -184,72 +184,72 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="58"/>
+        <location filename="../plugin/imagery/messages.py" line="63"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="59"/>
+        <location filename="../plugin/imagery/messages.py" line="64"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="67"/>
+        <location filename="../plugin/imagery/messages.py" line="72"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="81"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="83"/>
+        <location filename="../plugin/imagery/messages.py" line="88"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="86"/>
+        <location filename="../plugin/imagery/messages.py" line="91"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="93"/>
         <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="94"/>
+        <location filename="../plugin/imagery/messages.py" line="99"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="103"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="101"/>
+        <location filename="../plugin/imagery/messages.py" line="106"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="104"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="107"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -329,17 +329,17 @@
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="74"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="76"/>
+        <location filename="../plugin/imagery/messages.py" line="81"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="48"/>
+        <location filename="../plugin/imagery/messages.py" line="53"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -359,7 +359,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="50"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -394,7 +394,7 @@
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="64"/>
+        <location filename="../plugin/imagery/messages.py" line="69"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
@@ -579,47 +579,47 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="196"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="196"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="200"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="202"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="204"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="221"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="230"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="156"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="163"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="242"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -629,12 +629,12 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="246"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="251"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="258"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -644,37 +644,37 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="255"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="262"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="258"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="265"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="292"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="294"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -1084,12 +1084,12 @@
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="133"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="134"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="181"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -1224,12 +1224,12 @@
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="188"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -2579,7 +2579,7 @@
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2644,7 +2644,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2654,12 +2654,12 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="120"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -2684,17 +2684,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="71"/>
+        <location filename="../plugin/imagery/messages.py" line="76"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="72"/>
+        <location filename="../plugin/imagery/messages.py" line="77"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <location filename="../plugin/imagery/messages.py" line="75"/>
         <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2724,22 +2724,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="132"/>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="135"/>
+        <location filename="../plugin/imagery/messages.py" line="140"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="140"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2749,17 +2749,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="143"/>
+        <location filename="../plugin/imagery/messages.py" line="148"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="144"/>
+        <location filename="../plugin/imagery/messages.py" line="149"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="145"/>
+        <location filename="../plugin/imagery/messages.py" line="150"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -3224,7 +3224,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -3389,7 +3389,7 @@
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="54"/>
+        <location filename="../plugin/imagery/messages.py" line="59"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
@@ -3459,7 +3459,7 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
@@ -4400,7 +4400,7 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="147"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="148"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -4483,7 +4483,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="79"/>
+        <location filename="../plugin/imagery/messages.py" line="84"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4798,11 +4798,6 @@
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="113"/>
-        <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
-        <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="120"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
@@ -4879,22 +4874,22 @@
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="124"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="125"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="126"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="126"/>
+        <location filename="../plugin/imagery/messages.py" line="131"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
@@ -5154,7 +5149,7 @@
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="348"/>
+        <location filename="../plugin/seams/measure/messages.py" line="353"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
@@ -5224,12 +5219,12 @@
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="383"/>
+        <location filename="../plugin/seams/measure/messages.py" line="388"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="391"/>
+        <location filename="../plugin/seams/measure/messages.py" line="396"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
@@ -5239,12 +5234,12 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="395"/>
+        <location filename="../plugin/seams/measure/messages.py" line="400"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="403"/>
+        <location filename="../plugin/seams/measure/messages.py" line="408"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -5274,7 +5269,7 @@
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="351"/>
+        <location filename="../plugin/seams/measure/messages.py" line="356"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -5379,12 +5374,12 @@
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="359"/>
+        <location filename="../plugin/seams/measure/messages.py" line="364"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="362"/>
+        <location filename="../plugin/seams/measure/messages.py" line="367"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
@@ -5404,7 +5399,7 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="129"/>
+        <location filename="../plugin/imagery/messages.py" line="134"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
@@ -5479,12 +5474,12 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="227"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="228"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="226"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -5669,7 +5664,7 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="209"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="210"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
@@ -6084,17 +6079,17 @@
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="158"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="165"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="268"/>
         <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
@@ -6202,11 +6197,6 @@
         <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
         <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
-        <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
-        <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
     </message>
     <message>
         <source>90 % and more: even ground</source>
@@ -6411,7 +6401,7 @@
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layers.py" line="85"/>
+        <location filename="../plugin/toolkit/layers.py" line="102"/>
         <source>temporary layer</source>
         <translation>warstwa tymczasowa</translation>
     </message>
@@ -6886,27 +6876,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="136"/>
+        <location filename="../plugin/imagery/messages.py" line="141"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="138"/>
+        <location filename="../plugin/imagery/messages.py" line="143"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="139"/>
+        <location filename="../plugin/imagery/messages.py" line="144"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="146"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="142"/>
+        <location filename="../plugin/imagery/messages.py" line="147"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -7426,17 +7416,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="120"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="121"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="121"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="122"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="125"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="126"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -7486,37 +7476,37 @@
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="336"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="342"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="342"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="345"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="344"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="347"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="346"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="349"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="395"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="398"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="397"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="400"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
@@ -7851,277 +7841,277 @@
         <translation>W żadnym arkuszu nie leży ani jeden odcinek linii mozaikowania; wybierz skorowidz tej dostawy i sprawdź jego układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="19"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
         <source>{name} has two rules for &apos;{check}&apos; ({place} is the second); keep one.</source>
         <translation>Plik {name} zawiera dwie reguły dla „{check}” ({place} to druga); zostaw jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="20"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="23"/>
         <source>{name} does not say what a piece must keep; add a rule with the check &apos;kept&apos;.</source>
         <translation>W pliku {name} nie ma nic o tym, ile odcinek musi zachować; dodaj regułę z kontrolą „kept”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="25"/>
         <source>{name} has nothing to decide by; add a rule &apos;failed_share&apos;, &apos;longest_failure&apos; or &apos;sampling&apos;.</source>
         <translation>W pliku {name} nie ma niczego, według czego można zdecydować; dodaj regułę „failed_share”, „longest_failure” lub „sampling”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="24"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="27"/>
         <source>{place} in {name}: the check &apos;{check}&apos; needs &apos;{key}&apos;; give it.</source>
         <translation>{place} w pliku {name}: kontrola „{check}” wymaga „{key}”; podaj tę wartość.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="25"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="28"/>
         <source>{place} in {name}: &apos;{key}&apos; is {limit:g} and a share is at most 1; write 2 % as 0.02.</source>
         <translation>{place} w pliku {name}: „{key}” wynosi {limit:g}, a część to najwyżej 1; zapisz 2 % jako 0.02.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
         <source>{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.</source>
         <translation>{parameter} wynosi {value}, a reguły w pliku {name} podają: {ruled}; wpisz tę wartość do pliku albo nie podawaj pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="32"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
         <source>Both the ready rules &apos;{ready}&apos; and the rules in {name} are given; choose one of them.</source>
         <translation>Podano gotowe reguły „{ready}” i reguły z pliku {name}; zostaw jedne z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="36"/>
         <source>nothing of it</source>
         <translation>nic o tym</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="38"/>
         <source>The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.</source>
         <translation>Liczność partii wynosi {size}, a plan kontroli wymaga co najmniej 2; skontroluj całą partię.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="37"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="40"/>
         <source>The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is given.</source>
         <translation>Liczność partii wynosi {size}, a liczba odcinków w warstwach {given}; podaj liczność całej partii albo 0, aby wziąć to, co podano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="40"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
         <source>A sample of {count} pieces was asked for; give 1 or more.</source>
         <translation>Podano próbę o liczności {count}; podaj 1 lub więcej odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="41"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="44"/>
         <source>Windows are placed on the mosaic&apos;s pixels; give MOSAIC, or take pieces as the unit.</source>
         <translation>Okna są rozmieszczane na pikselach ortofotomapy; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
         <source>The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.</source>
         <translation>Ortofotomapa jest mniejsza niż okno o boku {pixels} px, potędze dwójki, która obejmuje {side:g} m; podaj krótszy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="49"/>
         <source>A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.</source>
         <translation>Okno o boku {side:g} m ma {pixels} px, a potrzeba co najmniej {least}; podaj dłuższy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="48"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
         <source>No layer of seams has the field {field}; choose one that says which sheet it is.</source>
         <translation>Żadna warstwa linii nie ma pola {field}; wybierz takie, które mówi, jaki to arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="49"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
         <source>{count} pieces do not lie on the mosaic and are no part of the lot.</source>
         <translation>Odcinki, które nie leżą na ortofotomapie i nie należą do partii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="50"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="53"/>
         <source>None of the seams lies on the mosaic; check the reference systems of both.</source>
         <translation>Żadna z linii mozaikowania nie leży na ortofotomapie; sprawdź układy współrzędnych obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
         <source>The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.</source>
         <translation>Plan wymaga odcinków w liczbie {size}, a warstwy zawierają {drawn}; wylosuj pozostałe z reszty partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
         <source>{why}; {also}</source>
         <translation>{why}; {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="73"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="74"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="77"/>
         <source>{value:.2%} of the measured metres failed and only {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się tylko {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="97"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
         <source>nothing was measured, so it can&apos;t be decided</source>
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="153"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="170"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
         <source>A piece fails when it keeps less than 0, which none can, so every measured piece passes.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="267"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
         <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
         <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="285"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="288"/>
         <source>The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok do {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="289"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="292"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="290"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="293"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="292"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="295"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="293"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="296"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="295"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
         <source>The layers of seams are empty; choose those of a scan that found seams.</source>
         <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="296"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="300"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="309"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="309"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
         <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
         <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
@@ -8296,12 +8286,12 @@
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="220"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="221"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="220"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="221"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
@@ -9084,7 +9074,7 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="122"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
@@ -9129,12 +9119,12 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="133"/>
+        <location filename="../plugin/imagery/messages.py" line="138"/>
         <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="134"/>
+        <location filename="../plugin/imagery/messages.py" line="139"/>
         <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -9437,12 +9427,12 @@
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="40"/>
+        <location filename="../plugin/imagery/messages.py" line="45"/>
         <source>{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="220"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="227"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -9482,72 +9472,72 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="148"/>
+        <location filename="../plugin/imagery/messages.py" line="153"/>
         <source>Permission denied</source>
         <translation>brak dostępu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="159"/>
+        <location filename="../plugin/imagery/messages.py" line="164"/>
         <source>Operation not permitted</source>
         <translation>operacja niedozwolona</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="156"/>
+        <location filename="../plugin/imagery/messages.py" line="161"/>
         <source>No such file or directory</source>
         <translation>nie ma takiego pliku ani katalogu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="153"/>
+        <location filename="../plugin/imagery/messages.py" line="158"/>
         <source>Is a directory</source>
         <translation>jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="158"/>
+        <location filename="../plugin/imagery/messages.py" line="163"/>
         <source>Not a directory</source>
         <translation>nie jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="150"/>
+        <location filename="../plugin/imagery/messages.py" line="155"/>
         <source>File exists</source>
         <translation>plik już istnieje</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="154"/>
+        <location filename="../plugin/imagery/messages.py" line="159"/>
         <source>Too many levels of symbolic links</source>
         <translation>zbyt wiele poziomów dowiązań symbolicznych</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="155"/>
+        <location filename="../plugin/imagery/messages.py" line="160"/>
         <source>File name too long</source>
         <translation>zbyt długa nazwa pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="157"/>
+        <location filename="../plugin/imagery/messages.py" line="162"/>
         <source>No space left on device</source>
         <translation>brak miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="149"/>
+        <location filename="../plugin/imagery/messages.py" line="154"/>
         <source>Disk quota exceeded</source>
         <translation>przekroczony limit miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="160"/>
+        <location filename="../plugin/imagery/messages.py" line="165"/>
         <source>Read-only file system</source>
         <translation>system plików tylko do odczytu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="152"/>
+        <location filename="../plugin/imagery/messages.py" line="157"/>
         <source>Input/output error</source>
         <translation>błąd wejścia/wyjścia</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="151"/>
+        <location filename="../plugin/imagery/messages.py" line="156"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="43"/>
+        <location filename="../plugin/imagery/messages.py" line="48"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
@@ -9806,7 +9796,7 @@
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="344"/>
+        <location filename="../plugin/seams/measure/messages.py" line="349"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -9916,142 +9906,132 @@
         <translation>Kompletna (1) lub nie (0)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is not known</source>
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="101"/>
         <source>{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may</source>
         <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
         <source>the layers lack {metres:.0f} m of seam</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="200"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
         <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="399"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="402"/>
         <source>The run was stopped: there is neither report nor XML.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="401"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="404"/>
         <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="405"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="408"/>
         <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="406"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="409"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="407"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="410"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="408"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="411"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="409"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="412"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="410"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="411"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="414"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="412"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="415"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="416"/>
         <source>the file does not say where it lies</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="414"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="417"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="415"/>
-        <source>its pixels are {pixel:.4g} m instead of {wanted:.4g} m</source>
-        <translation>piksel ma {pixel:.4g} m zamiast {wanted:.4g} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="416"/>
-        <source>its reference system is another one</source>
-        <translation>ma inny układ odniesienia</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="417"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="420"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="418"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="421"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="419"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="422"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="422"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="425"/>
         <source>whether it has data everywhere can&apos;t be told</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
@@ -10256,17 +10236,17 @@
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="238"/>
         <source>{asked} m is too small for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za mało dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="239"/>
         <source>{asked} m is too large for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
@@ -10301,7 +10281,7 @@
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="355"/>
+        <location filename="../plugin/seams/measure/messages.py" line="360"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
@@ -10500,52 +10480,52 @@
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii w serii. iso2859_2: tak samo dla pojedynczej dostawy, czyli partii izolowanej, według jakości granicznej (ISO 2859-2).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="27"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
         <source>{place} in {name}: the {key} &apos;{value}&apos; is none of the standard&apos;s; known are {known}.</source>
         <translation>{place} w {name}: {key} „{value}” nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
         <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).</source>
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
         <source>{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted</source>
         <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="148"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
         <source>{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, {consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected</source>
         <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
         <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="330"/>
         <source>The {parameter} {value} is none of the standard&apos;s; known are {known}.</source>
         <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="393"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="396"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
@@ -10906,7 +10886,7 @@
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
         <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
     </message>
@@ -11041,12 +11021,12 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
         <source>{metres:.0f} m of the seams lie on others and count again</source>
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="365"/>
+        <location filename="../plugin/seams/measure/messages.py" line="370"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
@@ -11095,12 +11075,12 @@
         <translation>obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="386"/>
+        <location filename="../plugin/seams/measure/messages.py" line="391"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="399"/>
+        <location filename="../plugin/seams/measure/messages.py" line="404"/>
         <source>Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -11130,52 +11110,52 @@
         <translation>Arkusz nr {number} nie ma nazwy w polu {field}; wpisz ją tam.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="60"/>
         <source>{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.</source>
         <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is only {limit:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest tylko {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to {high:.1f} m by the intervals of its pieces</source>
         <translation>najdłuższa usterka bez przerwy ma {value:.1f} m, a dopuszcza się {limit:.1f} m, lecz według przedziałów jej odcinków może to być od {low:.1f} do {high:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
         <source>{value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
         <source>only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can&apos;t be decided</source>
         <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
         <source>layers of seams were changed since their scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have no line.</source>
         <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="403"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="406"/>
         <source>{parameter} is &apos;{value}&apos;, which is no date; write it as 2026-11-23 or 23.11.2026.</source>
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
     </message>
@@ -11215,7 +11195,7 @@
         <translation>Maska rastra {name}, w nim samym lub w pliku .msk obok, jest uszkodzona; skopiuj oba pliki jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="51"/>
+        <location filename="../plugin/imagery/messages.py" line="56"/>
         <source>Some points can&apos;t be transformed to another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
@@ -11611,12 +11591,12 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
         <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
         <source>What would decide it: a scan with a shorter PIECE. Failures end inside of pieces, so a sum of pieces of {piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszym PIECE. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
@@ -11705,12 +11685,12 @@
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
         <source>rows of {name} were changed so that {metres:.0f} m which its scan failed pass</source>
         <translation>w warstwie {name} zmieniono wiersze tak, że {metres:.0f} m zakwestionowanych przez skan przechodzi pomyślnie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
         <source>parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
@@ -11995,127 +11975,127 @@
         <translation>Wirtualna ortofotomapa zamówionych arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {metres:.1f} m by a row of pieces that were not measured</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz przez ciąg odcinków, których nie zmierzono, może to być {metres:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
         <source>{share:.2%} of the mosaic of {name} could not be read, such as around {place}</source>
         <translation>nie udało się odczytać {share:.2%} ortofotomapy {name}, na przykład wokół {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
         <source>sheets of which nothing was measured: {count} ({names})</source>
         <translation>arkusze, z których niczego nie zmierzono: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="101"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="104"/>
         <source>sheets that are missing in the mosaic that was scanned: {count} ({names})</source>
         <translation>arkusze, których brakuje w zeskanowanej ortofotomapie: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
         <source>sheets whose pixels can&apos;t all be read: {count} ({names})</source>
         <translation>arkusze, których pikseli nie da się w całości odczytać: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="104"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
         <source>sheets that overlap others and show something else there, which nobody has looked at: {count} ({names})</source>
         <translation>arkusze, które nachodzą na inne i pokazują tam coś innego, czego nikt nie obejrzał: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
         <source>layers of seams have another reference system than their scan gave them: {count} ({names})</source>
         <translation>warstwy linii mozaikowania w innym układzie współrzędnych, niż nadało im skanowanie: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="110"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
         <source>layers of seams without the seal of a scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania bez pieczęci skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
         <source>files are given that are not those that were scanned: {names}</source>
         <translation>podano pliki, które nie są tymi, które skanowano: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
         <source>files were changed since they were scanned: {count} ({names})</source>
         <translation>pliki zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
         <source>files of the scanned mosaic are not found any more: {count} ({names})</source>
         <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
         <source>{judged:.0f} m of seam are judged and the scan saw the mosaic change its orthoimage along {seen:.0f} m: {unseen:.0f} m of these are in no figure (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may differ</source>
         <translation>oceniono {judged:.0f} m linii mozaikowania, a według skanu ortofotomapa zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="173"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="176"/>
         <source>A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Ciąg odcinków, których nie zmierzono, wraz z niezgodnymi wśród nich, jest dłuższy, niż może być usterka: {metres:.1f} m w miejscu {x:.1f}, {y:.1f} w {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="176"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
         <source>There are {count} more such rows.</source>
         <translation>Dalszych takich ciągów: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with all SEAMLINES, or without any.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi SEAMLINES albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="211"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
         <source>What would decide it: the files that were scanned, given as MOSAIC and SOURCES, or a scan of those that are there now.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki ortofotomapy i ortoobrazów, podane jako MOSAIC i SOURCES, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
         <source>What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
         <source>Files that are as they were scanned: {count}.</source>
         <translation>Pliki takie, jak je skanowano: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
         <source>Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again what the decision rests on.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="380"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="383"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make sure that they are the ones that the mosaic was made from.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="420"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="423"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="421"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="424"/>
         <source>it is no part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
@@ -12220,17 +12200,17 @@
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="369"/>
+        <location filename="../plugin/seams/measure/messages.py" line="374"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="373"/>
+        <location filename="../plugin/seams/measure/messages.py" line="378"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look at it, and give the seamlines that lack or scan without SEAMLINES.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez SEAMLINES.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="378"/>
+        <location filename="../plugin/seams/measure/messages.py" line="383"/>
         <source>{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy its files anew and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -12253,72 +12233,72 @@
         <translation>Odcinki, które następują po sobie bez przerwy i których nie zmierzono, wraz z niezgodnymi wśród nich. Taki ciąg może być usterką i jest dłuższy, niż usterka może być.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="65"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="68"/>
         <source>the limits are {limits}</source>
         <translation>granice: {limits}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="69"/>
         <source>{first}, {also}</source>
         <translation>{first}, {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
         <source>at least {limit:.0%} kept</source>
         <translation>zachowane co najmniej {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="68"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="71"/>
         <source>at most {limit:.2%} failed</source>
         <translation>najwyżej {limit:.2%} niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="69"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="72"/>
         <source>no limit for the share that failed</source>
         <translation>bez granicy udziału niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="73"/>
         <source>at most {limit:.1f} m failed without a break</source>
         <translation>najwyżej {limit:.1f} m niezgodnych bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="71"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="74"/>
         <source>no limit for a failure without a break</source>
         <translation>bez granicy długości nieprzerwanej usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="72"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="75"/>
         <source>at least {limit:.1%} measured</source>
         <translation>zmierzone co najmniej {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but pieces are up to {metres:.1f} m long, which can hide a longer one</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz odcinki mają do {metres:.1f} m, co może ukryć dłuższą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
         <source>layers of seams are of mosaics that are not given: {count} ({names})</source>
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
         <source>What would decide it: all mosaics of the delivery given as MOSAIC, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie jako MOSAIC wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
         <source>What would decide it: a scan with a PIECE of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece keeps enough though a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z PIECE najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
         <source>The layers of seams are of {count} mosaics, and none is given as MOSAIC: whether all of these belong to the delivery is not known.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano jako MOSAIC: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="349"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="352"/>
         <source>Without what a scan with orthoimages tells of the ground, in Python told=, nothing is known of seams that are in no row: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
@@ -12328,7 +12308,7 @@
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="376"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="379"/>
         <source>{count} mosaics were scanned one by one: a seam along the border between two of them is in no figure. Scan sheets that meet as one mosaic.</source>
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
@@ -12338,17 +12318,17 @@
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="133"/>
         <source>{judged:.0f} m of seam are judged and along {unchanged:.0f} m of them the mosaic does not change its orthoimage; {limit:.0%} may differ</source>
         <translation>oceniono {judged:.0f} m linii mozaikowania, a na {unchanged:.0f} m z nich ortofotomapa nie zmienia ortoobrazu; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="123"/>
+        <location filename="../plugin/imagery/messages.py" line="128"/>
         <source>{name} can&apos;t be read over the network ({why}); check the network and GDAL&apos;s settings, or copy it to a local disk.</source>
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź połączenie z siecią i ustawienia biblioteki GDAL albo skopiuj plik na dysk lokalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="130"/>
+        <location filename="../plugin/imagery/messages.py" line="135"/>
         <source>something else is there</source>
         <translation>w tym miejscu jest coś innego</translation>
     </message>
@@ -12388,12 +12368,12 @@
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="126"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="127"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="226"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>
@@ -12418,7 +12398,7 @@
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/flicker.py" line="116"/>
+        <location filename="../plugin/seams/desk/map/flicker.py" line="118"/>
         <source>hard cut: reading ...</source>
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
@@ -12458,117 +12438,117 @@
         <translation>Ile metrów ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="59"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="62"/>
         <source>Accepted by {rules}: {why}.</source>
         <translation>Przyjęto według {rules}: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="60"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
         <source>Rejected by {rules}: {why}.</source>
         <translation>Odrzucono według {rules}: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
         <source>Undecided by {rules}: {why}.</source>
         <translation>Nie rozstrzygnięto według {rules}: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="62"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="65"/>
         <source>the observers&apos; verdicts and {rules}</source>
         <translation>ocen obserwatorów i {rules}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
         <source>&apos;{rules}&apos;</source>
         <translation>reguł „{rules}”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
         <source>orthoimages are the mosaic wherever they were compared, so that they hide every loss that it has: {names}</source>
         <translation>ortoobrazy wszędzie, gdzie je porównano, są ortofotomapą, więc ukrywają każdą jej stratę: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
         <source>What was not measured is taken to be as good as the rest. If all of it had failed, {worst:.1%} would have, and {limit:.1%} may.</source>
         <translation>Przyjęto, że to, czego nie zmierzono, jest tak dobre jak reszta. Gdyby wszystko to było niezgodne, niezgodnych byłoby {worst:.1%}, a może być {limit:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field &apos;reason&apos; of the seams says why each was not; scan with a longer PIECE, or judge windows there by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Pole &apos;reason&apos; linii mozaikowania mówi dlaczego; skanuj z dłuższym PIECE albo oceń tam okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, or judge windows there by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy po ich bokach albo oceń tam okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
         <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają granicę ({metres:.0f} m, odcinki: {count}). Oceń na nich okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
         <source>What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki dla ciągów odcinków dłuższych niż {limit:.0f} m, których nie zmierzono. Oceń tam okna wzrokowo (JUDGE observer); pole &apos;reason&apos; linii mozaikowania mówi, dlaczego nie zmierzono każdego z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>What would decide it: layers without what was scanned twice.</source>
         <translation>Co by rozstrzygnęło: warstwy bez tego, co zeskanowano dwukrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="233"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
         <source>What would decide it: a scan with the whole orthoimages as they were rectified, in the place of those that are the mosaic.</source>
         <translation>Co by rozstrzygnęło: skanowanie z całymi ortoobrazami, tak jak powstały, zamiast tych, które są ortofotomapą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
         <source>{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; take the next smaller one, or inspect the whole lot (PLAN all).</source>
         <translation>{parameter} {value} nie występuje w dostępnych tu tablicach ISO 2859-2, które mają {known}; weź najbliższą mniejszą albo skontroluj całą partię (PLAN all).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="353"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="356"/>
         <source>The scan of {name} found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>Skanowanie {name} nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="357"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="360"/>
         <source>The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
         <translation>Ortofotomapa {name} przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="361"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="364"/>
         <source>Along {metres:.0f} m of the seamlines given for {name} the mosaic shows one orthoimage on both sides; they are no seams.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania podanych dla {name} ortofotomapa pokazuje po obu stronach ten sam ortoobraz; nic się tam nie łączy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="365"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="368"/>
         <source>Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.</source>
         <translation>Wewnątrz swojego obrysu {share:.1%} ortofotomapy {name} nie ma pikseli, najwięcej w okolicy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="368"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="371"/>
         <source>In {name} {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.</source>
         <translation>W {name} obejrzano {share:.0%} ortofotomapy, w obrębie CORRIDOR; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="371"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="374"/>
         <source>The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
         <translation>Linie mozaikowania {name} wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="384"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="387"/>
         <source>The seams of {name} are those of the given seamlines; one that lacks shows where it is longer than some 150 pixels.</source>
         <translation>Linie mozaikowania {name} są podane; brakującą widać, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="389"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="392"/>
         <source>In {name} the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s SEAMLINES to measure all of them.</source>
         <translation>W {name} linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
@@ -12824,6 +12804,46 @@
         <location filename="../plugin/seams/measure/window/window_tables.py" line="289"/>
         <source>Whether the window was drawn, placed along the seams, or is a worst place of a scan.</source>
         <translation>Czy okno narysowano, rozmieszczono wzdłuż linii, czy jest najgorszym miejscem ze skanowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="19"/>
+        <source>The seams lie beyond what their coordinate reference system describes; give them the system of their coordinates.</source>
+        <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="418"/>
+        <source>its pixels are {pixel:.3g} m instead of {wanted:.3g} m</source>
+        <translation>piksel ma {pixel:.3g} m zamiast {wanted:.3g} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="419"/>
+        <source>its reference system is {system} instead of {wanted}</source>
+        <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="40"/>
+        <source>{name} is taken in the reference system that was chosen for it, {system}, and not in that of its file, {own}.</source>
+        <translation>{name} jest brany w układzie współrzędnych, który mu wybrano, {system}, a nie w układzie swojego pliku, {own}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="43"/>
+        <source>&apos;{text}&apos; is no coordinate reference system; write it as WKT, or such as EPSG:2180.</source>
+        <translation>„{text}” nie jest układem współrzędnych; należy go zapisać jako WKT albo tak jak EPSG:2180.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
+        <source>In windows with sources of the mosaic&apos;s pixel size {count} others took no part, such as {name}: their pixels have another size.</source>
+        <translation>W oknach z ortoobrazami o wielkości piksela ortofotomapy inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="113"/>
+        <source>{name} has another pixel size than the mosaic and was resampled; it is shown and doesn&apos;t count, as others have the mosaic&apos;s.</source>
+        <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="344"/>
+        <source>{metres:.0f} m of seam were found and the orthoimages are {around:.0f} m around: the mosaic seems to change between them at every turn, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the mosaic as it was before.</source>
+        <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać SEAMLINES albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
 </context>
 </TS>

@@ -154,16 +154,11 @@ def read_delivery(
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
     size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
-    delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), metres_in_unit(crs), size, read)
+    delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), size, read)
     told += doubled
     if all(layer.crs.isGeographic() for layer in seams) and not crs.isGeographic():
         told.append(messages.PLACES_IN(system=crs.description()))
     return delivery, told
-
-
-def metres_in_unit(crs: QgsCoordinateReferenceSystem) -> float:
-    """Metres in a unit of a system that is not in degrees; 1 where there is none."""
-    return QgsUnitTypes.fromUnitToUnitFactor(crs.mapUnits(), _METRES) if crs.isValid() else 1.0
 
 
 def _line_layer(value: object, context: QgsProcessingContext) -> QgsVectorLayer:

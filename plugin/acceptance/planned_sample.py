@@ -17,7 +17,7 @@ from qgis.core import (
 from ..imagery import limits
 from ..imagery.errors import Message, RasterError, SeamlineError, SettingsError, WindowError
 from ..imagery.grids import PixelWindow, standard_side_px, standard_window
-from ..imagery.lines import find_seams
+from ..imagery.lines import find_seams, read_geometry
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
@@ -28,10 +28,10 @@ from ..toolkit.reference_systems import reference_system, transformation
 from ..toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
 from . import stated_rules as stated
-from .delivery_layers import SeamLayer, common_system, metres_in_unit, read_delivery
+from .delivery_layers import SeamLayer, common_system, read_delivery
 from .measure import messages
 from .measure.delivered_rows import united_settings
-from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, in_order
+from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, in_order, metres_in_unit
 from .measure.inspection_plan import cut_pieces, plan_sentence
 from .measure.sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
 from .measure.sampling_risks import operating_characteristic
@@ -66,23 +66,24 @@ def with_cut_seamlines(
             pieces += cut
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
-    return Delivery(
-        in_order(pieces), layers.system_wkt(crs), metres_in_unit(crs), lot_size=lot_size, layers=held
-    ), told
+    return Delivery(in_order(pieces), layers.system_wkt(crs), lot_size=lot_size, layers=held), told
 
 
 def _cut(
     layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext, piece_m: float,
     step_m: float,
 ) -> list[DeliveredPiece]:
-    unit = metres_in_unit(crs)
     try:
         transform = transformation(layer.crs, crs, transforms)
         lines = [layers.line_wkb(row, transform) for row in layer.source.getFeatures(QgsFeatureRequest())]
     except WindowError:
         raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
+    if not any(lines):
+        return []
     try:
-        return cut_pieces(find_seams(lines, step_m / unit), layer.sheet, piece_m, unit) if any(lines) else []
+        box = read_geometry(next(filter(None, lines)), 1).GetEnvelope()
+        unit = metres_in_unit([np.reshape(box, (2, 2)).T], layers.system_wkt(crs))
+        return cut_pieces(find_seams(lines, step_m / unit), layer.sheet, piece_m, unit)
     except SeamlineError as error:
         raise SettingsError(error.message) from None
 

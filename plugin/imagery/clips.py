@@ -7,18 +7,17 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
-from osgeo import gdal
+from osgeo import gdal, gdal_array
 from scipy import ndimage
 
 from . import limits, messages
-from .errors import Exceeding, NotCoveredError, RasterError, WindowError
-from .gdal_calls import gdal_call, gdal_pixels
-from .grids import Extent, Grid, NumberedWindow, PixelWindow, snap_window
-from .open_raster import OpenRaster, PixelBlock, damaged, placed
-from .rasters import Raster
+from .errors import Exceeding, NotCoveredError, RasterError
+from .gdal_calls import gdal_call
+from .grids import Extent, Grid, NumberedWindow, PixelWindow
+from .open_raster import OpenRaster, PixelBlock, placed
+from .rasters import MAX_SYSTEM_SHIFT_PX, Raster
 from .reference_systems import extent_on, same_coordinates
 
 
@@ -30,20 +29,6 @@ class DrawnWindow(NumberedWindow):
     """In ``wkt``."""
     wkt: str
     """Reference system; empty when unknown, and then the images' own is assumed."""
-
-
-def pixels_under(drawn: DrawnWindow, image: Raster, levels: int = 0) -> PixelWindow | None:
-    """The pixels of an image under a window, cut to the image and to multiples of ``2 ** levels``; None where the
-    image does not show it.
-
-    Raises WindowError when the image is rotated, or too few or too many pixels are under it.
-    """
-    if not image.is_north_up:
-        raise WindowError(messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
-    extent = extent_on_image(drawn.extent, drawn.wkt, image)
-    if extent is None or not shown_share(image.grid, extent):
-        return None
-    return snap_window(image.grid, extent, levels)
 
 
 def extent_on_image(extent: Extent, wkt: str, image: Raster) -> Extent | None:
@@ -68,7 +53,6 @@ def shared_extent(a: Extent, b: Extent) -> Extent | None:
     return (xmin, ymin, xmax, ymax) if xmin < xmax and ymin < ymax else None
 
 
-MAX_SYSTEM_SHIFT_PX = 0.01  # two reference systems whose coordinates agree this closely are one
 MAX_MISSING_SHARE = 0.995  # of the window: a source that covers less of it can't be told from others there
 HOLE_PX = 8  # side of a square without pixels that is a hole
 PAD_PX = 64
@@ -77,6 +61,8 @@ was read, beyond which it goes on, half of it."""
 BESIDE_PX = 8
 """Pixels beside a pad that a square of JPEG may share with it."""
 _MOST_OFF = 3  # DN of 8 bit, off black or white: what JPEG 60 leaves of pads
+_MOST_WARPED_PX = 2**26  # of a raster, that are held at once to be warped
+_KERNEL_PX = 4.0  # on either side of what lies under a pixel: cubic convolution looks at two, whatever GDAL rounds
 MANY_PIXELS = 4096 * 512  # of a window: more than any that is inspected by itself
 MAX_OVERVIEW_PIXELS = 64_000_000  # that may have to be decoded for the sketch's background: about a second
 
@@ -105,14 +91,15 @@ def read_clip(
 ) -> Clip:
     """The pixels of a raster under a window of the mosaic.
 
-    They are read as they are when the pixel sizes agree to 1 % and the axes are parallel, since resampling
-    destroys what is measured; the sub-pixel offset is reported. Otherwise the raster is warped to the
-    window's grid, by averaging where it is finer and by cubic convolution where it is not. With ``holes`` ``valid``
-    tells of small ones, too: of a large window they are a share that would be passed over.
+    They are read as they are when the pixel sizes agree to 1 % and the axes are parallel, turned over where rows run
+    north, since resampling destroys what is measured; the sub-pixel offset is reported. Otherwise the raster is warped
+    to the window's grid, by averaging where it is finer and by cubic convolution where it is not. With ``holes``
+    ``valid`` tells of small ones, too: of a large window they are a share that would be passed over.
 
     Raises NotCoveredError when more than 0.1 % of the pixels are invalid, or with ``partly`` when all but 0.5 % are;
     RasterError when the raster can't be read.
     """
+    source = source.upright
     raster, grid = placed(source.raster), mosaic.grid
     if (
         raster.is_north_up
@@ -156,89 +143,104 @@ def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow, part
     column = grid.column_at((xmin + xmax) / 2) - window.width / 2
     row = grid.row_at((ymin + ymax) / 2) - window.height / 2
     under = replace(window, column=round(column), row=round(row))
-    bands, invalid_share, valid = _read_valid(source, under, partly, holes)
     # Six decimals: below that it is rounding of coordinates of millions of metres.
     offsets = round(column - under.column, 6), round(row - under.row, 6)
-    return Clip(source.raster, bands, invalid_share, *offsets, valid=valid)
-
-
-def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool, holes: bool) -> Clip:
-    raster, failure = source.raster, messages.NOT_READABLE(name=source.ref.name)
-    extent = mosaic.grid.window_extent(window)
-    extent_on(extent, mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
-    finest = (1 - limits.MAX_PIXEL_SIZE_DIFFERENCE) * mosaic.ground_sample_distance
-    times = mosaic.ground_sample_distance / raster.ground_sample_distance if raster.ground_sample_distance else math.inf
-    if window.width * window.height * times**2 > limits.MAX_AVERAGED_PIXELS:
-        raise RasterError(messages.MUCH_FINER(name=source.ref.name, times=times))
-    expanded = None if source.roles.palette is None else gdal_call(lambda: _palette_expanded(source.dataset), failure)
-    warped = source.fetched(lambda dataset: gdal_pixels(
-        lambda: gdal.Warp(
-            "", dataset if expanded is None else expanded, format="MEM", srcSRS=raster.wkt, dstSRS=mosaic.wkt,
-            outputBounds=extent, width=window.width, height=window.height, dstAlpha=True,
-            warpOptions=["UNIFIED_SRC_NODATA=YES"],
-            resampleAlg="average" if raster.ground_sample_distance < finest else "cubic",
-        ),
-        failure,
-        partial(damaged, source.ref.name, PixelWindow(0, 0, source.columns, source.rows)),
-    ))
-    used = source.dataset if expanded is None else expanded
-    for i in range(used.RasterCount):  # GDAL keeps no roles when it adds alpha
-        warped.GetRasterBand(i + 1).SetColorInterpretation(used.GetRasterBand(i + 1).GetColorInterpretation())
-    made = OpenRaster(source.ref, warped)
-    whole = PixelWindow(0, 0, window.width, window.height)
-    bands, invalid_share, valid = _read_valid(made, whole, partly, holes, source)
-    return Clip(raster, bands, invalid_share, resampled=True, valid=valid)
-
-
-def _palette_expanded(dataset: gdal.Dataset) -> gdal.Dataset | None:
-    """A paletted dataset as red, green and blue, and alpha where entries are transparent, as nodata then is."""
-    band = dataset.GetRasterBand(1)
-    table, nodata = band.GetColorTable().Clone(), band.GetNoDataValue()
-    if nodata is not None and 0 <= nodata < table.GetCount():
-        table.SetColorEntry(int(nodata), (*table.GetColorEntry(int(nodata))[:3], 0))
-    opaque = all(table.GetColorEntry(i)[3] for i in range(table.GetCount()))
-    indices = gdal.Translate("", dataset, format="VRT", noData="none")
-    indices.GetRasterBand(1).SetColorTable(table)
-    return gdal.Translate("", indices, format="VRT", rgbExpand="rgb" if opaque else "rgba")
-
-
-def _read_valid(
-    source: OpenRaster, window: PixelWindow, partly: bool, holes: bool, padded: OpenRaster | None = None
-) -> tuple[np.ndarray, float, np.ndarray | None]:
-    """The bands of a pixel window, invalid pixels filled, the share of those, and where it is valid if only partly;
-    ``padded``: the raster whose corners tell of pads, where that is another one.
-
-    Raises NotCoveredError when there are too many, RasterError when the file ends before its pixels do.
-    """
-    name, pixels = source.ref.name, window.width * window.height
-    most = MAX_MISSING_SHARE if partly else limits.MAX_INVALID_SHARE
-    inside = window.cut_to(source.columns, source.rows)
-    if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * pixels:
-        raise NotCoveredError(messages.NOT_COVERED(name=name))
-    bands, invalid = source.read(inside)
-    if _may_have_pads(bands) and (values := _pad_values(padded or source)):
-        beside = _pads(bands, values)
-        invalid = beside if invalid is None else invalid | beside
-    if inside != window:
-        margins = window.margins_of(inside)
+    inside, most = under.cut_to(source.columns, source.rows), _most_missing(partly)
+    if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * under.width * under.height:
+        raise NotCoveredError(messages.NOT_COVERED(name=source.ref.name))
+    bands, invalid = _without_pads(source, source.read(inside))
+    if inside != under:
+        margins = under.margins_of(inside)
         bands = np.pad(bands, ((0, 0), *margins))
         invalid = np.zeros((inside.height, inside.width), bool) if invalid is None else invalid
         invalid = np.pad(invalid, margins, constant_values=True)
+    return _filled(Clip(source.raster, bands, 0.0, *offsets), invalid, partly, holes)
+
+
+def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool, holes: bool) -> Clip:
+    raster = source.raster
+    times = mosaic.ground_sample_distance / raster.ground_sample_distance if raster.ground_sample_distance else math.inf
+    if window.width * window.height * times**2 > limits.MAX_AVERAGED_PIXELS:
+        raise RasterError(messages.MUCH_FINER(name=source.ref.name, times=times))
+    rows = max(1, int(_MOST_WARPED_PX / (window.width * max(times, 1) ** 2)))
+    ends = window.row + window.height
+    strips = [replace(window, row=row, height=min(rows, ends - row)) for row in range(window.row, ends, rows)]
+    blocks = [_warped(source, mosaic, strip, times) for strip in strips]
+    bands = np.concatenate([block.bands for block in blocks], axis=1)
+    valid = np.concatenate([block.valid for block in blocks])
+    bands, invalid = _without_pads(source, PixelBlock(bands, None if valid.all() else ~valid))
+    return _filled(Clip(raster, bands, 0.0, resampled=True), invalid, partly, holes)
+
+
+def _warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, times: float) -> PixelBlock:
+    """A window of the mosaic by a raster's valid pixels, whose sides are the mosaic's over ``times``."""
+    raster, extent = source.raster, mosaic.grid.window_extent(window)
+    left, bottom, right, top = extent_on(extent, mosaic.wkt, raster.wkt)
+    back = gdal.InvGeoTransform(raster.placement)
+    corners = np.array([gdal.ApplyGeoTransform(back, x, y) for x in (left, right) for y in (bottom, top)])
+    reach = _KERNEL_PX * max(times, 1)
+    size = source.columns, source.rows
+    column, row = np.floor(corners.min(axis=0) - reach).clip(0, size).astype(int).tolist()
+    end, below = np.ceil(corners.max(axis=0) + reach).clip(0, size).astype(int).tolist()
+    under = PixelWindow(column, row, end - column, below - row)
+    if min(under.width, under.height) <= 0:
+        shape = window.height, window.width
+        return PixelBlock(np.zeros((len(raster.band_names), *shape), raster.data_type), np.ones(shape, bool))
+    bands, invalid = source.read(under)
+    failure = messages.NOT_READABLE(name=source.ref.name)
+    kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.dtype.type)
+    held = gdal.GetDriverByName("MEM").Create("", under.width, under.height, len(bands), kind)
+    x, y = gdal.ApplyGeoTransform(raster.placement, under.column, under.row)
+    held.SetGeoTransform((x, *raster.placement[1:3], y, *raster.placement[4:]))
+    held.WriteArray(bands)
+    if invalid is not None:
+        held.CreateMaskBand(gdal.GMF_PER_DATASET)
+        held.GetRasterBand(1).GetMaskBand().WriteArray(np.where(invalid, 0, 255).astype(np.uint8))
+    is_finer = times > 1 / (1 - limits.MAX_PIXEL_SIZE_DIFFERENCE)
+    pixels = gdal_call(lambda: gdal.Warp(
+        "", held, format="MEM", srcSRS=raster.wkt, dstSRS=mosaic.wkt, outputBounds=extent, width=window.width,
+        height=window.height, dstAlpha=True, resampleAlg="average" if is_finer else "cubic",
+    ), failure).ReadAsArray()  # fmt: skip
+    return PixelBlock(pixels[:-1], pixels[-1] == 0)
+
+
+def _most_missing(partly: bool) -> float:
+    """Share of a window that may lack."""
+    return MAX_MISSING_SHARE if partly else limits.MAX_INVALID_SHARE
+
+
+def _without_pads(source: OpenRaster, block: PixelBlock) -> PixelBlock:
+    """Pixels of a raster without its pads."""
+    bands, invalid = block
+    if _may_have_pads(bands) and (values := _pad_values(source)):
+        beside = _pads(bands, values)
+        invalid = beside if invalid is None else invalid | beside
+    return PixelBlock(bands, invalid)
+
+
+def _filled(clip: Clip, invalid: np.ndarray | None, partly: bool, holes: bool) -> Clip:
+    """A clip whose invalid pixels hold the mean of the others, with where it is valid if only partly.
+
+    Raises NotCoveredError when there are too many.
+    """
     if invalid is None:
-        return bands, 0.0, None
+        return clip
+    most, pixels = _most_missing(partly), invalid.size
     share = int(np.count_nonzero(invalid)) / pixels
     if share > most:
-        raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=Exceeding(share, most), most=most))
+        raise NotCoveredError(
+            messages.TOO_MANY_INVALID(name=clip.raster.ref.name, share=Exceeding(share, most), most=most)
+        )
     valid = ~invalid
     # Of a large window samples tell the mean as well.
     some = np.s_[::8, ::8] if pixels > MANY_PIXELS and valid[::8, ::8].any() else np.s_[:, :]
     known = valid[some]
-    bands = np.require(bands, requirements="W")
+    bands = np.require(clip.bands, requirements="W")
     for band in bands:
         mean = band[some][known].mean(dtype=np.float64)
         np.copyto(band, mean if bands.dtype.kind == "f" else np.rint(mean), where=invalid, casting="unsafe")
     is_told = share > limits.MAX_INVALID_SHARE or (holes and _has_hole(invalid))
-    return bands, share, valid if is_told else None
+    return replace(clip, bands=bands, invalid_share=share, valid=valid if is_told else None)
 
 
 def _may_have_pads(bands: np.ndarray) -> bool:

@@ -87,7 +87,7 @@ class Grid:
     rows: int
     """Number of rows."""
     metres_x: float = 1.0
-    """Metres on the ground per map unit along x (at the raster's centre when the map units are degrees)."""
+    """Metres on the ground per map unit along x, at the raster's middle."""
     metres_y: float = 1.0
     """Metres on the ground per map unit along y."""
 
@@ -186,6 +186,11 @@ def _trim(start: int, stop: int, multiple: int) -> tuple[int, int]:
     """Start and length of the longest multiple inside [start, stop), the rest cut evenly on both sides."""
     length = (stop - start) // multiple * multiple
     return start + (stop - start - length) // 2, length
+
+
+def middle_of(extent: Extent) -> tuple[float, float]:
+    """x and y of its middle."""
+    return (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2
 
 
 def extents_meet(first: Extent, second: Extent) -> bool:

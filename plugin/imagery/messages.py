@@ -36,6 +36,11 @@ NO_REFERENCE_SYSTEM = Message(
     "{name} has no coordinate reference system; set it in the layer's properties or write it into the file."
 )
 NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a north-up grid first.")
+OTHER_SYSTEM_TAKEN = Message(
+    "{name} is taken in the reference system that was chosen for it, {system}, and not in that of its file, {own}.",
+    INFO,
+)
+NO_SYSTEM = Message("'{text}' is no coordinate reference system; write it as WKT, or such as EPSG:2180.")
 NOT_ON_GROUND = Message(
     "{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates."
 )

@@ -96,12 +96,15 @@ class OpenRaster:
     dataset: gdal.Dataset = None
     """For what only GDAL does, such as warping."""
 
-    def __init__(self, ref: RasterRef, dataset: gdal.Dataset | None = None, complex_values: bool = False) -> None:
-        """``dataset``: what was made of the raster in memory, instead of its file; ``complex_values`` may be welcome.
+    def __init__(
+        self, ref: RasterRef, dataset: gdal.Dataset | None = None, complex_values: bool = False, turned: bool = False
+    ) -> None:
+        """``dataset``: what was made of the raster in memory, instead of its file; ``complex_values`` may be welcome;
+        ``turned``: whether its last row is the first one here.
 
         Raises RasterError when it can't be opened or used.
         """
-        self.ref, self.is_broken = ref, False
+        self.ref, self.is_broken, self._is_turned = ref, False, turned
         self._is_of_file = dataset is None
         # Looked at once: a VRT may name thousands of files.
         self._is_remote = dataset is None and bool(remote_parts(ref.path))
@@ -160,6 +163,9 @@ class OpenRaster:
         band, transform = self.dataset.GetRasterBand(1), self.dataset.GetGeoTransform(can_return_null=True)
         if transform is not None and not _has_inverse(transform):
             transform = None  # its pixels would lie on one line, or nowhere
+        if transform is not None and self._is_turned:
+            left, right, skew_x, top, skew_y, down = transform
+            transform = left + self.rows * skew_x, right, -skew_x, top + self.rows * down, skew_y, -down
         kind = np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
         bits = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE")
         return Raster(
@@ -172,7 +178,13 @@ class OpenRaster:
             "uint8" if self.roles.palette is not None else str(kind),
             int(bits) if bits else None,
             self._is_lossy,
+            self._is_turned,
         )
+
+    @cached_property
+    def upright(self) -> OpenRaster:
+        """It with the north up: itself, or turned over where its rows run north."""
+        return OpenRaster(self.ref, turned=True) if self.raster.is_south_up else self
 
     @property
     def _is_lossy(self) -> bool:
@@ -188,7 +200,7 @@ class OpenRaster:
     @property
     def is_all_valid(self) -> bool:
         """Whether the file says nothing of pixels that are no measurements."""
-        return self._mask_flags == gdal.GMF_ALL_VALID
+        return self._mask_flags == gdal.GMF_ALL_VALID and self.ref.nodata is None
 
     @cached_property
     def corners(self) -> list[np.ndarray]:
@@ -220,7 +232,8 @@ class OpenRaster:
     def read(self, window: PixelWindow, size: tuple[int, int] | None = None, averaged: bool = False) -> PixelBlock:
         """The pixels of a window, or ``size`` (columns, rows) of them, from overviews where there are some: the
         nearest ones, or means."""
-        inside = (window.column, window.row, window.width, window.height)
+        first = self.rows - window.row - window.height if self._is_turned else window.row
+        inside = (window.column, first, window.width, window.height)
         columns, rows = size or inside[2:]
         part = {"buf_xsize": columns, "buf_ysize": rows}
         how = gdal.GRIORA_Average if averaged else gdal.GRIORA_NearestNeighbour
@@ -233,7 +246,10 @@ class OpenRaster:
             mask = self._pixels(
                 lambda dataset: dataset.GetRasterBand(1).GetMaskBand().ReadAsArray(*inside, **part), window, size
             )
-        return self._block(data.reshape(-1, rows, columns), mask)
+        data = data.reshape(-1, rows, columns)
+        if self._is_turned:
+            data, mask = data[:, ::-1], None if mask is None else mask[::-1]
+        return self._block(data, mask)
 
     def _pixels(
         self, call: Callable[[gdal.Dataset], Any], window: PixelWindow, size: tuple[int, int] | None
@@ -302,6 +318,8 @@ class OpenRaster:
         in_order = roles.indices == tuple(range(len(data)))
         bands = data if in_order else data[list(roles.indices)]
         masks = [self._nodata_mask(bands), None if mask is None else mask == 0]
+        if self.ref.nodata is not None:
+            masks.append(self._nodata_mask(bands, self.ref.nodata))
         if roles.alpha is not None:
             masks.append(data[roles.alpha] == 0)
         if bands.dtype.kind == "f" or bands.dtype.itemsize == 8:
@@ -314,11 +332,11 @@ class OpenRaster:
         invalid = [mask for mask in masks if mask is not None and mask.any()]
         return PixelBlock(bands, reduce(np.logical_or, invalid) if invalid else None)
 
-    def _nodata_mask(self, bands: np.ndarray) -> np.ndarray | None:
-        """Pixels all of whose bands hold their nodata value, or None where there are none."""
+    def _nodata_mask(self, bands: np.ndarray, additional: float | None = None) -> np.ndarray | None:
+        """Pixels all of whose bands hold their nodata value, or another one, or None where there are none."""
         invalid: np.ndarray | None = None
         for band, index in zip(bands, self.roles.indices):
-            nodata = self.dataset.GetRasterBand(index + 1).GetNoDataValue()
+            nodata = self.dataset.GetRasterBand(index + 1).GetNoDataValue() if additional is None else additional
             if nodata is None:
                 return None
             with np.errstate(all="ignore"):

@@ -9,15 +9,17 @@ from functools import cached_property
 import numpy as np
 
 from . import messages
-from .errors import RasterError
-from .grids import Extent, Grid, PixelWindow
+from .errors import Message, RasterError
+from .grids import Extent, Grid, PixelWindow, middle_of
 from .limits import has_colours, measured_bands
-from .reference_systems import metres_per_unit
+from .reference_systems import metres_per_unit, other_system, same_coordinates
 
+MAX_SYSTEM_SHIFT_PX = 0.01  # two reference systems whose coordinates agree this closely are one
 MAX_SKEW = 1e-6  # of a pixel per pixel: 0.05 px across 50 000 px
 
 GeoTransform = tuple[float, float, float, float, float, float]
 
+_NO_PLACE: GeoTransform = (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)  # what GDAL gives a raster that has none
 ON_ITS_OWN_PIXELS: GeoTransform = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
 """Where QGIS puts a raster without a place on the map: x is the column, y the row downwards, so negative."""
 
@@ -29,7 +31,9 @@ class RasterRef:
     path: str
     """What GDAL opens."""
     wkt: str = ""
-    """Reference system to assume where the file itself names none."""
+    """Reference system that holds whatever the file names, such as a layer's; empty: the file's."""
+    nodata: float | None = None
+    """Value of pixels that are no measurements, beside those that the file names: all bands hold it."""
     parts: tuple[str, ...] = ()
     """Further files on the same pixel grid that are parts of the same image."""
 
@@ -85,11 +89,22 @@ class Raster:
     """Bits a pixel where the file says it (NBITS), as 12 in 16."""
     is_lossy: bool = False
     """Whether the file says that its pixels are compressed with loss."""
+    is_turned: bool = False
+    """Whether it is seen turned over, as the rows of its file run north."""
+
+    @cached_property
+    def wkt(self) -> str:
+        """Reference system; empty when neither the file nor its reference names one. Of two that mean the same place
+        it is the file's, which may tell of heights."""
+        own, given = self.own_wkt, self.ref.wkt
+        nearest = MAX_SYSTEM_SHIFT_PX * min(abs(self.placement[1]), abs(self.placement[5]))
+        return own if own and (not given or same_coordinates(own, given, self.extent, nearest)) else given
 
     @property
-    def wkt(self) -> str:
-        """Reference system; empty when neither the file nor its reference names one."""
-        return self.own_wkt or self.ref.wkt
+    def notices(self) -> tuple[Message, ...]:
+        """What was settled about it that its file says otherwise."""
+        own, taken = self.own_wkt, self.wkt
+        return other_system(self.ref.name, own, taken) if own and own != taken else ()
 
     @property
     def whole(self) -> PixelWindow:
@@ -119,8 +134,17 @@ class Raster:
     @property
     def is_north_up(self) -> bool:
         """Whether it is neither rotated nor mirrored nor south-up, so that it has a grid."""
+        return self._is_straight and self.placement[5] < 0
+
+    @property
+    def is_south_up(self) -> bool:
+        """Whether it is a map whose rows run north: turned over it has a grid."""
+        return self.has_place and self._is_straight and not self.is_north_up and self.placement != _NO_PLACE
+
+    @property
+    def _is_straight(self) -> bool:
         _, right, skew_x, _, skew_y, down = self.placement
-        return max(abs(skew_x), abs(skew_y)) < MAX_SKEW * min(abs(right), abs(down)) and right > 0 > down
+        return max(abs(skew_x), abs(skew_y)) < MAX_SKEW * min(abs(right), abs(down)) and right > 0
 
     @cached_property
     def grid(self) -> Grid:
@@ -151,7 +175,7 @@ class Raster:
     @cached_property
     def _metres(self) -> tuple[float, float]:
         """Metres per map unit along x and y."""
-        return metres_per_unit(self.wkt if self.has_place else "", (self.extent[1] + self.extent[3]) / 2)
+        return metres_per_unit(self.wkt if self.has_place else "", middle_of(self.extent))
 
 
 BIT_DEPTHS = (8, 10, 11, 12, 14, 16)  # of cameras and scanners; the smallest that holds an image's largest value

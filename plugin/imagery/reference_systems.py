@@ -2,14 +2,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from contextlib import suppress
+from functools import lru_cache
 from typing import Any, Callable
 
 import numpy as np
 from osgeo import ogr, osr
 
 from . import messages
-from .errors import RasterError
+from .errors import Message, RasterError, SettingsError
 from .gdal_calls import gdal_silenced
 from .grids import Extent
 
@@ -49,7 +51,7 @@ def _moved(transform: Callable[[], Any]) -> Any:
 
 
 def _transformation(wkt: str, target_wkt: str) -> osr.CoordinateTransformation:
-    return osr.CoordinateTransformation(_system(wkt), _system(target_wkt))
+    return osr.CoordinateTransformation(_horizontal(wkt), _horizontal(target_wkt))
 
 
 def same_coordinates(wkt: str, other: str, extent: Extent, tolerance: float) -> bool:
@@ -63,36 +65,69 @@ def same_coordinates(wkt: str, other: str, extent: Extent, tolerance: float) -> 
     return max(abs(a - b) for a, b in zip(moved, extent)) <= tolerance
 
 
-def metres_per_unit(wkt: str, y: float) -> tuple[float, float]:
-    """Metres on the ground per map unit along x and y; for degrees on the ellipsoid at latitude ``y``, and NaN beyond
-    its poles."""
-    if not wkt:
-        return 1.0, 1.0
-    system = _system(wkt)
-    if not system.IsGeographic():
-        return system.GetLinearUnits(), system.GetLinearUnits()
-    semi_major, flattening = system.GetSemiMajor(), system.GetInvFlattening()
-    squared_eccentricity = (2 - 1 / flattening) / flattening if flattening else 0.0
-    unit = system.GetAngularUnits()
-    if abs(y * unit) >= math.pi / 2:
+_HALF_STEP = 1e-4
+"""Radians, 640 m, over which a scale is taken: PROJ's own 1e-10 is a millionth of it, the change of the scale less."""
+
+
+def metres_per_unit(wkt: str, place: Sequence[float]) -> tuple[float, float]:
+    """Metres on the ground (the ellipsoid) per map unit along x and y at a place (x, y); NaN where the system describes
+    none there. Map units are metres where there is no system, or one of a site."""
+    system = _horizontal(wkt)
+    geographic = system.CloneGeogCS() if system.IsProjected() else system
+    if geographic is None or not geographic.IsGeographic():
+        return (system.GetLinearUnits(),) * 2
+    axis, angle = geographic.GetSemiMajor(), geographic.GetAngularUnits()
+    half = _HALF_STEP * axis / system.GetLinearUnits() if system.IsProjected() else _HALF_STEP / angle
+    ends: np.ndarray | None = np.add(place[:2], np.array([(-half, 0), (half, 0), (0, -half), (0, half)]))
+    if system.IsProjected():
+        geographic.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+        ends = moved_points(lambda: osr.CoordinateTransformation(system, geographic), ends)
+    elif not abs(place[1]) * angle < math.pi / 2:
+        ends = None
+    if ends is None:
         return math.nan, math.nan
-    sine, cosine = math.sin(y * unit), math.cos(y * unit)
-    prime_vertical = semi_major / math.sqrt(1 - squared_eccentricity * sine**2)
-    meridian = prime_vertical * (1 - squared_eccentricity) / (1 - squared_eccentricity * sine**2)
-    return prime_vertical * cosine * unit, meridian * unit
+    longitude, latitude = ends[:, :2].T * angle
+    flatness = 1 / geographic.GetInvFlattening() if geographic.GetInvFlattening() else 0.0
+    normal = axis / np.sqrt(1 - (2 - flatness) * flatness * np.sin(latitude) ** 2)
+    around = normal * np.cos(latitude)
+    spatial = np.stack(
+        [around * np.cos(longitude), around * np.sin(longitude), (1 - flatness) ** 2 * normal * np.sin(latitude)]
+    )
+    metres = np.linalg.norm(spatial[:, 1::2] - spatial[:, ::2], axis=0) / (2 * half)
+    return float(metres[0]), float(metres[1])
 
 
-def _system(wkt: str) -> osr.SpatialReference:
+def spatial_reference(wkt: str) -> osr.SpatialReference:
+    """What a text names, x or longitude first; an empty one where it names nothing."""
     system = osr.SpatialReference()
-    with gdal_silenced(), suppress(RuntimeError):  # a text that means nothing leaves the system empty
+    with gdal_silenced(), suppress(RuntimeError):
         system.SetFromUserInput(wkt)
     system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return system
 
 
+@lru_cache(1024)
 def same_system(a: str, b: str) -> bool:
-    """Whether two texts name one reference system."""
-    return a == b or bool(_system(a).IsSame(_system(b)))
+    """Whether two texts name one reference system, whatever they say of heights."""
+    return a == b or bool(_horizontal(a).IsSame(_horizontal(b)))
+
+
+def known_wkt(text: str) -> str:
+    """WKT of what names a reference system, such as ``EPSG:2180``. Raises SettingsError for what names none."""
+    found = str(spatial_reference(text).ExportToWkt())
+    if text and not found:
+        raise SettingsError(messages.NO_SYSTEM(text=text))
+    return found
+
+
+def system_name(wkt: str) -> str:
+    """What people call a reference system, its authority's code first where it has one."""
+    return " ".join(filter(None, [authority_code(wkt), spatial_reference(wkt).GetName()]))
+
+
+def other_system(name: str, own: str, taken: str) -> tuple[Message, ...]:
+    """What to say of a raster whose file names another reference system than the one it is taken in."""
+    return (messages.OTHER_SYSTEM_TAKEN(name=name, system=system_name(taken), own=system_name(own)),)
 
 
 def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarray:
@@ -102,56 +137,28 @@ def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarra
     """
     if same_system(wkt, target_wkt) or not len(points):
         return np.array(points[:, :2], float)
-    moved = _points(lambda: osr.CoordinateTransformation(_horizontal(wkt), _horizontal(target_wkt)), points[:, :2])
+    moved = moved_points(lambda: _transformation(wkt, target_wkt), points[:, :2])
     if moved is None:
         raise RasterError(messages.POINTS_NOT_TRANSFORMED())
     return moved[:, :2]
 
 
-def _points(transformation: Callable[[], osr.CoordinateTransformation], points: np.ndarray) -> np.ndarray | None:
+def moved_points(transformation: Callable[[], osr.CoordinateTransformation], points: np.ndarray) -> np.ndarray | None:
     """Points (n, 3) of points (n, 2) or (n, 3); None where one of them has no place."""
     moved = _moved(lambda: np.array(transformation().TransformPoints(points.tolist()), float))
     return moved if moved is not None and moved.ndim == 2 and np.isfinite(moved).all() else None
 
 
-def vertical_part(wkt: str) -> str:
-    """The name of a compound or three-dimensional system's heights; empty where the system names none."""
-    system = _system(wkt)
-    if system.IsCompound():
-        return str(system.GetAttrValue("VERT_CS") or system.GetAttrValue("VERTCRS") or "")
-    return "ellipsoid" if system.IsGeographic() and system.GetAxesCount() == 3 else ""
-
-
-def vertical_code(wkt: str) -> str:
-    """The vertical part of a compound system, as ``heights_above_ellipsoid`` takes it."""
-    code = _system(wkt).GetAuthorityCode("COMPD_CS|VERT_CS")
-    return f"EPSG:{code}" if code else wkt
-
-
 def authority_code(wkt: str) -> str:
     """What an authority calls a reference system, such as ``EPSG:2180``; empty for one that none names."""
-    system = _system(wkt)
+    system = spatial_reference(wkt)
     name, code = system.GetAuthorityName(None), system.GetAuthorityCode(None)
     return f"{name}:{code}" if name and code else ""
 
 
-def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray:
-    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height in a vertical system.
-
-    ``vertical`` is ``EPSG:`` and a code, or WKT of a compound system. Raises RasterError where PROJ has no grid.
-    """
-    source = _system(f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical)
-    options = osr.CoordinateTransformationOptions()
-    options.SetBallparkAllowed(False)
-    moved = _points(lambda: osr.CoordinateTransformation(source, _system("EPSG:4979"), options), geographic)
-    if moved is None:
-        raise RasterError(messages.NO_GEOID_GRID(vertical=source.GetName() or vertical))
-    return moved[:, 2]
-
-
 def is_geographic(wkt: str) -> bool:
     """Whether coordinates are degrees of longitude and latitude."""
-    return bool(_system(wkt).IsGeographic())
+    return bool(spatial_reference(wkt).IsGeographic())
 
 
 def utm_wkt(longitude: float, latitude: float) -> str:
@@ -167,7 +174,7 @@ def horizontal_wkt(wkt: str) -> str:
 
 
 def _horizontal(wkt: str) -> osr.SpatialReference:
-    system = _system(wkt)
+    system = spatial_reference(wkt)
     if system.IsCompound():
         system.StripVertical()
     if system.GetAxesCount() == 3:

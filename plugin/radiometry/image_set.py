@@ -16,9 +16,9 @@ from qgis.core import (
 )
 
 from ..imagery import messages as imagery_messages
-from ..imagery.clips import DrawnWindow, pixels_under
+from ..imagery.clips import DrawnWindow, extent_on_image, shown_share
 from ..imagery.errors import CancelledError, Message, SeamInspectorError, WindowError
-from ..imagery.grids import PixelWindow
+from ..imagery.grids import PixelWindow, snap_window
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
 from ..toolkit import layers
@@ -168,7 +168,7 @@ def jobs_on(
     for image in images:
         for window in drawn:
             try:
-                pixels = pixels_under(window, image)
+                pixels = _pixels_under(window, image)
             except WindowError as error:
                 name, why = image.ref.name, error.message
                 notices.append(imagery_messages.WINDOW_LEFT_OUT(window=window.window_id, name=name, why=why))
@@ -179,3 +179,16 @@ def jobs_on(
                 yield image, pixels, window.window_id
     unseen = [window.window_id for window in drawn if window.window_id not in seen]
     notices += [imagery_messages.WINDOW_ON_NO_RASTER(window=window) for window in unseen]
+
+
+def _pixels_under(drawn: DrawnWindow, image: Raster) -> PixelWindow | None:
+    """The pixels of an image under a window, cut to the image; None where the image does not show it.
+
+    Raises WindowError when the image is rotated, or too few or too many pixels are under it.
+    """
+    if not image.is_north_up:
+        raise WindowError(imagery_messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
+    extent = extent_on_image(drawn.extent, drawn.wkt, image)
+    if extent is None or not shown_share(image.grid, extent):
+        return None
+    return snap_window(image.grid, extent, levels=0)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import lru_cache
 
@@ -28,7 +28,7 @@ from qgis.core import (
 )
 
 from ..imagery import messages as imagery_messages
-from ..imagery.errors import RasterError, WindowError, WindowLayerError
+from ..imagery.errors import Message, RasterError, WindowError, WindowLayerError
 from ..imagery.gdal_calls import gdal_silenced
 from ..imagery.gdal_paths import FEATURES, open_dataset
 from ..imagery.grids import Extent
@@ -55,13 +55,30 @@ def raster_ref(value: object, context: QgsProcessingContext) -> RasterRef:
 
 
 def layer_ref(layer: QgsRasterLayer) -> RasterRef:
-    """The file behind a raster layer, with the layer's reference system.
+    """The file behind a raster layer, with the layer's reference system and its additional nodata value.
 
     Raises RasterError for a layer that is not a file that GDAL reads.
     """
     if layer.providerType() not in ("gdal", ""):
         raise RasterError(messages.NOT_A_FILE(name=layer.name()))
-    return RasterRef(_raster_path(layer.source()), system_wkt(layer.crs()))
+    return RasterRef(_raster_path(layer.source()), system_wkt(layer.crs()), nodata=additional_nodata(layer))
+
+
+def additional_nodata(layer: QgsRasterLayer) -> float | None:
+    """The value that a user gave a layer as no data: QGIS asks for one, of all bands."""
+    ranges = [] if layer.dataProvider() is None else layer.dataProvider().userNoDataValues(1)
+    return next((one.min() for one in ranges if one.min() == one.max()), None)
+
+
+def other_systems(layers: Iterable[QgsMapLayer | None]) -> Iterator[Message]:
+    """What to say of raster layers that were given another reference system than their files'."""
+    from ..imagery.reference_systems import other_system, same_system  # with numpy, not loaded when QGIS starts
+
+    for layer in layers:
+        if isinstance(layer, QgsRasterLayer) and layer.dataProvider() is not None:
+            own, given = system_wkt(layer.dataProvider().crs()), system_wkt(layer.crs())
+            if own and given and not same_system(own, given):
+                yield from other_system(layer.name(), own, given)
 
 
 @lru_cache(4096)

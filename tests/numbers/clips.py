@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
-from tests.numbers.synthetic import ORIGIN, UTM33
+from tests.numbers.synthetic import ORIGIN, UTM33, wkt
 
 MakeRaster = Callable[..., str]
 SIZE = (256, 256)
@@ -22,8 +22,11 @@ GRAY, ALPHA, UNDEFINED = gdal.GCI_GrayIndex, gdal.GCI_AlphaBand, gdal.GCI_Undefi
 YELLOW, CYAN = gdal.GCI_YellowBand, gdal.GCI_CyanBand
 
 
-def clip_of(path: str, mosaic: Raster, window: PixelWindow = WINDOW, system: str = "") -> Clip:
-    return read_clip(OpenRaster(RasterRef(path, system)), mosaic, window)
+def clip_of(
+    path: str, mosaic: Raster, window: PixelWindow = WINDOW, system: str = "", nodata: float | None = None,
+    partly: bool = False,
+) -> Clip:
+    return read_clip(OpenRaster(RasterRef(path, system, nodata=nodata)), mosaic, window, partly)
 
 
 def inside(array: np.ndarray, window: PixelWindow = WINDOW) -> np.ndarray:
@@ -66,8 +69,36 @@ def scene_raster(
     return make_raster("source.tif", image, geotransform=geotransform, system=system, **options)
 
 
-def reference(system: int) -> osr.SpatialReference:
+def reference(system: int | str) -> osr.SpatialReference:
     made = osr.SpatialReference()
-    made.ImportFromEPSG(system)
+    made.SetFromUserInput(wkt(system))
     made.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return made
+
+
+STRETCHING: dict[str, tuple[int | str, float, float]] = {
+    "Web Mercator": (3857, 7.0, 46.85),
+    "UTM off its zone": (32633, 9.0, 50.0),
+    "Lambert": (2154, -4.0, 48.0),
+    "Poland": (2180, 14.2, 53.9),
+    "feet": (2263, -74.0, 40.7),
+    "feet of California": (2225, -122.0, 40.5),
+    "kilometres": ("+proj=utm +zone=33 +datum=WGS84 +units=km", 15.0, 50.0),
+}
+"""Systems that show lengths longer or shorter than they are on the ground, each with a longitude and a latitude."""
+
+
+def metres_by_arcs(system: str | int, longitude: float, latitude: float) -> tuple[tuple[float, float], float, float]:
+    """A place on the map, and metres per unit there along the parallel and the meridian: arcs of the ellipsoid of some
+    100 m over their lengths on the map."""
+    to_map = osr.CoordinateTransformation(reference(4326), reference(system))
+    step = math.radians(1e-3)
+    sine = math.sin(math.radians(latitude))
+    vertical = 6378137 / math.sqrt(1 - 0.0066943799901413 * sine**2)
+    meridian = vertical * (1 - 0.0066943799901413) / (1 - 0.0066943799901413 * sine**2)
+    lengths = []
+    for dx, dy in ((5e-4, 0), (0, 5e-4)):
+        ends = [to_map.TransformPoint(longitude + sign * dx, latitude + sign * dy)[:2] for sign in (-1, 1)]
+        lengths.append(math.dist(*ends))
+    x, y, _ = to_map.TransformPoint(longitude, latitude)
+    return (x, y), vertical * math.sqrt(1 - sine**2) * step / lengths[0], meridian * step / lengths[1]

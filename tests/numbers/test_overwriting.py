@@ -38,7 +38,7 @@ READ = {
 }  # fmt: skip
 """Paths that the interface takes to read, or tells."""
 WORDS = {
-    "make_delivery sheets", "make_delivery wkt", "make_delivery told",
+    "make_delivery sheets", "open_block crs", "make_delivery wkt", "make_delivery told",
     "AcceptanceRules.limit check",
     "AcceptanceRules.rule check", "clip_curves wavelet", "measure_noise names", "measure_noise wavelet",
     "measure_noise raster", "TargetResolution.worst direction", "TargetResolution.interval direction",

@@ -19,7 +19,7 @@ from ...imagery.lines import burnt
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_pool import RasterPool
 from ...imagery.rasters import Raster, RasterRef
-from ...imagery.reference_systems import geometry_on, same_system
+from ...imagery.reference_systems import geometry_on, same_system, system_name
 from . import messages
 from .delivery import SheetState
 from .overlapping_files import otherwise
@@ -146,7 +146,7 @@ def with_states(sheets: Sequence[CheckedSheet], tell: Callable[[float], None]) -
 def build_mosaic(path: str, sheets: Sequence[CheckedSheet]) -> None:
     """A VRT over the files of ``fitting`` sheets. Raises RasterError when it can't be written."""
     with gdal_writing(messages.MOSAIC_NOT_WRITTEN(path=path)):
-        made = gdal.BuildVRT(path, [one.sheet.path for one in sheets])
+        made = gdal.BuildVRT(path, [one.sheet.path for one in sheets], allowProjectionDifference=True)
         made.FlushCache()
 
 
@@ -191,7 +191,7 @@ def _findings(
     if form.pixel_m and abs(pixel / form.pixel_m - 1) > MAX_PIXEL_SIZE_DIFFERENCE:
         yield messages.PIXEL_OTHER(pixel=pixel, wanted=form.pixel_m)
     if form.wkt and not same_system(raster.wkt, form.wkt):
-        yield messages.SYSTEM_OTHER()
+        yield messages.SYSTEM_OTHER(system=system_name(raster.wkt), wanted=system_name(form.wkt))
     if form.bands and bands != form.bands:
         yield messages.BANDS_OTHER(bands=bands, wanted=form.bands)
     if form.data_type and raster.data_type != form.data_type:
@@ -242,9 +242,7 @@ def _placed_outline(sheet: OrderedSheet, raster: Raster) -> ogr.Geometry:
     outline = ogr.CreateGeometryFromWkb(sheet.outline)
     if outline is None:
         raise RuntimeError(gdal.GetLastErrorMsg())
-    return outline if not sheet.wkt or same_system(sheet.wkt, raster.wkt) else geometry_on(
-        outline, sheet.wkt, raster.wkt
-    )
+    return geometry_on(outline, sheet.wkt, raster.wkt) if sheet.wkt else outline
 
 
 def _area_beyond(outline: ogr.Geometry, reach: ogr.Geometry) -> float:

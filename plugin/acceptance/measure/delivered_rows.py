@@ -17,9 +17,7 @@ from ...imagery.grids import Extent
 from ...imagery.lines import points_at, vertex_stations
 from ...imagery.reference_systems import (
     is_geographic,
-    metres_per_unit,
     same_coordinates,
-    same_system,
     transform_points,
     utm_wkt,
 )
@@ -37,7 +35,7 @@ from ...imagery.seam_totals import (
     possible_kept,
 )
 from . import messages
-from .delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order
+from .delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order, metres_in_unit
 from .failure_runs import TOUCHING
 from .measured_pieces import NO_VERDICT, state_of
 
@@ -153,11 +151,11 @@ class LayerDoubts:
         if not totals.is_sealed_by(notes):
             return Seal.BROKEN
         system, extent = notes.get(SYSTEM, ""), self.extent
-        if same_system(wkt, system):
-            return Seal.WHOLE
-        if wkt and system and extent and same_coordinates(wkt, system, extent, _SAME_PLACE * max(map(abs, extent))):
-            return Seal.WHOLE
-        return Seal.OTHER_SYSTEM
+        if wkt and system and extent:
+            is_same = same_coordinates(wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
+        else:
+            is_same = wkt == system
+        return Seal.WHOLE if is_same else Seal.OTHER_SYSTEM
 
     def _gaps(self) -> Iterator[float]:
         """Between the stations of pieces that should follow each other, metres."""
@@ -284,7 +282,7 @@ def make_delivery(
         target = utm_wkt(*first[0].tolist())
         lines = {sheet: [transform_points(line, wkt, target) for line in of_sheet] for sheet, of_sheet in lines.items()}
         wkt = target
-    unit_m = metres_per_unit(wkt, 0.0)[0]
+    unit_m = metres_in_unit([line for of_sheet in lines.values() for line in of_sheet if len(line)], wkt)
     pieces: list[DeliveredPiece] = []
     notices: list[Message] = []
     layers: list[DeliveredLayer] = []
@@ -299,23 +297,22 @@ def make_delivery(
         notices += doubts.told()
         said = (told or {}).get(sheet, {})
         layers.append(replace(doubts.layer({METRES: said.get(METRES, "")}, is_asked=False), settings=said))
-    delivery, doubled = united_delivery(pieces, wkt, unit_m, layers=layers)
+    delivery, doubled = united_delivery(pieces, wkt, layers=layers)
     for notice in [*notices, *doubled]:
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
     return delivery
 
 
 def united_delivery(
-    pieces: Sequence[DeliveredPiece], wkt: str, unit_m: float, lot_size: int | None = None,
-    layers: Sequence[DeliveredLayer] = (),
+    pieces: Sequence[DeliveredPiece], wkt: str, lot_size: int | None = None, layers: Sequence[DeliveredLayer] = ()
 ) -> tuple[Delivery, list[Message]]:
     """The pieces of all sheets in order, each once, and what is told of those that lie on each other or lack."""
     once, copies = without_copies(in_order(pieces))
     told = [messages.PIECES_TWICE(count=copies)] if copies else []
-    if doubled := overlap(once, unit_m):
+    if doubled := overlap(once, metres_in_unit((piece.vertices for piece in once), wkt)):
         told.append(messages.SEAMS_OVERLAP(metres=doubled[0], sheets=", ".join(doubled[1])))
     found = Delivery(
-        in_order(once) if copies else tuple(once), wkt, unit_m, lot_size=lot_size, layers=tuple(layers),
+        in_order(once) if copies else tuple(once), wkt, lot_size=lot_size, layers=tuple(layers),
         doubled_m=doubled[0] if doubled else 0.0,
     )  # fmt: skip
     if found.lacking_m:

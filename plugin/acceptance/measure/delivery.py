@@ -1,16 +1,20 @@
 """What is delivered: the pieces of seam of all sheets, and the windows that somebody looked at."""
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
-from ...imagery.grids import Extent
+from ...imagery.errors import SettingsError
+from ...imagery.grids import Extent, middle_of
 from ...imagery.lines import vertex_stations
+from ...imagery.reference_systems import metres_per_unit
+from . import messages
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +81,17 @@ def extent_of(lines: Iterable[np.ndarray]) -> Extent:
     points = np.concatenate([*lines])
     xmin, ymin, xmax, ymax = np.concatenate([points.min(axis=0), points.max(axis=0)]).tolist()
     return xmin, ymin, xmax, ymax
+
+
+def metres_in_unit(lines: Iterable[np.ndarray], wkt: str) -> float:
+    """Metres on the ground in a unit of a reference system, where lines of (n, 2) lie.
+
+    Raises SettingsError where that is nowhere.
+    """
+    found = math.sqrt(math.prod(metres_per_unit(wkt, middle_of(extent_of(lines)))))
+    if not 0 < found < math.inf:
+        raise SettingsError(messages.SEAMS_NOT_ON_GROUND())
+    return found
 
 
 def in_order(pieces: Iterable[DeliveredPiece]) -> tuple[DeliveredPiece, ...]:
@@ -231,8 +246,6 @@ class Delivery:
     """Pieces of all sheets, in order."""
     wkt: str
     """The reference system of all coordinates."""
-    unit_m: float = 1.0
-    """Metres in a unit of the coordinates."""
     windows: tuple[SeenWindow, ...] = ()
     """That were inspected, and judged perhaps."""
     lot_size: int | None = None
@@ -247,6 +260,11 @@ class Delivery:
     """Metres of pieces that lie on others, which are not the same."""
     files: FileDoubts = FileDoubts()
     """Whether what was scanned is what is given, or there, now."""
+
+    @cached_property
+    def unit_m(self) -> float:
+        """Metres on the ground in a unit of the coordinates. Raises SettingsError as ``metres_in_unit``."""
+        return metres_in_unit((piece.vertices for piece in self.pieces), self.wkt)
 
     @property
     def lacking_m(self) -> float:

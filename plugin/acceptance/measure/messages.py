@@ -15,6 +15,9 @@ SHEET_WITHOUT_PLACE = Message("The outline of the sheet {name} has coordinates t
 PIECES_OFF_SHEETS = Message(
     "Pieces of seam that lie in none of the sheets: {count}. They keep their layer's name.", WARNING
 )
+SEAMS_NOT_ON_GROUND = Message(
+    "The seams lie beyond what their coordinate reference system describes; give them the system of their coordinates."
+)
 # a file with rules
 TWO_RULES_FOR_CHECK = Message("{name} has two rules for '{check}' ({place} is the second); keep one.")
 RULES_WITHOUT_KEPT = Message("{name} does not say what a piece must keep; add a rule with the check 'kept'.")
@@ -412,8 +415,8 @@ FILE_MISSING = Message("the file is missing", INFO)
 FILE_NOT_ORDERED = Message("it was not ordered", INFO)
 FILE_WITHOUT_PLACE = Message("the file does not say where it lies", INFO)
 NAME_OTHER = Message("its name {name} does not match {pattern}", INFO)
-PIXEL_OTHER = Message("its pixels are {pixel:.4g} m instead of {wanted:.4g} m", INFO)
-SYSTEM_OTHER = Message("its reference system is another one", INFO)
+PIXEL_OTHER = Message("its pixels are {pixel:.3g} m instead of {wanted:.3g} m", INFO)
+SYSTEM_OTHER = Message("its reference system is {system} instead of {wanted}", INFO)
 BANDS_OTHER = Message("it has {bands} bands instead of {wanted}", INFO)
 TYPE_OTHER = Message("its pixels are {kind} instead of {wanted}", INFO)
 DATA_MISSING = Message("{share:.2%} of its outline has no data", INFO)

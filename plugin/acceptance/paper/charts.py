@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from ...imagery.clips import read_overview
 from ...imagery.errors import RasterError, printable
-from ...imagery.grids import Extent
+from ...imagery.grids import Extent, middle_of
 from ...imagery.lines import vertex_stations
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import extent_on, metres_per_unit
@@ -90,7 +90,7 @@ def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
         return None
     outlines = decision.delivery.sheet_rings()
     xmin, ymin, xmax, ymax = extent_of([*(one.piece.vertices for one in decision.pieces), *chain(*outlines.values())])
-    metres_x, metres_y = metres_per_unit(decision.delivery.wkt, (ymin + ymax) / 2)
+    metres_x, metres_y = metres_per_unit(decision.delivery.wkt, middle_of((xmin, ymin, xmax, ymax)))
     margin = max((xmax - xmin) * metres_x, (ymax - ymin) * metres_y, 1.0) * _MARGIN
     across, down = (xmax - xmin) * metres_x + 2 * margin, (ymax - ymin) * metres_y + 2 * margin
     height = min(max(_WIDTH * down / across, _LEAST_HEIGHT), _MOST_HEIGHT)

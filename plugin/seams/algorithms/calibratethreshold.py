@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import SettingsError
-from ...imagery.statistics import UNSURE, VISIBLE, agreement
+from ...imagery.statistics import UNSURE, VISIBLE
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
@@ -109,6 +109,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     def _judged(run: Run) -> tuple[list[str], list[WindowRecord]]:
         """The windows' fields, and those that an observer judged."""
         from ...toolkit import layers
+        from ..measure.calibration.observer_agreement import agreement
         from ..tables.record_tables import doubts, read_windows
 
         windows = run.source(WINDOWS)

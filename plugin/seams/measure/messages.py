@@ -110,8 +110,8 @@ INTERVAL_TOO_WIDE = Message(
 )
 SOURCE_IN_PART = Message("{name} covers {share:.0f} % of the window and takes part there.", INFO)
 SOURCE_RESAMPLED = Message(
-    "{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn't count, as "
-    "others are on the mosaic's pixels.", INFO
+    "{name} has another pixel size than the mosaic and was resampled; it is shown and doesn't count, as others have "
+    "the mosaic's.", INFO
 )
 CELLS_OF_OTHERS = Message(
     "No seam cell names a source that is given, so the cells say nothing; the first one names '{name}'.", WARNING
@@ -339,6 +339,11 @@ SCAN_STOPPED = Message("The scan was stopped; started again with the same output
 SCAN_LAYER_NOT_WRITTEN = Message(
     "The layer {name} can't be written. What was measured is kept; make room on the disk, or choose another file for "
     "the layer, and start the scan again with the same picture of losses to go on."
+)
+MORE_SEAMS_THAN_OUTLINES = Message(
+    "{metres:.0f} m of seam were found and the orthoimages are {around:.0f} m around: the mosaic seems to change "
+    "between them at every turn, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the "
+    "mosaic as it was before.", WARNING
 )
 SCAN_WITHOUT_SEAMS = Message(
     "No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.", INFO

@@ -62,6 +62,7 @@ def gather_sources(
                     else:
                         raster = placed(pool.open(ref).raster)
                         extent = extent_on(raster.extent, raster.wkt, wkt)
+                        notices += raster.notices
                     kept.append(Source(ref, extent))
                 except RasterError as error:
                     notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))

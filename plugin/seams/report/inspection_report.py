@@ -15,6 +15,7 @@ from typing import Callable
 from ...imagery import messages as imagery_messages
 from ...imagery.clips import read_overview
 from ...imagery.errors import CancelledError, Message, RasterError
+from ...imagery.grids import middle_of
 from ...imagery.reference_systems import metres_per_unit
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.background_tasks import Cancelled, Job
@@ -197,8 +198,7 @@ def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
     if not known:
         return {"sketch": None}
     shapes = [_shape(one, one.window_id in detailed) for one in known]
-    middle = (shapes[0].extent[1] + shapes[0].extent[3]) / 2
-    metres = metres_per_unit(request.wkt, middle)
+    metres = metres_per_unit(request.wkt, middle_of(shapes[0].extent))
     if not all(0 < one < math.inf for one in metres):
         metres = 1.0, 1.0  # a system whose units have no length: drawn as the map shows it
     counts = Counter(one.verdict for one in known)

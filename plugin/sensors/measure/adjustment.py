@@ -150,7 +150,7 @@ def _seen(model: SensorModel, wkt: str, ground: np.ndarray) -> np.ndarray:
 
 def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
     """(n, 2) m along x and y, model minus given at the point's height; by its slope where a model can't be inverted."""
-    metres = metres_per_unit(points.wkt, float(np.mean(points.ground[:, 1])))
+    metres = metres_per_unit(points.wkt, points.ground.mean(axis=0))
     heights = np.nan_to_num(points.ground[:, 2])
     given, seen = points.ground[:, :2], partial(_seen, fitted.model, points.wkt)
     places = locate(seen, points.image, heights, given, metres, partly=True)

@@ -121,7 +121,7 @@ def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirectio
         )
     except SensorModelError:
         return None
-    towards = (high - low)[:, :2] * metres_per_unit(WGS84, float(low[0, 1]))
+    towards = (high - low)[:, :2] * metres_per_unit(WGS84, low[0])
     angles = np.degrees(np.arctan(np.linalg.norm(towards, axis=1) / _RISE_M))
     azimuth = float(np.degrees(np.arctan2(towards[0, 0], towards[0, 1])) % 360)
     return ViewDirection(float(angles[0]), azimuth, float(angles.max()))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Union
 
 import numpy as np
-from osgeo import gdal
+from osgeo import gdal, osr
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, RasterError
@@ -17,11 +17,10 @@ from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import (
     extent_on,
-    heights_above_ellipsoid,
     is_geographic,
+    moved_points,
+    spatial_reference,
     transform_points,
-    vertical_code,
-    vertical_part,
 )
 from . import limits, messages
 from .points import HIGHEST_M, LOWEST_M, Points
@@ -107,6 +106,35 @@ def bilinear(grid: np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndar
 
 Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class when QGIS unloads it
 """One of ``limits.HEIGHT_DATUMS`` but ``geoid``, or the grid of that."""
+
+
+def vertical_part(wkt: str) -> str:
+    """The name of a compound or three-dimensional system's heights; empty where the system names none."""
+    system = spatial_reference(wkt)
+    if system.IsCompound():
+        return str(system.GetAttrValue("VERT_CS") or system.GetAttrValue("VERTCRS") or "")
+    return "ellipsoid" if system.IsGeographic() and system.GetAxesCount() == 3 else ""
+
+
+def vertical_code(wkt: str) -> str:
+    """The vertical part of a compound system, as ``heights_above_ellipsoid`` takes it."""
+    code = spatial_reference(wkt).GetAuthorityCode("COMPD_CS|VERT_CS")
+    return f"EPSG:{code}" if code else wkt
+
+
+def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray:
+    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height in a vertical system.
+
+    ``vertical`` is ``EPSG:`` and a code, or WKT of a compound system. Raises RasterError where PROJ has no grid.
+    """
+    source = spatial_reference(f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical)
+    options = osr.CoordinateTransformationOptions()
+    options.SetBallparkAllowed(False)
+    ellipsoid = spatial_reference("EPSG:4979")
+    moved = moved_points(lambda: osr.CoordinateTransformation(source, ellipsoid, options), geographic)
+    if moved is None:
+        raise RasterError(imagery_messages.NO_GEOID_GRID(vertical=source.GetName() or vertical))
+    return moved[:, 2]
 
 
 def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Message, ...]]:

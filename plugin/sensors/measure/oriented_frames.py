@@ -15,7 +15,7 @@ from ...imagery.file_identity import DataPlace, check_outputs
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
-from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit
+from ...imagery.reference_systems import horizontal_wkt, spatial_reference
 from . import messages
 from .camera_files import Cameras, document, orientation_file, read_cameras
 from .exterior_files import AUTO, Exteriors, read_exteriors
@@ -104,7 +104,8 @@ def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tupl
     wkt = files.wkt or named or image.raster.own_wkt
     if not wkt:
         raise SensorModelError(messages.EXTERIOR_WITHOUT_SYSTEM(name=files.exterior.name))
-    if is_geographic(wkt) or metres_per_unit(wkt, 0.0) != (1.0, 1.0):
+    system = spatial_reference(wkt)
+    if system.IsGeographic() or system.GetLinearUnits() != 1:
         raise SensorModelError(messages.EXTERIOR_NOT_METRIC())
     return horizontal_wkt(wkt), () if files.wkt or named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
 

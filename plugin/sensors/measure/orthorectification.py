@@ -63,7 +63,7 @@ def uncovered_share(image: OpenRaster, project: Map, terrain: Terrain, footprint
 
 def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
     """Warnings of meshes beyond those that the paper found to serve; aerial photos may need finer ones."""
-    middle = terrain.origin[1] + terrain.step[1] * terrain.heights.shape[0] / 2
+    middle = np.add(terrain.origin, np.multiply(terrain.step, terrain.heights.shape[::-1]) / 2)
     shorter, longer = sorted(np.abs(np.multiply(terrain.step, metres_per_unit(terrain.wkt, middle))).tolist())
     if terrain.name and longer > COARSEST_MESH_M:  # a constant height has no name
         return [messages.MESH_COARSE(name=terrain.name, mesh=longer)]

@@ -87,7 +87,7 @@ def nominal_scene(
     heights : lowest and highest terrain, m above the ellipsoid
     """
     count = side_m / pixel_m
-    metres = metres_per_unit(WGS84, _NOMINAL_PLACE[1])
+    metres = metres_per_unit(WGS84, _NOMINAL_PLACE)
     x, y, up = np.meshgrid(*[np.linspace(-side_m / 2, side_m / 2, 3)] * 2, np.linspace(0, side_m / 10, 2))
     local = np.column_stack([x.ravel(), y.ravel(), up.ravel()])
     height = float(np.mean(heights))
@@ -142,7 +142,7 @@ def _errors(
     checks = _CHECK_CELLS**2
     image = np.concatenate([_spread(plan, count, random), _in_cells(checks, random)]) * size
     heights = random.uniform(*scene.heights, len(image))
-    metres = metres_per_unit(WGS84, scene.middle[1])
+    metres = metres_per_unit(WGS84, scene.middle)
     ground = np.column_stack([locate(truth.project, image, heights, np.array([scene.middle]), metres), heights])
     measured = image + random.normal(0, plan.sigma_px, image.shape)
     surveyed = ground + random.normal(0, plan.sigma_m, ground.shape) / [*metres, 1]

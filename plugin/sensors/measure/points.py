@@ -194,7 +194,7 @@ def check_plausible(points: Points) -> None:
     if len(heights) and (heights.min() < LOWEST_M or heights.max() > HIGHEST_M):
         index = int(np.argmax(np.where(np.isfinite(z), np.abs(z), -1)))
         raise SensorModelError(messages.POINT_HEIGHT_IMPLAUSIBLE(name=points.ids[index], height=float(z[index])))
-    across, metres = np.ptp(points.image, axis=0).max(), metres_per_unit(points.wkt, float(y.mean()))
+    across, metres = np.ptp(points.image, axis=0).max(), metres_per_unit(points.wkt, (x.mean(), y.mean()))
     if across > 0 and len(points) > 1:
         pixel = float((np.ptp(points.ground[:, :2], axis=0) * metres).max() / across)
         if not FINEST_M <= pixel <= COARSEST_M:

@@ -120,7 +120,7 @@ def located(model: SensorModel, wkt: str, grid: np.ndarray, domain: Domain) -> n
     """(n, 3) longitude, latitude, height of (n, 3) column, row, height. Raises SensorModelError if not invertible."""
     system = model.ground_system(wkt)
     middle = transform_points(np.array([domain.middle]), wkt, system)
-    places = model.places(grid[:, :2], grid[:, 2], middle, metres_per_unit(system, float(middle[0, 1])))
+    places = model.places(grid[:, :2], grid[:, 2], middle, metres_per_unit(system, middle[0]))
     return np.column_stack([transform_points(places, system, WGS84), grid[:, 2]])
 
 

@@ -130,6 +130,7 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         for ref in dict.fromkeys(refs):
             try:
                 rasters.append(describe(ref))
+                self.left_out += rasters[-1].notices
             except RasterError as error:
                 self.left_out.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
         return rasters

@@ -157,13 +157,18 @@ class Run:
         """The raster of the parameter MOSAIC."""
         from ...imagery.open_raster import describe_mosaic
 
-        return describe_mosaic(self.required_raster(common.MOSAIC))
+        return self._told(describe_mosaic(self.required_raster(common.MOSAIC)))
 
     def north_up(self, name: str) -> Raster:
         """The raster of a parameter, which may lie anywhere."""
         from ...imagery.open_raster import describe_north_up
 
-        return describe_north_up(self.required_raster(name))
+        return self._told(describe_north_up(self.required_raster(name)))
+
+    def _told(self, raster: Raster) -> Raster:
+        """A raster of which is told once what was settled otherwise than its file says."""
+        self.tell_once(raster.notices)
+        return raster
 
     # features
 

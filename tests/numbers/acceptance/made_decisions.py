@@ -53,7 +53,7 @@ def decided(
         piece for number, sheet in enumerate(sheets)
         for piece in seam_of(sheet, number, pieces, [one for of, one in failed if of == number], images=images)
     ]  # fmt: skip
-    return decide(Delivery(tuple(own), UTM, 1.0, tuple(windows)), rules(sampling=sampling))
+    return decide(Delivery(tuple(own), UTM, tuple(windows)), rules(sampling=sampling))
 
 
 def window_on(decision: Decision, piece: int, window_id: str = "1", **said: str) -> SeenWindow:

@@ -17,6 +17,7 @@ from seam_inspector.plugin.acceptance.measure.delivered_files import (
     checked_sheets,
     fitting,
 )
+from seam_inspector.plugin.acceptance.measure.delivery import SheetState
 
 from tests.numbers.synthetic import orthoimage, write_raster
 
@@ -43,7 +44,7 @@ def system() -> str:
 
 
 def sheet(folder: Path, name: str, place: int, made: np.ndarray | None = None, size: float = 1.0,
-          epsg: int = 32633, nodata: float | None = None) -> OrderedSheet:
+          epsg: int | str = 32633, nodata: float | None = None) -> OrderedSheet:
     path = write_raster(folder / f"{name}.tif", pixels() if made is None else made, size,
                         (LEFT + place * SIDE, TOP), system=epsg, nodata=nodata)
     return OrderedSheet(name, path, outline(place), system())
@@ -88,8 +89,19 @@ def test_each_planted_fault_is_found_at_its_sheet(tmp_path: Path, sound: list[Or
         "extra": "it was not ordered",
     }  # fmt: skip
     assert {name: found[name] for name in words} == {name: [one] for name, one in words.items()}
-    assert found["elsewhere"][0] == "its reference system is another one"
+    assert found["elsewhere"][0].startswith("its reference system is EPSG:32634")
+    assert "instead of EPSG:32633" in found["elsewhere"][0]
     assert len(found["broken"]) == 1
+
+
+def test_a_system_with_heights_is_that_of_its_horizontal_part(tmp_path: Path, sound: list[OrderedSheet]) -> None:
+    with_heights = sheet(tmp_path, "heights", 4, epsg="EPSG:32633+5773")
+    found = checked_sheets([*sound, with_heights], OrderedForm(wkt=system()), lambda share: True)
+    assert found is not None
+    assert not any(one.findings for one in found)
+    assert {one.state for one in found} == {SheetState.SHOWN}
+    build_mosaic(str(tmp_path / "mosaic.vrt"), fitting(found))
+    assert gdal.Open(str(tmp_path / "mosaic.vrt")).RasterXSize == 5 * SIDE
 
 
 def test_names_are_held_against_the_pattern(sound: list[OrderedSheet]) -> None:

@@ -26,8 +26,9 @@ def test_what_a_georeferenced_image_is(make_raster: MakeRaster) -> None:
     path = make_raster("a.tif", orthoimage((80, 120), dtype=np.uint16), gsd=0.25, options=["NBITS=12"])
     image = describe(RasterRef(path))
     assert (image.columns, image.rows, image.whole) == (120, 80, PixelWindow(0, 0, 120, 80))
-    assert image.grid == Grid(*ORIGIN, 0.25, 0.25, 120, 80)
-    assert image.ground_sample_distance == 0.25
+    metres = pytest.approx(1 / 0.9996)  # along the middle of a zone of UTM
+    assert image.grid == Grid(*ORIGIN, 0.25, 0.25, 120, 80, metres, metres)
+    assert image.ground_sample_distance == pytest.approx(0.25 / 0.9996)
     assert (image.data_type, image.bits, image.has_luminance) == ("uint16", 12, True)
 
 

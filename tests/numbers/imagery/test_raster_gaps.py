@@ -252,3 +252,26 @@ def test_gaps_of_a_palette(
     colours = np.array(PALETTE)[inside(indices)][..., :3]
     np.testing.assert_array_equal(np.moveaxis(clip.bands, 0, -1)[valid], colours[valid])
     np.testing.assert_allclose(clip.bands[:, ~valid].mean(axis=1), colours[valid].mean(axis=0), atol=1)
+
+
+# --- what a user calls no data ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("gsd", [0.1, 0.05])
+@pytest.mark.parametrize("own", [None, 0])
+def test_additional_nodata_counts_beside_that_of_the_file(
+    make_raster: MakeRaster, mosaic: Raster, own: int | None, gsd: float
+) -> None:
+    """A black margin that the file names, a white one that only its user does, and white that is white in one band."""
+    times = round(0.1 / gsd)
+    image = orthoimage(SIZE, 3)
+    image[:, 80:90] = 0
+    image[:, 130:140] = 250
+    image[0, 100:120] = 250
+    path = make_raster("margins.tif", np.kron(image, np.ones((1, times, times), np.uint8)), gsd=gsd, nodata=own)
+    valid = clip_of(path, mosaic, nodata=250, partly=True).valid
+    assert valid is not None
+    expected = np.ones(SIZE, bool)
+    expected[130:140] = False
+    expected[80:90] = own is None
+    np.testing.assert_array_equal(valid, inside(expected))

@@ -14,7 +14,16 @@ from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic,
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
 
-from tests.numbers.clips import SIZE, MakeRaster, clip_of, inside, reference, scene_raster
+from tests.numbers.clips import (
+    SIZE,
+    STRETCHING,
+    MakeRaster,
+    clip_of,
+    inside,
+    metres_by_arcs,
+    reference,
+    scene_raster,
+)
 from tests.numbers.synthetic import ORIGIN, UTM33, orthoimage, wkt
 
 # --- place on the map ------------------------------------------------------------------------------------------
@@ -58,9 +67,24 @@ def test_a_reference_may_bring_the_system_that_a_file_lacks(make_raster: MakeRas
     np.testing.assert_array_equal(clip.bands, inside(image))
 
 
-def test_the_system_of_the_file_goes_before_that_of_its_reference(make_raster: MakeRaster) -> None:
+def test_the_system_of_the_reference_goes_before_that_of_its_file(make_raster: MakeRaster) -> None:
     path = make_raster("source.tif", orthoimage((64, 64)))
-    assert describe(RasterRef(path, wkt(4326))).wkt == describe(RasterRef(path)).wkt
+    chosen = describe(RasterRef(path, wkt(32634)))
+    assert chosen.wkt == wkt(32634)
+    (said,) = chosen.notices
+    assert "EPSG:32634" in str(said)
+    assert f"EPSG:{UTM33}" in str(said)
+    assert describe(RasterRef(path)).notices == ()
+
+
+@pytest.mark.parametrize("system", [UTM33, "+proj=utm +zone=33 +datum=WGS84", f"EPSG:{UTM33}+5773"])
+def test_a_reference_that_means_the_same_leaves_the_system_of_the_file(
+    make_raster: MakeRaster, system: int | str
+) -> None:
+    path = make_raster("source.tif", orthoimage((64, 64)), system=wkt(system))
+    image = describe(RasterRef(path, wkt(UTM33)))
+    assert image.wkt == describe(RasterRef(path)).wkt
+    assert image.notices == ()
 
 
 @pytest.mark.parametrize(
@@ -125,18 +149,23 @@ def test_metres_mean_metres_in_a_geographic_system(
     assert standard_side_px(grid, 100) == 2 ** math.ceil(math.log2(100 / metres))
 
 
-@pytest.mark.parametrize(
-    ("system", "metres"),
-    [(2225, 12 / 39.37), ("+proj=utm +zone=33 +datum=WGS84 +units=ft", 0.3048), ("+proj=utm +zone=33 +units=km", 1000)],
-    ids=["survey feet", "feet", "kilometres"],
-)
-def test_metres_mean_metres_whatever_the_unit_of_the_system(
-    make_raster: MakeRaster, system: str | int, metres: float
+@pytest.mark.parametrize(("system", "longitude", "latitude"), STRETCHING.values(), ids=STRETCHING.keys())
+def test_metres_are_those_on_the_ground_whatever_the_system(
+    make_raster: MakeRaster, system: str | int, longitude: float, latitude: float
 ) -> None:
-    path = make_raster("units.tif", orthoimage((64, 64)), gsd=0.5, system=wkt(system))
+    (x, y), east, north = metres_by_arcs(system, longitude, latitude)
+    size = 0.1 / east
+    place = (x - 32 * size, size, 0.0, y + 32 * size, 0.0, -size)
+    path = make_raster("map.tif", orthoimage((64, 64)), geotransform=place, system=wkt(system))
     grid = describe_mosaic(RasterRef(path)).grid
-    assert (grid.metres_x, grid.metres_y) == pytest.approx((metres, metres))
-    assert grid.ground_sample_distance == pytest.approx(0.5 * metres)
+    assert (grid.metres_x, grid.metres_y) == pytest.approx((east, north), rel=1e-6)
+    assert standard_side_px(grid, 12.0) == 128
+
+
+def test_a_metre_of_web_mercator_is_two_thirds_of_one_in_switzerland(make_raster: MakeRaster) -> None:
+    (x, y), _, _ = metres_by_arcs(3857, 7.0, 46.85)
+    path = make_raster("web.tif", orthoimage((64, 64)), geotransform=(x, 0.1, 0.0, y, 0.0, -0.1), system=3857)
+    assert describe(RasterRef(path)).ground_sample_distance == pytest.approx(0.1 * 24.6 / 36.0, rel=0.001)
 
 
 @pytest.mark.parametrize(

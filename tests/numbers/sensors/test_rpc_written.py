@@ -8,8 +8,13 @@ import pytest
 from osgeo import gdal, osr
 from seam_inspector.plugin.imagery.errors import RasterError, SensorModelError
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.reference_systems import heights_above_ellipsoid
-from seam_inspector.plugin.sensors.measure.heights import EGM2008, VERTICAL, Geoid, above_ellipsoid
+from seam_inspector.plugin.sensors.measure.heights import (
+    EGM2008,
+    VERTICAL,
+    Geoid,
+    above_ellipsoid,
+    heights_above_ellipsoid,
+)
 from seam_inspector.plugin.sensors.measure.points import (
     control_points,
     file_points,

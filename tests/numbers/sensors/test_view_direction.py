@@ -27,7 +27,7 @@ def test_the_angle_is_that_of_gdals_lines_of_sight() -> None:
     image.SetMetadata(to_metadata(rpc), "RPC")
     transformer = gdal.Transformer(image, None, ["METHOD=RPC", "RPC_PIXEL_ERROR_THRESHOLD=1e-6"])
     low, high = (np.array(transformer.TransformPoint(0, COLUMNS / 2, ROWS / 2, z)[1][:2]) for z in (550, 650))
-    east, north = (high - low) * metres_per_unit(WGS84, low[1])
+    east, north = (high - low) * metres_per_unit(WGS84, low)
     assert np.tan(np.radians(view.angle)) == pytest.approx(np.hypot(east, north) / 100, rel=1e-3)
     assert view.azimuth == pytest.approx(np.degrees(np.arctan2(east, north)) % 360, abs=0.1)
     assert view.shift_m(7) == pytest.approx(7 * np.hypot(east, north) / 100, rel=1e-3)

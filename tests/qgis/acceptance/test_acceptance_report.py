@@ -86,7 +86,8 @@ def test_an_accepted_delivery_has_no_failures(tmp_path: Path) -> None:
 def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     decision = decided(["sheet_1", "sheet_2"], failed=FAILED)
     page = page_of(tmp_path, record_of(decision, mosaics=(ground(tmp_path / "mosaic.tif"),)))
-    assert [one.replace("\u00a0", " ") for one in page.captions[1:]] == ["200.0 m across", "The mosaic"] * 2
+    # 200 m amid a zone of UTM.
+    assert [one.replace("\u00a0", " ") for one in page.captions[1:]] == ["200.1 m across", "The mosaic"] * 2
     words = " ".join(page.words.split())
     assert f"Failure 1: {decision.longest_failure_m:.1f} m, least kept 45 % (40 - 51)" in words
     assert "Kept by its pieces, one after the other: 45 %, 45 %" in words

@@ -24,6 +24,7 @@ from tests.numbers.acceptance.made_decisions import BOTTOM, LEFT, UTM, decided
 from tests.numbers.synthetic import write_raster
 from tests.qgis.acceptance.papers import ground
 
+UTM_SCALE = 0.9996  # of lengths amid a zone
 YELLOW = np.array([255, 214, 0])
 
 
@@ -51,7 +52,7 @@ def test_the_seam_is_drawn_where_it_runs_and_can_be_seen_between_dashes(tmp_path
     decision = decided(failed=[(0, 4)])
     found = picture_of(decision, flat(tmp_path / "mosaic.tif"))
     assert (found.around.shape[1], found.is_whole) == (PICTURE_PX, True)
-    assert found.side_m == pytest.approx(40)
+    assert found.side_m == pytest.approx(40 / UTM_SCALE)
     drawn = dashes(found.around.astype(int))
     path = decision.delivery.pieces[4].vertices
     middle = (path.min(axis=0) + path.max(axis=0)) / 2
@@ -96,7 +97,7 @@ def test_a_long_failure_is_shown_whole_and_where_least_is_kept_in_full_size(tmp_
     pieces[12] = replace(pieces[12], piece=replace(pieces[12].piece, kept_1=0.1))
     found = picture_of(replace(decision, pieces=tuple(pieces)), mosaic)
     assert found.is_whole
-    assert found.side_m == pytest.approx(200)  # as wide as the mosaic
+    assert found.side_m == pytest.approx(200 / UTM_SCALE)  # as wide as the mosaic
     (panel,) = found.panels
     grid, (x, y) = mosaic.grid, decision.delivery.pieces[12].middle
     row, column = math.floor(grid.row_at(y) - PROOF_PX / 2), math.floor(grid.column_at(x) - PROOF_PX / 2)
@@ -125,7 +126,7 @@ def test_the_sheet_that_shows_it_is_taken(tmp_path: Path) -> None:
     write_raster(elsewhere, np.full((600, 600), 255, np.uint8), 0.1, (LEFT + 500, BOTTOM + 140), system=UTM)
     other = describe_mosaic(RasterRef(str(elsewhere)))
     found = picture_of(decided(failed=[(0, 4)]), other, flat(tmp_path / "here.tif"))
-    assert found.side_m == pytest.approx(40)
+    assert found.side_m == pytest.approx(40 / UTM_SCALE)
     decision = decided(failed=[(0, 4)])
     assert DefectPictures([other], decision).of(defects_of(decision)[0]) is None
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -9,11 +10,11 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, QgsRasterRange, QgsVectorLayer
 
 from tests.numbers.synthetic import ORIGIN, UTM33, GeoTransform, write_raster
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
-from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, moved, outline, whole, windows
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, moved, outline, whole, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -109,6 +110,62 @@ def test_a_reference_system_set_in_the_layer_stands_in_for_the_files(
     assert by_id.rows("PAIRS") == expected
 
 
+def other_system(name: str) -> str:
+    """What is said of a file that names another system than its layer (a pattern)."""
+    return rf"{name}.tif is taken in .*EPSG:{UTM33}.* not in that of its file, EPSG:2180"
+
+
+@pytest.mark.parametrize("step", ["inspectwindows", "model"])
+def test_a_reference_system_set_by_hand_is_taken_and_said_once(
+    scene: Scene, tmp_path: Path, project: QgsProject, expected: list[dict[str, Any]], step: str
+) -> None:
+    """As after a file that names a wrong one: QGIS draws such layers in place."""
+    layers = [
+        file_of(tmp_path, path.name, whole(path), system=2180, nodata=0)
+        for path in (scene.mosaic, scene.west, scene.east)
+    ]
+    project.addMapLayers(layers)
+    for one in layers:
+        one.setCrs(QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"))
+    ids = [one.id() for one in layers]
+    if step == "inspectwindows":
+        outcome = inspect(scene, MOSAIC=ids[0], SOURCES=ids[1:])
+        assert outcome.rows("PAIRS") == expected
+    else:
+        seam = layer("LineString", [line((256, 0), (256, 256))])
+        outcome = run("inspect_mosaic", seamlines=seam, mosaic=ids[0], sources=ids[1:], side=6.4, spacing=6.4)
+        assert outcome.complaint is None
+        assert len(outcome.rows("inspect:windows")) == 4
+        assert "not_comparable" not in outcome.column("verdict", "inspect:windows")
+    said = [text for text in outcome.log.infos if "not in that of its file" in text]
+    of_mosaic = 1 if step == "inspectwindows" else 2  # of the model's steps, once by each
+    for name, times in (("mosaic", of_mosaic), ("west", 1), ("east", 1)):
+        assert sum(re.search(other_system(name), text) is not None for text in said) == times
+
+
+def test_additional_nodata_of_a_layer_is_no_pixel(
+    scene: Scene, tmp_path: Path, project: QgsProject
+) -> None:
+    """A white margin, which no file names."""
+    layers = []
+    for path in (scene.west, scene.east):
+        image = whole(path)
+        image[:, :, :40] = 255
+        layers.append(file_of(tmp_path, path.name, image, nodata=0))
+        for band in (1, 2, 3):
+            layers[-1].dataProvider().setUserNoDataValue(band, [QgsRasterRange(255, 255)])
+    project.addMapLayers(layers)
+    in_margin = windows((0, 0, 64, 256))
+    outcome = inspect(scene, WINDOWS=in_margin, SOURCES=[one.id() for one in layers])
+    assert "source" not in outcome.column("role", "CURVES")  # there is no whole clip
+    assert outcome.column("sources") == [2]  # of its other part
+    for one in layers:
+        for band in (1, 2, 3):
+            one.dataProvider().setUserNoDataValue(band, [])
+    plain = inspect(scene, WINDOWS=in_margin, SOURCES=[one.id() for one in layers])
+    assert "source" in plain.column("role", "CURVES")
+
+
 # --- resampled sources -----------------------------------------------------------------------------------------
 
 
@@ -137,11 +194,11 @@ def test_sources_in_other_systems_and_pixel_sizes_are_resampled(scene: Scene, tm
     assert not outcome.log.warnings
     pairs = {row["source"]: row for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
     resampled = {source: row["resampled"] for source, row in pairs.items()}
-    assert resampled == {**{Path(path).name: 1 for path in paths}, "west.tif": 0, "composite": 1}
+    assert resampled == {**{Path(path).name: 1 for path in paths}, "south_up.tif": 0, "west.tif": 0, "composite": 1}
     for source, row in pairs.items():
         # All but the turned one show the same ground at the same place; that is turned by 0.4 px at the corners.
         assert row["similarity"] > 0.97, source
-    for source in ("finer.tif", "south_up.tif"):  # averaging and interpolation give back the very pixels
+    for source in ("finer.tif", "south_up.tif"):  # averaging and turning over give back the very pixels
         assert pairs[source]["ratio_1"] == pytest.approx(pairs["west.tif"]["ratio_1"], rel=1e-6)
 
 

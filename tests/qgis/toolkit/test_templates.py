@@ -86,7 +86,7 @@ def test_a_title_at_the_foot_of_the_page_is_words_alone() -> None:
 
 def test_how_it_was_measured_is_told_whole() -> None:
     wkt = QgsCoordinateReferenceSystem("EPSG:32633").toWkt()
-    raster = Raster(RasterRef("/data/a.tif"), 300, 200, (0, 0.1, 0, 0, 0, -0.1), wkt, ("red", "green"), "uint16")
+    raster = Raster(RasterRef("/data/a.tif"), 300, 200, (500000, 0.1, 0, 0, 0, -0.1), wkt, ("red", "green"), "uint16")
     scan = Raster(RasterRef("scan.tif"), 30, 20, None, "", ("band_1",), "uint8")
     known = [measured_raster("mosaic", raster), *each_raster("photo", [scan, scan, RasterRef("gone.tif")])]
     read = outline(page("", HowMeasured([("wavelet", "coif3")], known, date(2026, 1, 2))))

@@ -212,11 +212,14 @@ class BlockCache(QObject):
         return found.get(layer_id)
 
     def seen(self, layer_id: str) -> tuple[str, str]:
-        """Data source and reference system of a layer, as they were last seen; its id when it never was."""
+        """Data source of a layer, and its reference system with its additional nodata, as they were last seen; its id
+        when it never was."""
         layer = self._project.mapLayer(layer_id)
         if layer is not None:
             crs = layer.crs()
-            self._seen[layer_id] = layer.source(), crs.authid() or layers.system_wkt(crs)
+            nodata = layers.additional_nodata(layer) if isinstance(layer, QgsRasterLayer) else None
+            said = (crs.authid() or layers.system_wkt(crs)) + ("" if nodata is None else f" {nodata!r}")
+            self._seen[layer_id] = layer.source(), said
         return self._seen.get(layer_id, (layer_id, ""))
 
     def _take(self, turn: int, ids: tuple[str, str], found: object) -> None:

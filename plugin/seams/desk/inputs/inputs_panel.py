@@ -11,10 +11,11 @@ from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import WARNING, SettingsError
+from ....imagery.errors import WARNING, Message, SettingsError
 from ....toolkit.connections import Connections
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.widgets import SummaryBox, single_shot
+from ....toolkit.layers import other_systems
 from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import limits, messages
@@ -44,6 +45,7 @@ class InputsPanel(QWidget):
         self._was_set = self._had_mosaic = False
         self._fitted: tuple[float, float] | None = None  # a side that did not fit, and the one that does
         self._doubted: tuple[str, ...] = ()  # sources that the doubts are about
+        self._found: list[Message] = []  # what windows say of them
         self.suggesting = Suggesting(session, self)
         self._suggester = single_shot(self, self._suggest_layers, _TOGETHER_MS)
         self._is_wide: bool | None = None
@@ -83,7 +85,8 @@ class InputsPanel(QWidget):
         finally:
             self._is_following = False
         if inputs.sources != self._doubted:  # they were said of others
-            self.doubts.setVisible(False)
+            self._found = []
+        self._show_doubts()
         self._fit_side()
         self._show_side()
         self.box.set_summary(*self._summary())
@@ -126,9 +129,13 @@ class InputsPanel(QWidget):
         """When all windows are inspected: what they say of the sources."""
         if asked:
             return
-        found = source_doubts(self._session.source_uses())
-        self._doubted = self._session.inputs.sources
-        self.doubts.setText(" ".join(map(sentence, found)))
+        self._found, self._doubted = [*source_doubts(self._session.source_uses())], self._session.inputs.sources
+        self._show_doubts()
+
+    def _show_doubts(self) -> None:
+        inputs, project = self._session.inputs, QgsProject.instance()
+        chosen = other_systems(map(project.mapLayer, (inputs.mosaic, *inputs.sources)))
+        self.doubts.setText(" ".join(map(sentence, [*chosen, *self._found])))
         self.doubts.setVisible(bool(self.doubts.text()))
 
     # Folding

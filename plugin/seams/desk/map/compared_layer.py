@@ -101,7 +101,7 @@ def private_layer(ref: RasterRef) -> QgsRasterLayer:
     options = QgsRasterLayer.LayerOptions()
     options.skipCrsValidation = True  # that would ask the user
     layer = QgsRasterLayer(ref.path, ref.name, "gdal", options)
-    if ref.wkt and not layer.crs().isValid():
+    if ref.wkt:
         layer.setCrs(reference_system(ref.wkt))
     layer.moveToThread(QCoreApplication.instance().thread())
     return layer

@@ -22,8 +22,8 @@ SOURCES_NOT_FOLLOWED = Message(
     "orthoimages?", WARNING
 )
 SOURCES_RESAMPLED = Message(
-    "In windows with sources on the mosaic's own pixels {count} others took no part, such as {name}: their pixels have "
-    "another size or direction, or they are in another reference system, so they would have to be resampled.", WARNING
+    "In windows with sources of the mosaic's pixel size {count} others took no part, such as {name}: their pixels have "
+    "another size.", WARNING
 )
 # sources that were made from the mosaic, and are given
 COPY_AMONG_SOURCES = Message(

@@ -4,7 +4,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from osgeo import gdal
 
 from ....imagery import limits as imagery_limits
 from ....imagery.clips import MAX_MISSING_SHARE
@@ -131,9 +130,8 @@ def _picked(
 
 def is_whole(source: OpenRaster) -> bool:
     """Whether nothing in a raster can say that a pixel is none."""
-    first, roles = source.dataset.GetRasterBand(1), source.roles
-    is_plain = roles.alpha is None and roles.palette is None and not source.raster.data_type.startswith("float")
-    return bool(is_plain and source.nodata is None and first.GetMaskFlags() == gdal.GMF_ALL_VALID)
+    is_plain = source.roles.alpha is None and source.roles.palette is None
+    return is_plain and source.is_all_valid and not source.raster.data_type.startswith("float")
 
 
 def takes_part(share: float) -> bool:

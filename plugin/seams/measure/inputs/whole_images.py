@@ -54,7 +54,10 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
 
 def whole_images_of_clips(sources: Sequence[Source], clips: Sequence[Clip | None]) -> list[Source]:
     """Sources, parts of one image as one, by what was read of them in a window; None where that can't be compared."""
-    known = {number: clip for number, clip in enumerate(clips) if clip is not None and not clip.resampled}
+    known = {
+        number: clip for number, clip in enumerate(clips)
+        if clip is not None and not (clip.resampled or clip.raster.is_turned)
+    }
     boxes = {number: _box(clip) for number, clip in known.items()}
 
     def are_same(first: int, second: int) -> bool:

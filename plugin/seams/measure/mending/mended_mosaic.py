@@ -63,6 +63,7 @@ def write_mended(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) -> N
     with whole_raster(path) as unfinished, gdal_writing(failure):
         below = gdal_call(lambda: open_dataset(os.path.abspath(mosaic.ref.path), RASTERS), failure)
         whole = gdal.GetDriverByName("VRT").CreateCopy("", below)
+        whole.SetProjection(mosaic.wkt)
         _lay(whole, band_roles(below).indices, patches)
         Path(unfinished).write_text(whole.GetMetadata("xml:VRT")[0], encoding="utf-8")
 

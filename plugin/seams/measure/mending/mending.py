@@ -284,7 +284,7 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
     given.append(np.array([one.is_wanted for one in request.pieces]))
     refs = request.mosaic.ref, *(one.ref for one in request.sources)
     outputs = {"mended": mended, **{os.path.basename(path): path for path in _made_patches(patches)}}
-    place = request.mosaic.geotransform, request.mosaic.own_wkt
+    place = request.mosaic.geotransform, request.mosaic.wkt
     fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, given, place)
     with guarding(outputs, (path for ref in refs for path in ref.paths)), journal_beside(
         Path(mended), JOURNAL_ENDING, fingerprint

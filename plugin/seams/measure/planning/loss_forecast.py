@@ -17,7 +17,7 @@ from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.clips import Clip, read_clip
 from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError, WindowError
-from ....imagery.grids import Extent, PixelWindow, snap_window
+from ....imagery.grids import Extent, PixelWindow, middle_of, snap_window
 from ....imagery.open_raster import OpenRaster, placed
 from ....imagery.rasters import Raster
 from ....imagery.reference_systems import extent_on, metres_per_unit
@@ -242,7 +242,7 @@ def _kept(
     if not settings.width_m or not pairs:
         return [], []
     grid = place.mosaic.grid
-    metres_x, metres_y = metres_per_unit(place.mosaic.wkt, grid.window_extent(place.window)[1])
+    metres_x, metres_y = metres_per_unit(place.mosaic.wkt, middle_of(grid.window_extent(place.window)))
     pixel_m = grid.pixel_height * metres_y, grid.pixel_width * metres_x
     seams = assumed_seams(place.window.height, place.window.width, pixel_m)
     assumed: list[Message] = []

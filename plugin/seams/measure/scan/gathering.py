@@ -18,6 +18,7 @@ import numpy as np
 from osgeo import ogr
 
 from ....imagery import messages as imagery_messages
+from ....imagery.clips import shared_extent
 from ....imagery.errors import CancelledError, Message, SeamInspectorError
 from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import own_threads
@@ -45,6 +46,9 @@ from .scan_result import PieceFigures, ScanResult, judge_piece, metres, without_
 
 _BLOCKS_OF_PIECES = 4
 """Side by side, whose pieces are measured together; it must not depend on who measures, as the last digits do on it."""
+_MOST_AROUND = 5.0
+"""Metres of seam per metre around the orthoimages. Brighton's crooked seams: 0.8; its mosaic warped by nearest
+neighbour: 22."""
 _TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
 """Shares of the time at the ends of what there is to do."""
 
@@ -93,6 +97,8 @@ class Gathering:
         pieces = list(request.pieces) if request.seams else cut_in_pieces(
             seams_of(borders), request.settings.piece_m, grid
         )
+        too_many = () if request.seams else tuple(_more_than_outlines(request, pieces))
+        pieces = [] if too_many else pieces
         for one in self._reading.unread:
             first, last = (one.row, one.column), (one.row + one.height, one.column + one.width)
             self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = NOT_LOOKED
@@ -119,8 +125,8 @@ class Gathering:
             # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
             alike = metres([judged[number] for number in unchanged], PieceState.NOT_MEASURED)
             told["unchanged_metres"] = f"{alike:.1f}"
-        notices = (*self._reading.notices, *_notices(ground), *without_verdict(judged))
-        if not pieces and not request.seams:
+        notices = (*self._reading.notices, *too_many, *_notices(ground), *without_verdict(judged))
+        if not (pieces or request.seams or too_many):
             followed = ", ".join(request.source_names[one.source] for one in polygons)
             notices += (messages.SCAN_WITHOUT_SEAMS(name=followed),) if followed else ()
         crew.tell(1.0)
@@ -214,6 +220,17 @@ class Gathering:
             self._journal.files, own, numbers, index.near(around, 0.0), self._blocks,
             self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, bool(self._request.seams),
         )
+
+
+def _more_than_outlines(request: ScanRequest, pieces: Sequence[SeamPiece]) -> Iterator[Message]:
+    """Where labels change so often that their borders can't be seams: an image has a seam around it at most."""
+    grid = request.mosaic.grid
+    shared = [shared_extent(one.extent, grid.extent) for one in request.sources]
+    around = sum(2 * ((e[2] - e[0]) * grid.metres_x + (e[3] - e[1]) * grid.metres_y) for e in shared if e is not None)
+    found = sum(piece.length_m for piece in pieces)
+    if found > _MOST_AROUND * around:
+        yield messages.MORE_SEAMS_THAN_OUTLINES(metres=found, around=around)
+
 
 def _notices(ground: FollowedGround) -> Iterator[Message]:
     """What of the ground is in no figure."""

@@ -65,8 +65,8 @@ def fingerprint_of(
             for item in (path, *_states(path, asked))
         ),
         "places": _digest([
-            mosaic.wkt, place, *_said_of_place(mosaic.path, listed),
-            *(item for one in sources for item in (one.ref.wkt, one.extent)),
+            mosaic.wkt, mosaic.nodata, place, *_said_of_place(mosaic.path, listed),
+            *((one.ref.wkt, one.ref.nodata, one.extent) for one in sources),
             *(said for one in sources for path in one.ref.paths for said in _said_of_place(path, listed)),
         ]),
         "settings": _digest([settings]),

@@ -118,7 +118,7 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
     asked = sum(map(is_remote, of_sources)) <= MOST_ASKED
     read = known_states(of_mosaic), known_states(of_sources, asked)
     items = [item for seam in seams for item in seam]
-    place = request.mosaic.geotransform, request.mosaic.own_wkt
+    place = request.mosaic.geotransform, request.mosaic.wkt
     fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, items, place)
     with journal_beside(output, JOURNAL_ENDING, fingerprint) as (journal, notice):
         yield WholeScan(request, journal, notice, read)

@@ -63,7 +63,7 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
         judgement = replace(judgement, reason=messages.VERDICT_OF_THE_REST(share=100 * (1 - found.explained)))
     if judgement.reason is not None and (found.explained < MIN_EXPLAINED or Cause.MISSING_SOURCE in found.causes):
         judgement = replace(judgement, reason=_with_other_pixels(judgement.reason, measured))
-    if judged[0].clip.resampled and judgement.reason is None:
+    if all(one.clip.resampled for one in judged) and judgement.reason is None:
         judgement = replace(judgement, reason=messages.ALL_RESAMPLED())
     return WindowResult(
         request.window_id, request.window, judgement, paper.verdict, clips, tuple(pairs), found,
@@ -84,7 +84,7 @@ def window_lost(measured: MeasuredWindow) -> LossPicture | None:
 def _with_other_pixels(reason: Message, measured: MeasuredWindow) -> Message:
     """Why the mosaic is not explained, the pixel size of the coarsest or finest source first where that is another."""
     own = measured.request.mosaic.ground_sample_distance
-    others = [one.clip.raster for one in measured.sources if one.clip.resampled]
+    others = [one.clip.raster for one in measured.only_shown or measured.sources]
     name, pixel = max(
         ((one.ref.name, one.ground_sample_distance) for one in others), key=lambda one: abs(math.log(one[1] / own)),
         default=("", own),

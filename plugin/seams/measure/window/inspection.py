@@ -14,6 +14,7 @@ from ....imagery.grids import Extent, PixelWindow, snap_window, standard_side_px
 from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import Raster, RasterRef
+from ....imagery.reference_systems import known_wkt
 from .. import messages
 from ..inputs.mosaic_copies import leave_out_copies
 from ..seam_cells import Cell, cells_over, source_stem
@@ -74,7 +75,8 @@ class Block:
 
 
 def open_block(
-    mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLike = "", *, keep_copies: bool = False
+    mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLike = "", *, keep_copies: bool = False,
+    crs: str = "",
 ) -> Block:
     """Open a mosaic with the orthoimages that it may have been made from.
 
@@ -82,25 +84,25 @@ def open_block(
     its footprint; without any the block can be scanned along given seamlines only. ``cells``: a vector file of polygons
     that name in a field which source each part of the mosaic was cut from, as ``file.gpkg|layername=cells`` where it
     has several layers. ``keep_copies``: whether copies of the mosaic among the sources take part, though they hide
-    every loss; without it they are looked for, and doubtful ones take part and are told.
+    every loss; without it they are looked for, and doubtful ones take part and are told. ``crs``: the reference system
+    of all rasters (WKT, or such as ``EPSG:2180``), whatever their files name; empty: what they name.
 
-    What is left out (sources that can't be opened, copies of the mosaic) is told by a SeamInspectorWarning each. Raises
-    RasterError when the mosaic can't be used, SettingsError when none of the sources can, SeamlineError when the cells
-    can't.
+    What is left out (sources that can't be opened, copies of the mosaic), and files that name another system than
+    ``crs``, are told by a SeamInspectorWarning each. Raises RasterError when the mosaic can't be used, SettingsError
+    when none of the sources can or ``crs`` is none, SeamlineError when the cells can't.
     """
-    raster = describe_mosaic(RasterRef(os.fspath(mosaic)))
-    refs = [RasterRef(os.fspath(source)) for source in sources]
+    wkt = known_wkt(crs)
+    raster = describe_mosaic(RasterRef(os.fspath(mosaic), wkt))
+    refs = [RasterRef(os.fspath(source), wkt) for source in sources]
     known = read_cells(os.fspath(cells), raster) if cells else ()
     paths = (raster.ref.path, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))
-    if not refs:
-        return Block(raster, (), tuple(known), paths)
-    block, notices = make_block(raster, refs, (), known)
+    block, notices = make_block(raster, refs, (), known) if refs else (Block(raster, (), tuple(known)), [])
     if not keep_copies:
         block, of_copies = without_copies(block)
         notices += of_copies
-    for notice in notices:
+    for notice in [*raster.notices, *notices]:
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
-    if not block.sources:
+    if refs and not block.sources:
         raise SettingsError(messages.NO_SOURCE_USABLE())
     return replace(block, paths=paths)
 

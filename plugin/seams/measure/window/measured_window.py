@@ -33,7 +33,7 @@ class MeasuredWindow:
     request: WindowRequest
     mosaic: MeasuredClip
     judged: tuple[MeasuredClip, ...]
-    """The sources that the verdict is taken against: those read as they are, or the resampled where all are."""
+    """The sources that the verdict is taken against: those of the mosaic's pixel size, or the others where none is."""
     only_shown: tuple[MeasuredClip, ...]
     """The other sources that can be compared."""
     sources: tuple[MeasuredClip, ...]
@@ -96,10 +96,15 @@ def measure_window(
         return measure_window(replace(request, sources=tuple(images)), read_each, judged_only)
     band = mosaic.clip.raster.judged_band
     sources, notices, not_covering = _comparable(others, band)
-    judged = [one for one in sources if not one.clip.resampled] or sources
+    pixel_m = mosaic.clip.raster.ground_sample_distance
+    judged = [
+        one for one in sources
+        if abs(one.clip.raster.ground_sample_distance / pixel_m - 1) <= imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE
+    ] or sources
     shown = [one for one in sources if one not in judged]
     notices += [messages.SOURCE_RESAMPLED(name=one.clip.raster.ref.name) for one in shown]
-    whole = [one.curves[band] for one in judged if one.clip.valid is None]
+    as_they_are = [one for one in judged if not one.clip.resampled] or judged
+    whole = [one.curves[band] for one in as_they_are if one.clip.valid is None]
     paper = judge(mosaic.curves[band], whole, request.settings.max_ratio)
     refused = (*notices, *not_covering)
     notices += images_in_parts(request.sources)

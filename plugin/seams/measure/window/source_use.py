@@ -18,22 +18,22 @@ LEAST_FOLLOWED = 0.02  # of a window's pixels; of estimated labels some 0.6 % ar
 class SourceUse:
     """What one window says of its sources, by their file names."""
 
-    own: tuple[str, ...]
-    """Those on the mosaic's own pixels, in their order."""
-    resampled: tuple[str, ...]
+    judged: tuple[str, ...]
+    """Those that took part, in their order."""
+    only_shown: tuple[str, ...]
     """The others."""
     shares: tuple[float, ...] | None
-    """Shares of the window's pixels that follow ``own``, or ``resampled`` where there are no others; None where that
-    can't be told."""
+    """Shares of the window's pixels that follow ``judged``; None where that can't be told."""
 
 
 def source_use(result: WindowResult) -> SourceUse:
     """What an inspected window says of its sources; it is kept of thousands, whose results are not."""
-    pairs = {pair.source: pair.resampled for pair in result.pairs if pair.source != COMPOSITE}
     explanation = result.explanation
+    names = dict.fromkeys(pair.source for pair in result.pairs if pair.source != COMPOSITE)
+    judged = dict.fromkeys(pair.source for pair in result.pairs if explanation is None or pair.change is not None)
     return SourceUse(
-        tuple(name for name, is_resampled in pairs.items() if not is_resampled),
-        tuple(name for name, is_resampled in pairs.items() if is_resampled),
+        tuple(name for name in names if name in judged),
+        tuple(name for name in names if name not in judged),
         None if explanation is None or explanation.is_unclear else tuple(explanation.shares),
     )
 
@@ -42,18 +42,17 @@ def source_doubts(uses: Iterable[SourceUse]) -> Iterator[Message]:
     """Sentences on sources by their file names."""
     took_part: Counter[str] = Counter()
     is_followed: set[str] = set()
-    resampled: set[str] = set()
+    only_shown: set[str] = set()
     for use in uses:
-        resampled.update(use.resampled if use.own else ())
+        only_shown.update(use.only_shown)
         if use.shares is None:
             continue
-        names = use.own or use.resampled
-        took_part.update(names)
-        is_followed.update(name for name, share in zip(names, use.shares) if share >= LEAST_FOLLOWED)
+        took_part.update(use.judged)
+        is_followed.update(name for name, share in zip(use.judged, use.shares) if share >= LEAST_FOLLOWED)
     doubtful = [name for name, count in took_part.items() if count >= FEWEST_WINDOWS and name not in is_followed]
     if len(doubtful) == 1:
         yield messages.SOURCE_NOT_FOLLOWED(name=doubtful[0], count=took_part[doubtful[0]])
     elif doubtful:
         yield messages.SOURCES_NOT_FOLLOWED(name=doubtful[0], count=len(doubtful), all=len(took_part))
-    if resampled:
-        yield messages.SOURCES_RESAMPLED(name=min(resampled), count=len(resampled))
+    if only_shown:
+        yield messages.SOURCES_RESAMPLED(name=min(only_shown), count=len(only_shown))

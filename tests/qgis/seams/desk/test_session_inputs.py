@@ -320,3 +320,26 @@ def test_mosaic_and_seamlines_are_suggested_until_the_operator_says_otherwise(
     session.close()
     panel.deleteLater()
     wait_for_tasks()
+
+
+def test_a_system_that_is_set_by_hand_is_taken_and_said_below_the_inputs(desk: Desk, tmp_path: Path) -> None:
+    panel = InputsPanel(desk.session)
+    layers = []
+    for one in (desk.mosaic, *desk.sources):
+        path = tmp_path / f"{one.name()}.tif"
+        layers.append(desk.raster(Path(write_raster(path, whole(Path(one.source())), system=2180, nodata=0))))
+        layers[-1].setCrs(one.crs())
+    desk.set(desk.inputs(mosaic=layers[0].id(), sources=tuple(one.id() for one in layers[1:])))
+    said = panel.doubts.text()
+    for one in layers:
+        assert_sentence(said, rf"{one.name()} is taken in .*EPSG:32633.* not in that of its file, EPSG:2180")
+    assert not panel.doubts.isHidden()
+    block = desk.session.block()
+    assert block is not None
+    assert [len(block.sources_over(window)) for window in (SHARP_WINDOW, BLURRED_WINDOW)] == [2, 2]
+    desk.add()
+    (row,) = desk.rows().values()
+    assert row.verdict == "significant"
+    desk.set(desk.inputs())
+    assert not panel.doubts.text()
+    panel.close()
