@@ -15,7 +15,7 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .errors import Message, RasterError
 from .gdal_calls import gdal_call, gdal_pixels, gdal_settings, gdal_silenced
-from .gdal_paths import RASTERS, check_raster_path, is_remote, open_dataset
+from .gdal_paths import RASTERS, check_raster_path, is_remote, is_there, open_dataset, with_parts
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
@@ -120,8 +120,7 @@ class OpenRaster:
 
     def _open(self) -> None:
         ref = self.ref
-        there = ref.path.startswith("/vsi") or ":" in ref.path or os.path.exists(ref.path)
-        failure = messages.NOT_A_RASTER(name=ref.name) if there else messages.NOT_FOUND(path=ref.path)
+        failure = messages.NOT_A_RASTER(name=ref.name) if is_there(ref.path) else messages.NOT_FOUND(path=ref.path)
         if os.path.exists(ref.path) and not os.access(ref.path, os.R_OK):
             failure = messages.NOT_PERMITTED(name=ref.name)
         for path in ref.paths:
@@ -248,6 +247,9 @@ class OpenRaster:
             return self.fetched(attempt)
         except RasterError:
             self.dataset.FlushCache()  # else the next one would get the made up pixels without a warning
+            for part in with_parts(self.ref.path):
+                if part != self.ref.path and not is_there(part):
+                    raise RasterError(messages.PART_NOT_FOUND(name=self.ref.name, part=part)) from None
             if size is None or not self._is_of_file:
                 raise
         # Of a JPEG in TIFF libjpeg decodes a half to an eighth of a tile alone for reduced pixels, where it takes sound

@@ -10,8 +10,8 @@ import pytest
 from osgeo import gdal
 
 from tests.qgis.runs import run
-from tests.qgis.scenes import windows
-from tests.qgis.seams.scan_scenes import Files, drawn_seam, write_scene
+from tests.qgis.scenes import layer, outline, windows
+from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, Files, drawn_seam, write_scene
 from tests.range_server import serving
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -80,3 +80,14 @@ def test_a_mosaic_of_any_name_is_mended(named: Files, tmp_path: Path) -> None:
     assert again.results["FAILED_METRES"] == 0
     for one in (scanned, mended, again):
         one.close()
+
+
+def test_sheets_in_an_archive_are_there(tmp_path: Path) -> None:
+    files = write_scene(tmp_path)
+    with zipfile.ZipFile(tmp_path / "all.zip", "w") as archive:
+        archive.write(files.west, "west.tif")
+    names = [f"/vsizip/{tmp_path}/all.zip/{name}" for name in ("west.tif", "east.tif")]
+    index = layer("Polygon", [outline((0, 0, COLUMNS, ROWS))] * 2, location=("string(200)", names))
+    checked = run("checkdelivery", SHEETS=index)
+    assert {row["sheet"]: row["location"] for row in checked.rows()} == {"west": names[0], "east": None}
+    checked.close()

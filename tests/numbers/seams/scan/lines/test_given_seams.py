@@ -1,6 +1,7 @@
 """Seams as producers deliver them: which line parts what, and what is wrong with a layer, told and not fatal."""
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from seam_inspector.plugin.imagery.errors import SeamlineError, SettingsError
 from seam_inspector.plugin.imagery.gdal_calls import gdal_silenced
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, SidedSeam, given_seams
-from seam_inspector.plugin.seams.measure.seamlines.seam_features import SeamFeature
+from seam_inspector.plugin.seams.measure.seamlines.seam_features import SeamFeature, read_seam_features
 from seam_inspector.plugin.seams.measure.seamlines.seam_fields import (
     DATE_FIELDS,
     DATE_SIDE_FIELDS,
@@ -20,6 +21,8 @@ from seam_inspector.plugin.seams.measure.seamlines.seam_fields import (
     SeamFields,
     seam_fields,
 )
+
+from tests.numbers.synthetic import UTM33, wkt
 
 GRID = Grid(0.0, 200.0, 0.1, 0.1, 4000, 2000)
 """400 x 200 m."""
@@ -244,6 +247,15 @@ def test_what_lies_elsewhere_takes_no_part() -> None:
 def test_layers_without_seams_are_refused(features: list[SeamFeature], match: str) -> None:
     with pytest.raises(SeamlineError, match=match):
         given_seams(features, GRID)
+
+
+def test_metres_in_a_geojson_of_degrees_lie_elsewhere(tmp_path: Path) -> None:
+    """GeoJSON is in degrees where it says nothing else; GDAL finds no place for such numbers."""
+    geometry = {"type": "LineString", "coordinates": [[500000, 5000000], [500100, 5000100]]}
+    path = tmp_path / "seams.geojson"
+    path.write_text(json.dumps({"type": "Feature", "properties": {}, "geometry": geometry}))
+    with pytest.raises(SeamlineError, match=r"None of the 1 features .* check the reference systems"):
+        read_seam_features(str(path), wkt(UTM33))
 
 
 # --- fields ----------------------------------------------------------------------------------------------------
