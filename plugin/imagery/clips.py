@@ -182,8 +182,10 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly
         partial(damaged, source.ref.name, PixelWindow(0, 0, source.columns, source.rows)),
     ))
     used = source.dataset if expanded is None else expanded
-    for i in range(used.RasterCount):  # GDAL keeps no roles when it adds alpha
-        warped.GetRasterBand(i + 1).SetColorInterpretation(used.GetRasterBand(i + 1).GetColorInterpretation())
+    for number in range(1, used.RasterCount + 1):  # GDAL keeps no roles when it adds alpha
+        band, kept = used.GetRasterBand(number), warped.GetRasterBand(number)
+        kept.SetColorInterpretation(band.GetColorInterpretation())
+        kept.SetDescription(band.GetDescription())
     made = OpenRaster(source.ref, warped)
     whole = PixelWindow(0, 0, window.width, window.height)
     bands, invalid_share, valid = _read_valid(made, whole, partly, holes, source)

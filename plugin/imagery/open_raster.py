@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
@@ -34,15 +35,12 @@ class BandRoles:
 
 
 def band_roles(dataset: gdal.Dataset) -> BandRoles:
-    """Band roles from the colour interpretation.
+    """Band roles from what bands are called, else from the colour interpretation.
 
-    Where a raster of three bands or more names no red, green and blue, its first three are taken as
-    such, and a fourth band without a name is near infrared.
+    The first three of a raster of three bands or more are red, green and blue unless one of them says otherwise; beside
+    red and green the first band without a name is near infrared.
     """
-    colours = [
-        gdal.GetColorInterpretationName(dataset.GetRasterBand(i + 1).GetColorInterpretation()).lower()
-        for i in range(dataset.RasterCount)
-    ]
+    colours = [_said_role(dataset.GetRasterBand(i + 1)) for i in range(dataset.RasterCount)]
     table = dataset.GetRasterBand(1).GetColorTable()
     if len(colours) == 1 and colours[0] == "palette" and table is not None:
         entries = [table.GetColorEntry(i) for i in range(table.GetCount())]
@@ -50,9 +48,11 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     alpha = colours.index("alpha") if "alpha" in colours else None
     measured = [i for i in range(len(colours)) if i != alpha]
     named = {colour: i for i, colour in reversed(list(enumerate(colours))) if colour in (*COLOURS, "nir")}
-    if not named.keys() >= set(COLOURS) and len(measured) >= 3:
-        named = dict(zip(COLOURS, measured))
-    if named.keys() >= set(COLOURS) and "nir" not in named:
+    said = {i: role for role, i in named.items()}
+    by_order = dict(zip(COLOURS, measured))
+    if len(by_order) == len(COLOURS) and all(said.get(i, role) == role for role, i in by_order.items()):
+        named = {**by_order, **named}
+    if named.keys() >= {"red", "green"} and "nir" not in named:
         unnamed = [i for i in measured if i not in named.values()]
         if unnamed:
             named["nir"] = unnamed[0]
@@ -60,6 +60,16 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     order += [i for i in measured if i not in order]
     roles = {i: role for role, i in named.items()}
     return BandRoles(tuple(roles.get(i, f"band_{i + 1}") for i in order), tuple(order), alpha)
+
+
+_CALLED = {**dict(zip(COLOURS, COLOURS)), "nir": "nir", "nearinfrared": "nir", "infrared": "nir"}
+"""Roles by the letters of what bands are called."""
+
+
+def _said_role(band: gdal.Band) -> str:
+    """Photometric red, green and blue are often infrared, red and green, so the name of a band goes before."""
+    colour = str(gdal.GetColorInterpretationName(band.GetColorInterpretation())).lower()
+    return _CALLED.get(re.sub("[^a-z]", "", band.GetDescription().lower()), colour)
 
 
 LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
