@@ -40,7 +40,11 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     The first three of a raster of three bands or more are red, green and blue unless one of them says otherwise; beside
     red and green the first band without a name is near infrared.
     """
-    colours = [_said_role(dataset.GetRasterBand(i + 1)) for i in range(dataset.RasterCount)]
+    # Photometric red, green and blue are often infrared, red and green, so the name of a band goes before.
+    bands = [dataset.GetRasterBand(i + 1) for i in range(dataset.RasterCount)]
+    colours = [gdal.GetColorInterpretationName(band.GetColorInterpretation()).lower() for band in bands]
+    called = [re.sub("[^a-z]", "", band.GetDescription().lower()) for band in bands]
+    colours = [_CALLED.get(name, colour) for name, colour in zip(called, colours)]
     table = dataset.GetRasterBand(1).GetColorTable()
     if len(colours) == 1 and colours[0] == "palette" and table is not None:
         entries = [table.GetColorEntry(i) for i in range(table.GetCount())]
@@ -64,14 +68,6 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
 
 _CALLED = {**dict(zip(COLOURS, COLOURS)), "nir": "nir", "nearinfrared": "nir", "infrared": "nir"}
 """Roles by the letters of what bands are called."""
-
-
-def _said_role(band: gdal.Band) -> str:
-    """Photometric red, green and blue are often infrared, red and green, so the name of a band goes before."""
-    colour = str(gdal.GetColorInterpretationName(band.GetColorInterpretation())).lower()
-    return _CALLED.get(re.sub("[^a-z]", "", band.GetDescription().lower()), colour)
-
-
 LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 """Compressions that are lossy unless the file says otherwise."""
 CORNER_PX = 16

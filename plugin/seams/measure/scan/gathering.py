@@ -6,7 +6,6 @@ their chains are joined to seams and cut in pieces, which they then measure (``p
 from __future__ import annotations
 
 import json
-import os
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
@@ -51,8 +50,7 @@ _TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
 
 def _listed(rasters: Iterable[RasterRef]) -> str:
     """Paths of rasters as JSON: so somebody else finds what a scan was made of, wherever the program was started."""
-    paths = (path for one in rasters for path in one.paths)
-    return json.dumps([os.path.abspath(path) if os.path.exists(path) else path for path in paths], ensure_ascii=False)
+    return json.dumps([path for one in rasters for path in one.paths], ensure_ascii=False)
 
 
 class Gathering:

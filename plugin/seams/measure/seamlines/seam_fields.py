@@ -80,7 +80,7 @@ def seam_fields(rows: Sequence[Attributes], given: str = "") -> SeamFields:
     # GDAL makes names of nested elements: ``phenomenonTime|TimePeriod|beginPosition``.
     parts = [(part, name) for name in reversed(names) if name in filled for part in (re.split(r"[|.]", name)[-1], name)]
     known = {_bare(part): name for part, name in parts}
-    (date,), (left_date, right_date) = _first(zip(DATE_FIELDS), known), _first(DATE_SIDE_FIELDS, known)
+    (date, *_), (left_date, right_date) = _first(zip(DATE_FIELDS), known), _first(DATE_SIDE_FIELDS, known)
     if given.strip():
         chosen = [part.strip() for part in given.split(",")]
         for name in chosen:
@@ -89,7 +89,7 @@ def seam_fields(rows: Sequence[Attributes], given: str = "") -> SeamFields:
         if len(chosen) == 2:
             return SeamFields("", chosen[0], chosen[1], date, left_date, right_date)
         return SeamFields(given.strip(), "", "", date)
-    (source,), (left, right) = _first(zip(SOURCE_FIELDS), known), _first(SIDE_FIELDS, known)
+    (source, *_), (left, right) = _first(zip(SOURCE_FIELDS), known), _first(SIDE_FIELDS, known)
     return SeamFields(source, left, right, date, left_date, right_date)
 
 
@@ -103,14 +103,10 @@ def said(value: object) -> str:
 
 
 def _first(wanted: Iterable[tuple[str, ...]], known: Mapping[str, str]) -> tuple[str, ...]:
-    """The layer's fields of the first tuple of names that it has all of, each whole or as a shapefile cuts it; as many
-    empty names where it has none. ``known``: its fields by their bare names."""
-    names: tuple[str, ...] = ()
-    for names in wanted:
-        fields = tuple(_field(_bare(name), known) for name in names)
-        if all(fields):
-            return fields
-    return ("",) * len(names)
+    """The layer's fields of the first tuple of names that it has all of, each whole or as a shapefile cuts it; empty
+    ones where it has none. ``known``: its fields by their bare names."""
+    fields = (tuple(_field(_bare(name), known) for name in names) for names in wanted)
+    return next(filter(all, fields), ("", ""))
 
 
 def _field(bare: str, known: Mapping[str, str]) -> str:

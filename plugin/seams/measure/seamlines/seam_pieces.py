@@ -10,7 +10,7 @@ import numpy as np
 
 from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import Grid
-from ....imagery.lines import points_at, shares_inside, vertex_stations
+from ....imagery.lines import points_at, stretches_inside, vertex_stations
 from .. import messages
 from .label_borders import NONE
 
@@ -101,25 +101,11 @@ def _inside(path: np.ndarray, grid: Grid) -> Iterator[tuple[np.ndarray, float]]:
     xmin, ymin, xmax, ymax = grid.extent
     low = np.array([xmin * grid.metres_x, ymin * grid.metres_y])
     high = np.array([xmax * grid.metres_x, ymax * grid.metres_y])
-    shortest = grid.ground_sample_distance
     along = vertex_stations(path)
-    if ((path >= low) & (path <= high)).all():
-        if along[-1] >= shortest:
-            yield path, 0.0
-        return
-    start, step = path[:-1], np.diff(path, axis=0)
-    enter, leave = shares_inside(path, low, high)
-    touched = np.flatnonzero(enter < leave)
-    # A part goes on where one stretch is left at its end and the next one entered at its start.
-    goes_on = (np.diff(touched) == 1) & (leave[touched[:-1]] == 1) & (enter[touched[1:]] == 0)
-    for run in np.split(touched, np.flatnonzero(~goes_on) + 1):
-        if not len(run):
-            continue
-        head = start[run[0]] + enter[run[0]] * step[run[0]]
-        tail = start[run[-1]] + leave[run[-1]] * step[run[-1]]
-        part = np.concatenate([head[np.newaxis], path[run[1:]], tail[np.newaxis]])
-        if vertex_stations(part)[-1] >= shortest:
-            yield part, float(along[run[0]] + enter[run[0]] * np.hypot(*step[run[0]]))
+    for first, last in stretches_inside(path, along, low, high):
+        if last - first >= grid.ground_sample_distance:
+            (part,) = cut_at(path, along, np.array([first, last]))
+            yield part.clip(low, high), float(first)
 
 
 LabelsAt = Callable[[np.ndarray, np.ndarray], np.ndarray]
