@@ -140,9 +140,11 @@ def readable_path(path: str) -> str:
 
 
 def is_there(path: str) -> bool:
-    """Whether a path leads to anything: to a file, whatever is in it, to memory, or over the network, where nobody is
-    asked."""
-    return "<" in path or is_remote(path) or path.startswith("/vsimem/") or os.path.exists(local_file(path))
+    """Whether a path leads to anything: to a file, whatever is in it, or over the network, where nobody is asked."""
+    if path.startswith("/vsi") and not is_remote(path):
+        with gdal_silenced():
+            return gdal.VSIStatL(path) is not None
+    return "<" in path or is_remote(path) or os.path.exists(local_file(path))
 
 
 def path_from(folder: str, name: str) -> str:
