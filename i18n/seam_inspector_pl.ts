@@ -184,74 +184,69 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="58"/>
+        <location filename="../plugin/imagery/messages.py" line="59"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="59"/>
+        <location filename="../plugin/imagery/messages.py" line="60"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="62"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="67"/>
+        <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="81"/>
+        <location filename="../plugin/imagery/messages.py" line="82"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="83"/>
+        <location filename="../plugin/imagery/messages.py" line="84"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="86"/>
+        <location filename="../plugin/imagery/messages.py" line="87"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="89"/>
         <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <location filename="../plugin/imagery/messages.py" line="91"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="94"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="99"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="101"/>
+        <location filename="../plugin/imagery/messages.py" line="102"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="104"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="107"/>
-        <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
-        <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="28"/>
@@ -294,52 +289,47 @@
         <translation>{path} nie istnieje; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="10"/>
-        <source>{name} is not a raster that GDAL can read; check that the file is complete.</source>
-        <translation>{name} nie jest rastrem, który GDAL potrafi odczytać; sprawdź, czy plik jest kompletny.</translation>
-    </message>
-    <message>
         <location filename="../plugin/imagery/messages.py" line="12"/>
         <source>The pixels of {name} can&apos;t be read; the file may be truncated or damaged, so copy it anew.</source>
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="31"/>
+        <location filename="../plugin/imagery/messages.py" line="32"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="32"/>
+        <location filename="../plugin/imagery/messages.py" line="33"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="34"/>
+        <location filename="../plugin/imagery/messages.py" line="35"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="36"/>
+        <location filename="../plugin/imagery/messages.py" line="37"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy albo zapisz w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="38"/>
+        <location filename="../plugin/imagery/messages.py" line="39"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="74"/>
+        <location filename="../plugin/imagery/messages.py" line="75"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="76"/>
+        <location filename="../plugin/imagery/messages.py" line="77"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="48"/>
+        <location filename="../plugin/imagery/messages.py" line="49"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -359,7 +349,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="46"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -394,7 +384,7 @@
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="64"/>
+        <location filename="../plugin/imagery/messages.py" line="65"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
@@ -1084,12 +1074,12 @@
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="133"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="134"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="181"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -2404,7 +2394,7 @@
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="57"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="58"/>
         <source>Reference system</source>
         <translation>Układ współrzędnych</translation>
     </message>
@@ -2574,12 +2564,12 @@
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="87"/>
+        <location filename="../plugin/toolkit/messages.py" line="91"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2644,7 +2634,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2654,12 +2644,12 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -2684,17 +2674,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="71"/>
+        <location filename="../plugin/imagery/messages.py" line="72"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="72"/>
+        <location filename="../plugin/imagery/messages.py" line="73"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2724,22 +2714,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="132"/>
+        <location filename="../plugin/imagery/messages.py" line="134"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="135"/>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="139"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="140"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2749,17 +2739,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="143"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="144"/>
+        <location filename="../plugin/imagery/messages.py" line="146"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="145"/>
+        <location filename="../plugin/imagery/messages.py" line="147"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -2824,7 +2814,7 @@
         <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="33"/>
+        <location filename="../plugin/imagery/messages.py" line="34"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
@@ -3224,7 +3214,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -3389,7 +3379,7 @@
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="54"/>
+        <location filename="../plugin/imagery/messages.py" line="55"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
@@ -3459,7 +3449,7 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
@@ -4483,7 +4473,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="79"/>
+        <location filename="../plugin/imagery/messages.py" line="80"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4879,22 +4869,22 @@
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="121"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="122"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="123"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="126"/>
+        <location filename="../plugin/imagery/messages.py" line="128"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
@@ -5084,152 +5074,147 @@
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="253"/>
-        <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic and are left out.</source>
-        <translation>Z {given:.0f} m linii mozaikowania {outside:.0f} m leży poza ortofotomapą i zostało pominięte.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="312"/>
+        <location filename="../plugin/seams/measure/messages.py" line="322"/>
         <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="313"/>
+        <location filename="../plugin/seams/measure/messages.py" line="323"/>
         <source>The scan starts anew, since {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="318"/>
+        <location filename="../plugin/seams/measure/messages.py" line="328"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="320"/>
+        <location filename="../plugin/seams/measure/messages.py" line="330"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="322"/>
+        <location filename="../plugin/seams/measure/messages.py" line="332"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="324"/>
+        <location filename="../plugin/seams/measure/messages.py" line="334"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="328"/>
+        <location filename="../plugin/seams/measure/messages.py" line="338"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="331"/>
+        <location filename="../plugin/seams/measure/messages.py" line="341"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="332"/>
+        <location filename="../plugin/seams/measure/messages.py" line="342"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="333"/>
+        <location filename="../plugin/seams/measure/messages.py" line="343"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="335"/>
+        <location filename="../plugin/seams/measure/messages.py" line="345"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="336"/>
+        <location filename="../plugin/seams/measure/messages.py" line="346"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="337"/>
+        <location filename="../plugin/seams/measure/messages.py" line="347"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="348"/>
+        <location filename="../plugin/seams/measure/messages.py" line="358"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="338"/>
+        <location filename="../plugin/seams/measure/messages.py" line="348"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="258"/>
+        <location filename="../plugin/seams/measure/messages.py" line="267"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="260"/>
+        <location filename="../plugin/seams/measure/messages.py" line="269"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="263"/>
+        <location filename="../plugin/seams/measure/messages.py" line="272"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="271"/>
+        <location filename="../plugin/seams/measure/messages.py" line="281"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="275"/>
+        <location filename="../plugin/seams/measure/messages.py" line="285"/>
         <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="278"/>
+        <location filename="../plugin/seams/measure/messages.py" line="288"/>
         <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
         <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="281"/>
+        <location filename="../plugin/seams/measure/messages.py" line="291"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="284"/>
+        <location filename="../plugin/seams/measure/messages.py" line="294"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="288"/>
+        <location filename="../plugin/seams/measure/messages.py" line="298"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="292"/>
+        <location filename="../plugin/seams/measure/messages.py" line="302"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="296"/>
+        <location filename="../plugin/seams/measure/messages.py" line="306"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="308"/>
+        <location filename="../plugin/seams/measure/messages.py" line="318"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="383"/>
+        <location filename="../plugin/seams/measure/messages.py" line="393"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="391"/>
+        <location filename="../plugin/seams/measure/messages.py" line="401"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
@@ -5239,12 +5224,12 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="395"/>
+        <location filename="../plugin/seams/measure/messages.py" line="405"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="403"/>
+        <location filename="../plugin/seams/measure/messages.py" line="413"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -5264,7 +5249,7 @@
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="340"/>
+        <location filename="../plugin/seams/measure/messages.py" line="350"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
@@ -5274,7 +5259,7 @@
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="351"/>
+        <location filename="../plugin/seams/measure/messages.py" line="361"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -5379,12 +5364,12 @@
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="359"/>
+        <location filename="../plugin/seams/measure/messages.py" line="369"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="362"/>
+        <location filename="../plugin/seams/measure/messages.py" line="372"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
@@ -5404,7 +5389,7 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="129"/>
+        <location filename="../plugin/imagery/messages.py" line="131"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
@@ -5479,12 +5464,12 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="227"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="228"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="226"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -5669,7 +5654,7 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="209"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="210"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
@@ -6726,7 +6711,7 @@
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="54"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="55"/>
         <source>Pixel size (metres)</source>
         <translation>Wielkość piksela (metry)</translation>
     </message>
@@ -6886,27 +6871,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="136"/>
+        <location filename="../plugin/imagery/messages.py" line="138"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="138"/>
+        <location filename="../plugin/imagery/messages.py" line="140"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="139"/>
+        <location filename="../plugin/imagery/messages.py" line="141"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="143"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="142"/>
+        <location filename="../plugin/imagery/messages.py" line="144"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -7831,12 +7816,12 @@
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="47"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="48"/>
         <source>Sheets</source>
         <translation>Arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/sheet_index.py" line="66"/>
+        <location filename="../plugin/acceptance/sheet_index.py" line="68"/>
         <source>Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says.</source>
         <translation>Obrysy arkuszy, gdy wszystkie zbadano jako jedną ortofotomapę: skorowidz w postaci, którą zapisuje gdaltindex, albo poligony z polem sheet lub name. Puste pole: arkuszem jest każda warstwa linii mozaikowania albo to, co podaje jej pole sheet.</translation>
     </message>
@@ -9039,32 +9024,32 @@
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="17"/>
+        <location filename="../plugin/imagery/messages.py" line="18"/>
         <source>{name} is a device, a pipe or memory, not a file; copy its data to a file.</source>
         <translation>{name} jest urządzeniem, potokiem albo pamięcią, a nie plikiem; skopiuj dane do pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="22"/>
+        <location filename="../plugin/imagery/messages.py" line="23"/>
         <source>{name} has {count} bands and {most} are the most; take out those that are to be measured.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, a może mieć najwyżej {most}; wydziel te, które mają być mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="24"/>
+        <location filename="../plugin/imagery/messages.py" line="25"/>
         <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles.</source>
         <translation>Raster {name} jest zapisany w blokach {width} × {height} px, zbyt dużych do odczytu; zapisz go ponownie w kaflach.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="26"/>
+        <location filename="../plugin/imagery/messages.py" line="27"/>
         <source>{name} claims {columns} x {rows} px, which no raster has; the file is damaged, so copy it anew.</source>
         <translation>Raster {name} ma mieć {columns} × {rows} px, jakich nie ma żaden raster; plik jest uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="28"/>
+        <location filename="../plugin/imagery/messages.py" line="29"/>
         <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="30"/>
+        <location filename="../plugin/imagery/messages.py" line="31"/>
         <source>{name} is {columns} px wide and {most} are the most; cut it into sheets first.</source>
         <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
     </message>
@@ -9084,7 +9069,7 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
@@ -9104,7 +9089,7 @@
         <translation>Nie można zapisać pliku {path}; zwolnij miejsce na dysku albo wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="77"/>
+        <location filename="../plugin/toolkit/messages.py" line="81"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -9129,12 +9114,12 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="133"/>
+        <location filename="../plugin/imagery/messages.py" line="135"/>
         <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="134"/>
+        <location filename="../plugin/imagery/messages.py" line="136"/>
         <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -9437,7 +9422,7 @@
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="40"/>
+        <location filename="../plugin/imagery/messages.py" line="41"/>
         <source>{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
@@ -9482,72 +9467,72 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="148"/>
+        <location filename="../plugin/imagery/messages.py" line="150"/>
         <source>Permission denied</source>
         <translation>brak dostępu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="159"/>
+        <location filename="../plugin/imagery/messages.py" line="161"/>
         <source>Operation not permitted</source>
         <translation>operacja niedozwolona</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="156"/>
+        <location filename="../plugin/imagery/messages.py" line="158"/>
         <source>No such file or directory</source>
         <translation>nie ma takiego pliku ani katalogu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="153"/>
+        <location filename="../plugin/imagery/messages.py" line="155"/>
         <source>Is a directory</source>
         <translation>jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="158"/>
+        <location filename="../plugin/imagery/messages.py" line="160"/>
         <source>Not a directory</source>
         <translation>nie jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="150"/>
+        <location filename="../plugin/imagery/messages.py" line="152"/>
         <source>File exists</source>
         <translation>plik już istnieje</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="154"/>
+        <location filename="../plugin/imagery/messages.py" line="156"/>
         <source>Too many levels of symbolic links</source>
         <translation>zbyt wiele poziomów dowiązań symbolicznych</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="155"/>
+        <location filename="../plugin/imagery/messages.py" line="157"/>
         <source>File name too long</source>
         <translation>zbyt długa nazwa pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="157"/>
+        <location filename="../plugin/imagery/messages.py" line="159"/>
         <source>No space left on device</source>
         <translation>brak miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="149"/>
+        <location filename="../plugin/imagery/messages.py" line="151"/>
         <source>Disk quota exceeded</source>
         <translation>przekroczony limit miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="160"/>
+        <location filename="../plugin/imagery/messages.py" line="162"/>
         <source>Read-only file system</source>
         <translation>system plików tylko do odczytu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="152"/>
+        <location filename="../plugin/imagery/messages.py" line="154"/>
         <source>Input/output error</source>
         <translation>błąd wejścia/wyjścia</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="151"/>
+        <location filename="../plugin/imagery/messages.py" line="153"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="43"/>
+        <location filename="../plugin/imagery/messages.py" line="44"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
@@ -9771,17 +9756,17 @@
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="80"/>
+        <location filename="../plugin/toolkit/messages.py" line="84"/>
         <source>{path} is as it was, as the run did not come to its end; what was measured until then is in {part}.</source>
         <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="84"/>
+        <location filename="../plugin/toolkit/messages.py" line="88"/>
         <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="256"/>
+        <location filename="../plugin/seams/measure/messages.py" line="265"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
@@ -9796,17 +9781,17 @@
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="315"/>
+        <location filename="../plugin/seams/measure/messages.py" line="325"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="334"/>
+        <location filename="../plugin/seams/measure/messages.py" line="344"/>
         <source>where the mosaic or one of the sources lies</source>
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="344"/>
+        <location filename="../plugin/seams/measure/messages.py" line="354"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -9826,92 +9811,92 @@
         <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="35"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="36"/>
         <source>Check a delivery</source>
         <translation>Sprawdź dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="45"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="46"/>
         <source>Of the delivered sheets. Empty: the files that the sheets&apos; field location names.</source>
         <translation>Dostarczonych arkuszy. Puste: pliki, które wymienia pole location arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="48"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="49"/>
         <source>Outlines of the sheets that were ordered, as polygons with a field sheet, name or location. Empty: all files in the folder count as ordered, and only their form is checked.</source>
         <translation>Obrysy zamówionych arkuszy jako poligony z polem sheet, name lub location. Puste: zamówiono to, co zawiera katalog, i sprawdzana jest tylko postać plików.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="52"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="53"/>
         <source>The pattern of file names, with * and ?, such as ortho_????_??.tif. Empty: any name.</source>
         <translation>Jak mają się nazywać pliki, ze znakami * i ?, np. ortho_????_??.tif. Puste: dowolnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="61"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="62"/>
         <source>How many, without alpha. Empty: as most sheets have.</source>
         <translation>Ile, bez kanału alfa. Puste: tyle, ile w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="68"/>
         <source>Of a sheet&apos;s outline.</source>
         <translation>Obrysu arkusza.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="70"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="71"/>
         <source>Each sheet with its file, what was found at it, and whether that is nothing.</source>
         <translation>Każdy arkusz z jego plikiem, uwagami i informacją, czy uwag nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="44"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="45"/>
         <source>Folder</source>
         <translation>Katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="51"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="52"/>
         <source>Pattern of names</source>
         <translation>Wzorzec nazw</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="60"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="61"/>
         <source>Bands</source>
         <translation>Kanały</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="63"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="64"/>
         <source>Type of the pixels</source>
         <translation>Typ pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="66"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
         <source>Largest share without data (%)</source>
         <translation>Największy udział bez danych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="69"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="70"/>
         <source>Checked sheets</source>
         <translation>Sprawdzone arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="72"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="73"/>
         <source>Mosaic of all sheets</source>
         <translation>Ortofotomapa wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="77"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="78"/>
         <source>Number of sheets</source>
         <translation>Liczba arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="78"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="79"/>
         <source>Sheets without a file</source>
         <translation>Arkusze bez pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="79"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="80"/>
         <source>Sheets with findings</source>
         <translation>Arkusze z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="80"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="81"/>
         <source>Complete (1) or not (0)</source>
         <translation>Kompletna (1) lub nie (0)</translation>
     </message>
@@ -10291,17 +10276,17 @@
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="299"/>
+        <location filename="../plugin/seams/measure/messages.py" line="309"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="303"/>
+        <location filename="../plugin/seams/measure/messages.py" line="313"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the mosaic itself tells what it follows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="355"/>
+        <location filename="../plugin/seams/measure/messages.py" line="365"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
@@ -10888,12 +10873,12 @@
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="18"/>
+        <location filename="../plugin/imagery/messages.py" line="19"/>
         <source>{name} is a service or a database, not a file; save the part that is needed as GeoTIFF.</source>
         <translation>{name} to usługa lub baza danych, a nie plik; zapisz potrzebną część jako GeoTIFF.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="20"/>
+        <location filename="../plugin/imagery/messages.py" line="21"/>
         <source>{name} is read by GDAL&apos;s driver {driver}, which may lead to other files; save it as GeoTIFF.</source>
         <translation>{name} czyta sterownik GDAL {driver}, który może prowadzić do innych plików; zapisz dane jako GeoTIFF.</translation>
     </message>
@@ -10911,7 +10896,7 @@
         <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="15"/>
+        <location filename="../plugin/imagery/messages.py" line="16"/>
         <source>{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it anew.</source>
         <translation>{name} jest uszkodzony w kolumnach od {left} do {right} i wierszach od {top} do {bottom} (GDAL: {why}); skopiuj go ponownie.</translation>
     </message>
@@ -11046,7 +11031,7 @@
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="365"/>
+        <location filename="../plugin/seams/measure/messages.py" line="375"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
@@ -11095,12 +11080,12 @@
         <translation>obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="386"/>
+        <location filename="../plugin/seams/measure/messages.py" line="396"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="399"/>
+        <location filename="../plugin/seams/measure/messages.py" line="409"/>
         <source>Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -11110,17 +11095,17 @@
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="55"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="56"/>
         <source>To 1 %. Empty: that of most sheets.</source>
         <translation>Z dokładnością do 1 %. Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="58"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="59"/>
         <source>Empty: that of most sheets.</source>
         <translation>Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="64"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="65"/>
         <source>8 bit is uint8, 16 bit uint16. Empty: that of most sheets.</source>
         <translation>8 bitów to uint8, 16 bitów to uint16. Puste: tak jak w większości arkuszy.</translation>
     </message>
@@ -11210,12 +11195,12 @@
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="13"/>
+        <location filename="../plugin/imagery/messages.py" line="14"/>
         <source>The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both anew.</source>
         <translation>Maska rastra {name}, w nim samym lub w pliku .msk obok, jest uszkodzona; skopiuj oba pliki jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="51"/>
+        <location filename="../plugin/imagery/messages.py" line="52"/>
         <source>Some points can&apos;t be transformed to another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
@@ -11310,7 +11295,7 @@
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="267"/>
+        <location filename="../plugin/seams/measure/messages.py" line="277"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
@@ -11985,12 +11970,12 @@
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="37"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="38"/>
         <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, have no data inside their outline, can&apos;t be read, or hide each other; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with what was found at each, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all that were ordered, ready for the scan.</source>
         <translation>Sprawdza pliki dostawy przed jej liniami mozaikowania: arkusze, których brakuje, których nikt nie zamówił, które nie mają danych wewnątrz swojego obrysu, których nie da się odczytać albo które zasłaniają się nawzajem; rozmiar piksela, układ odniesienia, kanały, typ pikseli i nazwy. Zapisuje arkusze z uwagami do każdego, gotowe dla odbioru dostawy, oraz jedną ortofotomapę wszystkich zamówionych, gotową do skanowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="73"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="74"/>
         <source>A virtual mosaic over the ordered sheets that fit together; nothing is copied.</source>
         <translation>Wirtualna ortofotomapa zamówionych arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
     </message>
@@ -12220,17 +12205,17 @@
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="369"/>
+        <location filename="../plugin/seams/measure/messages.py" line="379"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="373"/>
+        <location filename="../plugin/seams/measure/messages.py" line="383"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look at it, and give the seamlines that lack or scan without SEAMLINES.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez SEAMLINES.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="378"/>
+        <location filename="../plugin/seams/measure/messages.py" line="388"/>
         <source>{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy its files anew and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -12343,12 +12328,12 @@
         <translation>oceniono {judged:.0f} m linii mozaikowania, a na {unchanged:.0f} m z nich ortofotomapa nie zmienia ortoobrazu; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="123"/>
+        <location filename="../plugin/imagery/messages.py" line="125"/>
         <source>{name} can&apos;t be read over the network ({why}); check the network and GDAL&apos;s settings, or copy it to a local disk.</source>
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź połączenie z siecią i ustawienia biblioteki GDAL albo skopiuj plik na dysk lokalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="130"/>
+        <location filename="../plugin/imagery/messages.py" line="132"/>
         <source>something else is there</source>
         <translation>w tym miejscu jest coś innego</translation>
     </message>
@@ -12388,12 +12373,12 @@
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="126"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="127"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="226"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>
@@ -12418,7 +12403,7 @@
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/flicker.py" line="116"/>
+        <location filename="../plugin/seams/desk/map/flicker.py" line="118"/>
         <source>hard cut: reading ...</source>
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
@@ -12688,7 +12673,7 @@
         <translation>To, co odpowiada pod adresem {address}, nie jest schedulerem Dask; sprawdź adres (zwykle z portem 8786) albo pozostaw go pusty.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="86"/>
+        <location filename="../plugin/toolkit/messages.py" line="90"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -12824,6 +12809,46 @@
         <location filename="../plugin/seams/measure/window/window_tables.py" line="289"/>
         <source>Whether the window was drawn, placed along the seams, or is a worst place of a scan.</source>
         <translation>Czy okno narysowano, rozmieszczono wzdłuż linii, czy jest najgorszym miejscem ze skanowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="10"/>
+        <source>{name} is not a raster that GDAL can read; check that it is whole, or save it as GeoTIFF.</source>
+        <translation>{name} nie jest rastrem, który GDAL potrafi odczytać; sprawdź, czy plik jest kompletny, albo zapisz go jako GeoTIFF.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="13"/>
+        <source>{name} is made of {part}, which does not exist; put it there, or make {name} anew.</source>
+        <translation>{name} składa się z pliku {part}, który nie istnieje; umieść go tam albo utwórz {name} od nowa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <source>The seamline layer holds coordinates that are no numbers on the mosaic&apos;s map; check the reference systems of both and repair the layer with &apos;Fix geometries&apos;.</source>
+        <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę algorytmem „Napraw geometrie”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="253"/>
+        <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or within one orthoimage, where there is no seam, and are left out.</source>
+        <translation>{outside:.0f} m z {given:.0f} m linii mozaikowania leży poza ortofotomapą, wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu, gdzie nie ma linii mozaikowania; zostały pominięte.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="257"/>
+        <source>Along {metres:.0f} m of the seamlines, which name nothing, the mosaic shows one orthoimage on both sides: no seam is there, so they are left out.</source>
+        <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="261"/>
+        <source>No seamline parts two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
+        <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="275"/>
+        <source>The orthoimages beside the seams are those that the seamline layer names in {fields}.</source>
+        <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="77"/>
+        <source>In {path} names of fields are cut to ten letters ({names}), so nothing that looks for them finds them, or finds another one; write a GeoPackage to keep them.</source>
+        <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
 </context>
 </TS>
