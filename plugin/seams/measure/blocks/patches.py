@@ -209,10 +209,10 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
 
 
 def _starts(length: int) -> np.ndarray:
-    """First row or column of every square's patch; the last square may be smaller, its patch ends a cell before the
-    block does: sources may end some pixels before the mosaic."""
+    """First row or column of every square's patch; the last square may be smaller, its patch lies within it or ends
+    where the block does."""
     starts = np.arange(0, length, SQUARE_PX) + PATCH_START_PX
-    last = (length - PATCH_PX - PATCH_START_PX) // CELL_PX * CELL_PX + PATCH_START_PX - CELL_PX
+    last = (length - PATCH_PX - PATCH_START_PX) // CELL_PX * CELL_PX + PATCH_START_PX
     return np.minimum(starts, last)
 
 

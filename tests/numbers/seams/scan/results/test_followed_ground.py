@@ -11,7 +11,7 @@ from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
 from seam_inspector.plugin.seams.measure.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
-from seam_inspector.plugin.seams.measure.scan.followed_ground import LEAST_UNEXPLAINED, FollowedGround
+from seam_inspector.plugin.seams.measure.scan.followed_ground import FollowedGround
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, SidedSeam
 
@@ -220,16 +220,6 @@ def test_a_sound_mosaic_and_a_feathered_one_hide_nothing(tmp_path: Path, given: 
     assert seen == {"seams": "given" if given else "found", "unexplained": "0.0000"} | (
         {"unchanged_metres": "0.0"} if given else {}
     )
-
-
-@pytest.mark.parametrize(("columns", "rows"), [(1, 0), (0, 3), (9, 9)])
-def test_orthoimages_that_end_before_the_mosaic_explain_its_edge(tmp_path: Path, columns: int, rows: int) -> None:
-    """Cropped to a cutline on a grid of their own, or with borders eaten by nearblack."""
-    shape = (520, 700)
-    given = images(shape)
-    cropped = [one[: shape[0] - rows, : shape[1] - columns] for one in given]
-    one = scene(tmp_path, blended(*given, beside(300, 0, shape)), cropped)
-    assert float(result_of(tmp_path, one).told["unexplained"]) < LEAST_UNEXPLAINED
 
 
 @pytest.mark.slow
