@@ -10,6 +10,7 @@ from qgis.core import QgsProcessingOutputRasterLayer, QgsProcessingParameterCrs
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import CancelledError, RasterError, SettingsError
+from ..imagery.gdal_paths import is_there
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
@@ -129,10 +130,10 @@ class CheckDelivery(SeamInspectorAlgorithm):
         files = _rasters(Path(folder), with_folders=is_ordered) if folder else []
         found, homes = [], {Path(folder)}
         for name, path, outline, wkt in index_rows(run, SHEETS, self._index) if is_ordered else ():
-            own = _of_stem(files, Path(path or name).stem) if folder else Path(path) if path else None
-            is_there = own is not None and os.path.isfile(own)
-            found.append(OrderedSheet(name, str(own) if is_there else "", outline, wkt))
-            if own is not None and own in files:
+            own = _of_stem(files, Path(path or name).stem) if folder else None
+            place = str(own or path) if own is not None or not folder else ""
+            found.append(OrderedSheet(name, place if is_there(place) else "", outline, wkt))
+            if own is not None:
                 files.remove(own)
                 homes.add(own.parent)
         beside = (path for path in files if path.parent in homes)

@@ -1,6 +1,7 @@
 """An index of sheets, polygons such as gdaltindex writes: which sheet of one large mosaic a piece of seam lies in."""
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -16,6 +17,7 @@ from qgis.core import (
 )
 
 from ..imagery.errors import SettingsError
+from ..imagery.gdal_paths import path_from
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
@@ -120,10 +122,10 @@ def index_rows(run: Run, parameter: str, index_path: str) -> Iterator[tuple[str,
     """
     from ..toolkit.layers import system_wkt
 
-    wkt, folder = system_wkt(run.source(parameter).sourceCrs()), Path(index_path).parent
+    wkt, folder = system_wkt(run.source(parameter).sourceCrs()), os.path.dirname(index_path)
     for name, row in _sheet_rows(run, parameter)[0]:
         path = text(row[LOCATION])
-        yield name, str(folder / path) if path else "", bytes(row.feature.geometry().asWkb()), wkt
+        yield name, path_from(folder, path) if path else "", bytes(row.feature.geometry().asWkb()), wkt
 
 
 def _sheet_rows(run: Run, parameter: str) -> tuple[list[tuple[str, Attributes]], bool]:

@@ -28,9 +28,11 @@ _IMAGES = (
     "GTiff", "COG", "JPEG", "PNG", "GIF", "BIGGIF", "BMP", "WEBP", "JPEGXL", "HEIF", "PNM", "JP2OpenJPEG", "JP2ECW",
     "JP2KAK", "JP2MrSID", "JP2Lura", "ECW", "MrSID", "HFA", "ENVI", "EHdr", "NITF", "RMF", "RST", "KRO", "SGI", "TGA",
     "AAIGrid", "GRASSASCIIGrid", "GSAG", "GSBG", "GS7BG", "XYZ", "SRTMHGT", "DTED", "USGSDEM", "SAGA", "PCRaster",
-    "BYN", "CTable2", "GTX", "ISG", "LOSLAS", "NGSGEOID", "NTv2", "GPKG", "MBTiles", "VRT", "GTI",
+    "BYN", "CTable2", "GTX", "ISG", "LOSLAS", "NGSGEOID", "NTv2", "netCDF", "GPKG", "MBTiles", "Rasterlite", "VRT",
+    "GTI",
 )  # fmt: skip
-"""Formats of images, heights and geoids. But for VRT and GTI they name no other file, as ERS, MRF and services do."""
+"""Formats of images, heights and geoids. But for VRT and GTI they name no other file, as ERS, MRF, PCIDSK, KMZ and
+services do."""
 _TABLES = (
     "GPKG", "ESRI Shapefile", "GeoJSON", "GeoJSONSeq", "TopoJSON", "ESRIJSON", "FlatGeobuf", "CSV", "SQLite", "KML",
     "LIBKML", "GML", "GPX", "DXF", "DGN", "MapInfo File", "OpenFileGDB", "Parquet", "Arrow", "XLSX", "ODS",
@@ -137,6 +139,21 @@ def readable_path(path: str) -> str:
     return f"/vsicurl/{path}" if re.match(r"(?:https?|ftp)://", path, re.I) else path
 
 
+def is_there(path: str) -> bool:
+    """Whether a path leads to anything: to a file, whatever is in it, or over the network, where nobody is asked."""
+    if path.startswith("/vsi") and not is_remote(path):
+        with gdal_silenced():
+            return gdal.VSIStatL(path) is not None
+    return "<" in path or is_remote(path) or os.path.exists(local_file(path))
+
+
+def path_from(folder: str, name: str) -> str:
+    """What a name in an index leads to: one of a file starts at the index's folder, unless it is a whole path."""
+    place = os.path.normpath(os.path.join(folder, name))
+    is_whole = os.path.isabs(name) or (":" in name and not os.path.exists(place))  # D:\a.tif, GPKG:a.gpkg:table
+    return name if is_whole or not folder else place
+
+
 def local_file(path: str) -> str:
     """The file of this machine that a path is read from: of one inside an archive the archive, of a part of a file
     (GTIFF_DIR:1:a.tif) that file."""
@@ -239,5 +256,4 @@ def _indexed(path: str) -> Iterator[str]:
     if layer is None or (column := layer.GetLayerDefn().GetFieldIndex("location")) < 0:
         return
     for row in layer:
-        name = row.GetFieldAsString(column)
-        yield name if is_remote(name) else os.path.join(os.path.dirname(path), name)
+        yield path_from(os.path.dirname(path), row.GetFieldAsString(column))

@@ -45,16 +45,20 @@ def points_at(path: np.ndarray, along: np.ndarray, wanted: np.ndarray) -> np.nda
     return np.column_stack([np.interp(wanted, along, one) for one in path.T])
 
 
-def shares_inside(path: np.ndarray, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """From which to which share of its length, 0 to 1, each straight stretch of a path, (n, 2), lies in a rectangle
-    (Liang and Barsky); from more than to where it does not. ``low``, ``high``: the rectangle's corners, (2,)."""
+def stretches_inside(path: np.ndarray, along: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    """(k, 2): stations between which a path, (n, 2), lies in a rectangle (Liang and Barsky). ``along``: stations of its
+    vertices; ``low``, ``high``: the rectangle's corners, (2,)."""
     start, step = path[:-1], np.diff(path, axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
         bounds = np.stack([(low - start) / step, (high - start) / step])
     reach = np.where((start >= low) & (start <= high), np.inf, -np.inf)  # of what runs parallel: wholly in or out
     enter = np.where(step == 0, -reach, bounds.min(axis=0)).max(axis=1).clip(0)
     leave = np.where(step == 0, reach, bounds.max(axis=0)).min(axis=1).clip(max=1)
-    return enter, leave
+    crosses = enter <= leave
+    station, length = along[:-1][crosses], np.diff(along)[crosses]
+    first, last = station + enter[crosses] * length, station + leave[crosses] * length
+    apart = first[1:] > last[:-1] + 1e-9 * along[-1]  # else it goes on at a vertex
+    return np.column_stack([first[np.append(True, apart)[: len(first)]], last[np.append(apart, True)[: len(last)]]])
 
 
 def burnt(

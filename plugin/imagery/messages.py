@@ -7,9 +7,10 @@ from .errors import INFO, WARNING, Message
 
 # rasters
 NOT_FOUND = Message("{path} does not exist; check the path.")
-NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that the file is complete.")
+NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that it is whole, or save it as GeoTIFF.")
 NOT_PERMITTED = Message("{name} may not be read; ask its owner for permission to read it, or copy it.")
 NOT_READABLE = Message("The pixels of {name} can't be read; the file may be truncated or damaged, so copy it anew.")
+PART_NOT_FOUND = Message("{name} is made of {part}, which does not exist; put it there, or make {name} anew.")
 MASK_NOT_READABLE = Message("The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both anew.")
 DAMAGED = Message(
     "{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it anew."
@@ -109,7 +110,8 @@ SEAMLINES_BROKEN = Message(
     "The geometry of feature {feature} in the seamline layer can't be read; repair the layer with 'Fix geometries'."
 )
 SEAMLINES_NOT_FINITE = Message(
-    "The seamline layer holds coordinates that are no numbers; repair it with 'Fix geometries'."
+    "The seamline layer holds coordinates that are no numbers on the mosaic's map; check the reference systems of both "
+    "and repair the layer with 'Fix geometries'."
 )
 # files that are written
 CANCELLED = Message("The work was cancelled; nothing was written.", WARNING)

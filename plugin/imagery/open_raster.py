@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
@@ -15,7 +16,7 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .errors import Message, RasterError
 from .gdal_calls import gdal_call, gdal_pixels, gdal_settings, gdal_silenced
-from .gdal_paths import RASTERS, check_raster_path, is_remote, open_dataset
+from .gdal_paths import RASTERS, check_raster_path, is_remote, is_there, open_dataset, with_parts
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
@@ -34,15 +35,16 @@ class BandRoles:
 
 
 def band_roles(dataset: gdal.Dataset) -> BandRoles:
-    """Band roles from the colour interpretation.
+    """Band roles from what bands are called, else from the colour interpretation.
 
-    Where a raster of three bands or more names no red, green and blue, its first three are taken as
-    such, and a fourth band without a name is near infrared.
+    The first three of a raster of three bands or more are red, green and blue unless one of them says otherwise; beside
+    red and green the first band without a name is near infrared.
     """
-    colours = [
-        gdal.GetColorInterpretationName(dataset.GetRasterBand(i + 1).GetColorInterpretation()).lower()
-        for i in range(dataset.RasterCount)
-    ]
+    # Photometric red, green and blue are often infrared, red and green, so the name of a band goes before.
+    bands = [dataset.GetRasterBand(i + 1) for i in range(dataset.RasterCount)]
+    colours = [gdal.GetColorInterpretationName(band.GetColorInterpretation()).lower() for band in bands]
+    called = [re.sub("[^a-z]", "", band.GetDescription().lower()) for band in bands]
+    colours = [_CALLED.get(name, colour) for name, colour in zip(called, colours)]
     table = dataset.GetRasterBand(1).GetColorTable()
     if len(colours) == 1 and colours[0] == "palette" and table is not None:
         entries = [table.GetColorEntry(i) for i in range(table.GetCount())]
@@ -50,9 +52,11 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     alpha = colours.index("alpha") if "alpha" in colours else None
     measured = [i for i in range(len(colours)) if i != alpha]
     named = {colour: i for i, colour in reversed(list(enumerate(colours))) if colour in (*COLOURS, "nir")}
-    if not named.keys() >= set(COLOURS) and len(measured) >= 3:
-        named = dict(zip(COLOURS, measured))
-    if named.keys() >= set(COLOURS) and "nir" not in named:
+    said = {i: role for role, i in named.items()}
+    by_order = dict(zip(COLOURS, measured))
+    if len(by_order) == len(COLOURS) and all(said.get(i, role) == role for role, i in by_order.items()):
+        named = {**by_order, **named}
+    if named.keys() >= {"red", "green"} and "nir" not in named:
         unnamed = [i for i in measured if i not in named.values()]
         if unnamed:
             named["nir"] = unnamed[0]
@@ -62,6 +66,8 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     return BandRoles(tuple(roles.get(i, f"band_{i + 1}") for i in order), tuple(order), alpha)
 
 
+_CALLED = {**dict(zip(COLOURS, COLOURS)), "nir": "nir", "nearinfrared": "nir", "infrared": "nir"}
+"""Roles by the letters of what bands are called."""
 LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 """Compressions that are lossy unless the file says otherwise."""
 CORNER_PX = 16
@@ -123,8 +129,7 @@ class OpenRaster:
 
     def _open(self) -> None:
         ref = self.ref
-        there = ref.path.startswith("/vsi") or ":" in ref.path or os.path.exists(ref.path)
-        failure = messages.NOT_A_RASTER(name=ref.name) if there else messages.NOT_FOUND(path=ref.path)
+        failure = messages.NOT_A_RASTER(name=ref.name) if is_there(ref.path) else messages.NOT_FOUND(path=ref.path)
         if os.path.exists(ref.path) and not os.access(ref.path, os.R_OK):
             failure = messages.NOT_PERMITTED(name=ref.name)
         for path in ref.paths:
@@ -264,6 +269,9 @@ class OpenRaster:
             return self.fetched(attempt)
         except RasterError:
             self.dataset.FlushCache()  # else the next one would get the made up pixels without a warning
+            for part in with_parts(self.ref.path):
+                if part != self.ref.path and not is_there(part):
+                    raise RasterError(messages.PART_NOT_FOUND(name=self.ref.name, part=part)) from None
             if size is None or not self._is_of_file:
                 raise
         # Of a JPEG in TIFF libjpeg decodes a half to an eighth of a tile alone for reduced pixels, where it takes sound

@@ -73,6 +73,10 @@ NAME_MISREAD = Message(
     "'{output}' can't be {path}: QGIS takes '{found}' in the path of a layer for something else; choose another name."
 )
 LAYER_NOT_WRITTEN = Message("{path} can't be written; make room on the disk, or choose another folder.")
+FIELD_NAMES_CUT = Message(
+    "In {path} names of fields are cut to ten letters ({names}), so nothing that looks for them finds them, or finds "
+    "another one; write a GeoPackage to keep them.", WARNING
+)
 LAYER_IN_PART = Message(
     "{path} holds {held} of {count} features, as the rest can't be written; make room on the disk, and run this again."
 )

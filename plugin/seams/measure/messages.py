@@ -250,7 +250,16 @@ SOURCE_WITHOUT_BAND = Message(
 )
 # seams as producers deliver them
 SEAMS_CUT_OFF = Message(
-    "{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic and are left out.", WARNING
+    "{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or "
+    "within one orthoimage, where there is no seam, and are left out.", WARNING
+)
+SEAMS_WITHIN_ONE = Message(
+    "Along {metres:.0f} m of the seamlines, which name nothing, the mosaic shows one orthoimage on both sides: no seam "
+    "is there, so they are left out.", WARNING
+)
+SEAMS_PART_NOTHING = Message(
+    "No seamline parts two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; "
+    "check the reference systems, and the field that names the orthoimages."
 )
 SEAM_FILE_NOT_READ = Message(
     "No seamlines can be read from {path}; check that it is a vector file, and the name of its layer."
@@ -263,6 +272,7 @@ SEAMS_UNNAMED = Message(
     "The seamline layer names no orthoimages beside its seams, in a field 'source' for instance; where orthoimages are "
     "given, the mosaic itself tells which it follows.", INFO
 )
+SEAMS_NAMED_BY = Message("The orthoimages beside the seams are those that the seamline layer names in {fields}.", INFO)
 SEAMS_NAMED_BY_DATE = Message(
     "The seamline layer names no orthoimages; the sides of its seams are named by the dates in the "
     "field '{field}'.", INFO

@@ -70,8 +70,10 @@ def present(labels: np.ndarray) -> list[int]:
 
 
 def source_stem(name: str) -> str:
-    """What a source is compared by: its name without folder, ending and capitals."""
-    return PurePath(name.replace("\\", "/")).stem.lower()
+    """What a source is compared by: its name without folder, ending and capitals; of a part of a file, such as
+    GPKG:a.gpkg:table, the part counts."""
+    path = PurePath(name.replace("\\", "/"))
+    return (path.name if ":" in path.suffix else path.stem).lower()
 
 
 def meant_sources(

@@ -8,13 +8,13 @@ from qgis.core import QgsCoordinateTransform, QgsFeature, QgsGeometry
 from qgis.PyQt.QtCore import QDate, QDateTime, Qt
 
 from ...imagery.errors import Message, SettingsError, WindowError
+from ...imagery.gdal_paths import path_from
 from ...imagery.rasters import RasterRef
 from ...toolkit.layers import extent, line_wkb, transformed
 from ...toolkit.table_fields import is_known, text
 from ..measure import messages
-from ..measure.messages import SEAM_FEATURES_NOT_TRANSFORMED
 from ..measure.seam_cells import Cell
-from ..measure.seamlines.seam_features import SeamFeature
+from ..measure.seamlines.seam_features import SeamFeature, lost_features
 from ..measure.source_images import Source
 
 LOCATION_FIELD = "location"  # as gdaltindex writes it
@@ -34,12 +34,9 @@ def indexed_sources(
     folder = os.path.dirname(os.path.abspath(index_path)) if index_path else ""
     sources = []
     for feature in rows:
-        path, geometry = text(feature[LOCATION_FIELD]), QgsGeometry(feature.geometry())
-        if not path or geometry.isEmpty():
-            continue
-        if folder and not (os.path.isabs(path) or path.startswith("/vsi") or ":" in path):
-            path = os.path.normpath(os.path.join(folder, path))
-        sources.append(Source(RasterRef(path), extent(transformed(geometry, transform))))
+        name, geometry = text(feature[LOCATION_FIELD]), QgsGeometry(feature.geometry())
+        if name and not geometry.isEmpty():
+            sources.append(Source(RasterRef(path_from(folder, name)), extent(transformed(geometry, transform))))
     return sources
 
 
@@ -70,7 +67,7 @@ def seam_features(
             lost += 1
             continue
         features.append(({name: plain_text(value) for name, value in zip(names, row.attributes())}, wkb))
-    return features, SEAM_FEATURES_NOT_TRANSFORMED(count=lost) if lost else None
+    return features, lost_features(lost, features)
 
 
 def plain_text(value: object) -> str:

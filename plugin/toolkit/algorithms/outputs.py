@@ -42,6 +42,7 @@ from qgis.PyQt.QtCore import QUrl
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
 from ...imagery.file_identity import IN_MEMORY, DataPlace, check_is_file, check_outputs, is_database, opened_checked
+from ...imagery.gdal_paths import path_from
 from ...imagery.messages import system_reason
 from .. import messages
 from . import parameters as common
@@ -269,4 +270,4 @@ def _indexed(
         index = algorithm.parameterAsVectorLayer(parameters, name, context) if parameters.get(name) else None
         if index is not None and "location" in index.fields().names():
             folder = os.path.dirname(layer_path(index))
-            yield from (os.path.join(folder, str(row["location"])) for row in index.getFeatures())
+            yield from (path_from(folder, str(row["location"])) for row in index.getFeatures())

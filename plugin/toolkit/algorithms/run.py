@@ -35,6 +35,9 @@ if TYPE_CHECKING:
     from ...imagery.errors import Message
     from ...imagery.rasters import Raster, RasterRef
 
+_DBASE = (".shp", ".dbf")  # whose tables are dBASE's
+_DBASE_LETTERS = 10  # of a field's name in one
+
 
 class Run:
     """The parameters of a run, read by their names, and its results and messages."""
@@ -199,6 +202,9 @@ class Run:
         """
         text = output_text(self.parameters.get(name), self.context)
         place = table_place(text) if text and is_file(text) else None
+        if place is not None and place.path.lower().endswith(_DBASE):
+            cut = [one for one in layout[0].names() if len(one) > _DBASE_LETTERS]
+            self.tell(*([messages.FIELD_NAMES_CUT(path=place.path, names=", ".join(cut))] if cut else []))
 
         def make(path: str | None) -> Sink:
             given = self.parameters if path is None else {**self.parameters, name: _at(self.parameters[name], path)}

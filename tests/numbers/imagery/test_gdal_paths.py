@@ -94,6 +94,28 @@ def test_formats_that_name_other_files_are_not_used(tmp_path: Path, name: str, t
     assert f"is read by GDAL's driver {driver}" in refusal(tmp_path / name)
 
 
+@pytest.mark.parametrize(("driver", "options"), [
+    ("netCDF", []), ("Rasterlite", ["DRIVER=GTiff"]), ("HFA", []), ("ENVI", []), ("GPKG", ["TILE_FORMAT=PNG"]),
+])  # fmt: skip
+def test_formats_that_lead_nowhere_are_read(tmp_path: Path, driver: str, options: list[str]) -> None:
+    pixels = np.random.default_rng(3).integers(1, 255, (1, 64, 64), np.uint8)
+    given = write_raster(tmp_path / "a.tif", pixels)
+    gdal.Translate(str(tmp_path / "a.made"), given, format=driver, creationOptions=options)
+    np.testing.assert_array_equal(
+        OpenRaster(RasterRef(str(tmp_path / "a.made"))).read(PixelWindow(0, 0, 64, 64)).bands, pixels
+    )
+
+
+def test_what_an_index_names_starts_at_its_folder(tmp_path: Path) -> None:
+    (tmp_path / "10:00.tif").touch()
+    inside = {"a.tif": "a.tif", "b/../a.tif": "a.tif", "10:00.tif": "10:00.tif"}
+    assert [gdal_paths.path_from(str(tmp_path), one) for one in inside] == [
+        str(tmp_path / one) for one in inside.values()
+    ]  # fmt: skip
+    for whole in ("/a.tif", "D:\\a.tif", "GPKG:a.gpkg:b", "/vsicurl/http://a/b.tif", "http://a/b.tif", "vrt://a.tif"):
+        assert gdal_paths.path_from(str(tmp_path), whole) == whole
+
+
 @pytest.mark.parametrize("unit", ["<SourceFilename ", "<SourceFilename>a.tif</SourceFilename>", "<a>"])
 def test_what_a_long_vrt_names_is_found_soon(tmp_path: Path, unit: str) -> None:
     path = tmp_path / "a.vrt"

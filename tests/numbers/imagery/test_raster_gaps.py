@@ -183,6 +183,8 @@ def test_validity_is_checked_from_a_part_of_the_pixels(make_raster: MakeRaster) 
         ([GRAY, UNDEFINED, UNDEFINED, UNDEFINED], "red green blue nir", [0, 1, 2, 3]),
         ([GRAY, UNDEFINED, UNDEFINED, ALPHA], "red green blue", [0, 1, 2]),
         ([YELLOW, CYAN, UNDEFINED], "red green blue", [0, 1, 2]),
+        ([UNDEFINED, RED, GREEN], "red green nir", [1, 2, 0]),
+        ([GRAY, RED, GREEN, ALPHA], "red green nir", [1, 2, 0]),
     ],
 )
 def test_band_roles(
@@ -199,6 +201,20 @@ def test_band_roles(
     assert " ".join(raster.band_names) == names
     assert raster.has_luminance is names.startswith("red green blue")
     np.testing.assert_array_equal(clip_of(path, mosaic).bands, inside(image)[order])
+
+
+@pytest.mark.parametrize("gsd", [0.1, 0.05], ids=["as it is", "warped"])
+def test_the_name_of_a_band_goes_before_its_colour(make_raster: MakeRaster, mosaic: Raster, gsd: float) -> None:
+    """Infrared, red and green are written as a picture's red, green and blue."""
+    path = make_raster("cir.tif", orthoimage((512, 512), 3), gsd=gsd, colours=[RED, GREEN, BLUE])
+    before = clip_of(path, mosaic).bands
+    dataset = gdal.Open(path, gdal.GA_Update)
+    for number, name in enumerate(("NIR", "Red", "Green"), 1):
+        dataset.GetRasterBand(number).SetDescription(name)
+    del dataset
+    clip = clip_of(path, mosaic)
+    assert clip.raster.band_names == ("red", "green", "nir")
+    np.testing.assert_array_equal(clip.bands, before[[1, 2, 0]])
 
 
 def test_bands_keep_their_roles_when_warped(make_raster: MakeRaster, mosaic: Raster) -> None:

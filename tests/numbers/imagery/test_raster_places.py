@@ -243,6 +243,18 @@ class TestWithAndWithoutGdalsExceptions:
         with pytest.raises(RasterError, match=rf"file.tif {sentence}"):
             clip_of(str(path), mosaic)
 
+    @pytest.mark.parametrize("name", ["D:\\orthos\\a.tif", "GPKG:gone.gpkg:a", "/vsizip/gone.zip/a.tif", "vrt://gone.tif"])
+    def test_what_is_not_there_does_not_exist(self, name: str) -> None:
+        with pytest.raises(RasterError, match="does not exist"):
+            describe(RasterRef(name))
+
+    def test_the_tile_that_a_vrt_lacks_is_named(self, tmp_path: Path, make_raster: MakeRaster, mosaic: Raster) -> None:
+        tiles = [make_raster(name, orthoimage(SIZE)) for name in ("there.tif", "gone.tif")]
+        gdal.BuildVRT(str(tmp_path / "whole.vrt"), tiles).FlushCache()
+        Path(tiles[1]).unlink()
+        with pytest.raises(RasterError, match=r"whole.vrt is made of .*gone.tif, which does not exist"):
+            clip_of(str(tmp_path / "whole.vrt"), mosaic)
+
     @pytest.mark.parametrize("gsd", [0.1, 0.05], ids=["as it is", "warped"])
     def test_a_truncated_file(self, make_raster: MakeRaster, mosaic: Raster, gsd: float) -> None:
         path = Path(make_raster("cut.tif", orthoimage((512, 512)), gsd=gsd))

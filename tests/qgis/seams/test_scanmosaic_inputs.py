@@ -387,7 +387,8 @@ def test_seamlines_that_leave_the_mosaic(feathered: Files) -> None:
 
 
 def test_seamlines_that_cross_themselves_are_measured(feathered: Files) -> None:
-    drawn = layer("LineString", [line((100, 100), (300, 400), (300, 100), (100, 400))])
+    places = line((100, 100), (300, 400), (300, 100), (100, 400))
+    drawn = layer("LineString", [places], left=("string(9)", ["west.tif"]), right=("string(9)", ["east.tif"]))
     found = scan(feathered, SEAMLINES=drawn)
     assert_sentence(found.log.warnings[0], "cross themselves: 1")
     assert found.results["SEAM_METRES"] == pytest.approx(102.1, rel=0.01)

@@ -19,6 +19,9 @@ from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams
 from seam_inspector.plugin.seams.tables.input_layers import seam_features
 
 from tests.numbers.seams.scan.lines.test_given_seams import length, mosaic_elements, northward
+from tests.qgis.runs import run
+from tests.qgis.scenes import windows
+from tests.qgis.seams.scan_scenes import write_scene
 
 
 def given_by(path: str, epsg: int, grid: Grid) -> GivenSeams:
@@ -69,7 +72,7 @@ def test_mosaic_elements_of_inspire(tmp_path: Path) -> None:
     given = given_by(str(path), 2180, Grid(500000, 600200, 0.1, 0.1, 4000, 2000))
     assert [northward(seam) for seam in given.seams] == [("2011-5864726", "2011-5864727")]
     assert [cell.source for cell in given.cells] == ["2011-5864726", "2011-5864727"]
-    assert given.notices == ()
+    assert [one.values for one in given.notices] == [{"fields": "imageSourceReference"}]
 
 
 def test_the_graph_of_packo(data_folder: Path) -> None:
@@ -90,3 +93,22 @@ def test_what_cannot_be_transformed_is_told() -> None:
     features, notice = seam_features(layer.getFeatures(), ["source"], transform)
     assert [wkb is None for _, wkb in features] == [False, True]
     assert "left out: 1" in str(notice)
+
+
+@pytest.mark.usefixtures("provider")
+def test_what_a_shapefile_cuts_is_told_and_read_back(tmp_path: Path) -> None:
+    """Names of fields have ten letters there, and those of numbered fields become others."""
+    files = write_scene(tmp_path)
+    seams, cells, inspected = (str(tmp_path / f"{name}.shp") for name in ("seams", "cells", "inspected"))
+    scanned = run("scanmosaic", **files.given(SEAMS=seams, CELLS=cells, WORST=str(tmp_path / "worst.gpkg")))
+    told = [text for text in scanned.log.warnings if "ten letters" in text]
+    assert ["left_source, right_source, feather_width" in text for text in told] == [True]
+    window = windows((150, 100, 256, 256))
+    of_windows = run("inspectwindows", MOSAIC=files.mosaic, SOURCES=files.sources, WINDOWS=window, OUTPUT=inspected)
+    assert any("composite_ratio_2" in text for text in of_windows.log.warnings)
+    again = run("scanmosaic", **files.given(SEAMLINES=seams))
+    assert {(row["left_source"], row["right_source"]) for row in again.rows("SEAMS")} <= {
+        ("west.tif", "east.tif"), ("east.tif", "west.tif")
+    }  # fmt: skip
+    for one in (scanned, of_windows, again):
+        one.close()

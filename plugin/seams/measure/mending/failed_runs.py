@@ -9,12 +9,12 @@ from typing import Callable
 import numpy as np
 
 from ....imagery.errors import SettingsError
-from ....imagery.lines import as_xy, is_line, line_points, points_at, read_geometry, simple_parts, vertex_stations
+from ....imagery.lines import as_xy, is_line, line_points, read_geometry, simple_parts, vertex_stations
 from ....imagery.seam_totals import STRETCH, PieceState, possible_kept
 from ..judgement.verdicts import Verdict
 from ..limits import ALL, FAILED, REDUCED
 from ..seamlines.seam_features import SeamFeature
-from ..seamlines.seam_pieces import SeamPiece
+from ..seamlines.seam_pieces import SeamPiece, cut_at
 from . import messages
 
 LONGEST_PX = 1024.0
@@ -93,13 +93,9 @@ def part_of(run: SeamRun, first_m: float, last_m: float, metres: np.ndarray | fl
     piece = run.piece
     along = vertex_stations(piece.vertices * metres)
     along *= piece.length_m / along[-1]
-    ends = points_at(piece.vertices, along, np.array([first_m, last_m]))
-    inner = piece.vertices[(along > first_m) & (along < last_m)]
-    part = replace(
-        piece, vertices=np.concatenate([ends[:1], inner, ends[1:]]), station_m=piece.station_m + first_m,
-        length_m=last_m - first_m,
-    )
-    return replace(run, piece=part)
+    (vertices,) = cut_at(piece.vertices, along, np.array([first_m, last_m]))
+    station, length = piece.station_m + first_m, last_m - first_m
+    return replace(run, piece=replace(piece, vertices=vertices, station_m=station, length_m=length))
 
 
 def seam_runs(

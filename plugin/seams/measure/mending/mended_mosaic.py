@@ -12,10 +12,9 @@ import numpy as np
 from osgeo import gdal, gdal_array
 
 from ....imagery import messages as imagery_messages
-from ....imagery.gdal_calls import gdal_call, gdal_writing, taken_from_memory
-from ....imagery.gdal_paths import RASTERS, open_dataset
+from ....imagery.gdal_calls import gdal_writing, taken_from_memory
 from ....imagery.grids import PixelWindow
-from ....imagery.open_raster import band_roles
+from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 
@@ -59,12 +58,11 @@ def joined_patches(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) ->
 
 def write_mended(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) -> None:
     """The mosaic and its patches as a VRT. Raises RasterError where it can't be written."""
-    failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
-    with whole_raster(path) as unfinished, gdal_writing(failure):
-        below = gdal_call(lambda: open_dataset(os.path.abspath(mosaic.ref.path), RASTERS), failure)
-        whole = gdal.GetDriverByName("VRT").CreateCopy("", below)
+    with whole_raster(path) as unfinished, gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=path)):
+        below = OpenRaster(mosaic.ref)
+        whole = gdal.GetDriverByName("VRT").CreateCopy("", below.dataset)
         whole.SetProjection(mosaic.wkt)
-        _lay(whole, band_roles(below).indices, patches)
+        _lay(whole, below.roles.indices, patches)
         Path(unfinished).write_text(whole.GetMetadata("xml:VRT")[0], encoding="utf-8")
 
 

@@ -19,7 +19,7 @@ from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
-from ....imagery.lines import Seam, points_at, shares_inside, vertex_stations
+from ....imagery.lines import Seam, points_at, stretches_inside, vertex_stations
 from .. import limits, messages
 
 _MOST_PLACES = 12  # named in a sentence
@@ -300,13 +300,8 @@ class SeamTrack:
         return self.stretches(margin, margin, self._grid.columns - margin, self._grid.rows - margin)
 
     def stretches(self, left: float, top: float, right: float, bottom: float) -> np.ndarray:
-        """(k, 2): stations between which the seam lies inside a rectangle of columns and rows (Liang-Barsky)."""
-        enter, leave = shares_inside(self._pixels, np.array([left, top]), np.array([right, bottom]))
-        crosses = enter <= leave
-        station, length = self._station[:-1][crosses], np.diff(self._station)[crosses]
-        first, last = station + enter[crosses] * length, station + leave[crosses] * length
-        apart = first[1:] > last[:-1] + 1e-9 * self._station[-1]  # else the seam goes on at a vertex
-        return np.column_stack([first[np.append(True, apart)[: len(first)]], last[np.append(apart, True)[: len(last)]]])
+        """(k, 2): stations between which the seam lies inside a rectangle of columns and rows."""
+        return stretches_inside(self._pixels, self._station, np.array([left, top]), np.array([right, bottom]))
 
 
 class SeamIndex:

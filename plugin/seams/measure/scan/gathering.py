@@ -6,7 +6,6 @@ their chains are joined to seams and cut in pieces, which they then measure (``p
 from __future__ import annotations
 
 import json
-import os
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
@@ -42,7 +41,7 @@ from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
 from .piece_sums import REACH_PX, MeasuredPieces, PiecesRequest, around_pieces, measure_pieces, visibilities
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
-from .scan_result import PieceFigures, ScanResult, judge_piece, metres, without_verdict, worst_windows
+from .scan_result import JudgedPiece, PieceFigures, ScanResult, judge_piece, metres, without_verdict, worst_windows
 
 _BLOCKS_OF_PIECES = 4
 """Side by side, whose pieces are measured together; it must not depend on who measures, as the last digits do on it."""
@@ -55,8 +54,7 @@ _TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
 
 def _listed(rasters: Iterable[RasterRef]) -> str:
     """Paths of rasters as JSON: so somebody else finds what a scan was made of, wherever the program was started."""
-    paths = (path for one in rasters for path in one.paths)
-    return json.dumps([os.path.abspath(path) if os.path.exists(path) else path for path in paths], ensure_ascii=False)
+    return json.dumps([path for one in rasters for path in one.paths], ensure_ascii=False)
 
 
 class Gathering:
@@ -102,8 +100,10 @@ class Gathering:
         for one in self._reading.unread:
             first, last = (one.row, one.column), (one.row + one.height, one.column + one.width)
             self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = NOT_LOOKED
-        ground = FollowedGround(self._units, self._blocks, pieces, request.settings.piece_m)
-        told = {"seams": "given" if request.seams else "found", **self._reading.told}
+        crew.tell(_CUT)
+        judged, told, notices = self._judged(pieces, crew)
+        ground = FollowedGround(self._units, self._blocks, [one.piece for one in judged], request.settings.piece_m)
+        told.update(self._reading.told)
         if names := request.not_given:
             told["not_given"] = ", ".join(names)
         if doubtful := [name for name, one in zip(request.source_names, request.sources) if one.may_be_copy]:
@@ -113,24 +113,34 @@ class Gathering:
             sources = _listed(source.ref for source in request.sources)
             settings = {**told, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
             raster.close([request.source_names[number] for number in self._shown], settings)
-        crew.tell(_CUT)
+        worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
+        notices = [*self._reading.notices, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
+        if not (pieces or request.seams or too_many):
+            followed = ", ".join(request.source_names[one.source] for one in polygons)
+            notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []
+        crew.tell(1.0)
+        return ScanResult(judged, polygons, tuple(worst), (), tuple(notices), told)
+
+    def _judged(
+        self, pieces: Sequence[SeamPiece], crew: _Crew
+    ) -> tuple[tuple[JudgedPiece, ...], dict[str, str], list[Message]]:
+        """The pieces of seam with their verdicts, and what there is to tell of those that may be none."""
+        request = self._request
         measured, unchanged = self._measured(pieces, crew)
         judged = tuple(
             judge_piece(figures, (self._name(figures.piece.left), self._name(figures.piece.right)),
                         request.mosaic.ground_sample_distance)
             for figures in measured
         )
-        worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
-        if request.seams:
-            # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
-            alike = metres([judged[number] for number in unchanged], PieceState.NOT_MEASURED)
-            told["unchanged_metres"] = f"{alike:.1f}"
-        notices = (*self._reading.notices, *too_many, *_notices(ground), *without_verdict(judged))
-        if not (pieces or request.seams or too_many):
-            followed = ", ".join(request.source_names[one.source] for one in polygons)
-            notices += (messages.SCAN_WITHOUT_SEAMS(name=followed),) if followed else ()
-        crew.tell(1.0)
-        return ScanResult(judged, polygons, tuple(worst), (), notices, told)
+        if not request.seams:
+            return judged, {"seams": "found"}, []
+        # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
+        alike = {number for number in unchanged if judged[number].state is PieceState.NOT_MEASURED}
+        named = {number for number in alike if pieces[number].left or pieces[number].right}
+        told = {"seams": "given", "unchanged_metres": f"{metres([judged[number] for number in named]):.1f}"}
+        within = metres([judged[number] for number in alike - named])
+        seams = tuple(one for number, one in enumerate(judged) if number not in alike - named)
+        return seams, told, [messages.SEAMS_WITHIN_ONE(metres=within)] if within else []
 
     def _name(self, side: Side) -> str | None:
         """Name of a source as its file has it, else as the seams do."""

@@ -27,6 +27,7 @@ from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_fields import source_numbers
 from ..seamlines.seam_pieces import SeamPiece, Side, SidedSeam, cut_in_pieces, cut_off
 from ..source_images import Footprints, Source
+from .parting_seams import parting_seams
 
 LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)
 """With a strip that is just large enough to be measured."""
@@ -123,9 +124,9 @@ class ScanRequest:
     @property
     def between_two_m(self) -> float:
         """Metres of the given seams on two sources or more, without which nothing can be told of a seam."""
-        middles = ((piece, piece.vertices[len(piece.vertices) // 2].tolist()) for piece in self.pieces)
+        places = ((piece, (piece.vertices[:2].sum(axis=0) / 2).tolist()) for piece in self.pieces)
         return sum(
-            piece.length_m for piece, (x, y) in middles if len(self.footprints.meeting((x, y, x, y))) > 1
+            piece.length_m for piece, (x, y) in places if len(self.footprints.meeting((x, y, x, y))) > 1
         )
 
     @property
@@ -226,6 +227,10 @@ def scan_request(
     if kept and not meeting:
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
     _check_readable(mosaic, meeting)
+    if given is not None:
+        with RasterPool(most=1) as pool:
+            seams = parting_seams(given, request.named[0], pool.open(mosaic.ref))
+        request = replace(request, given=replace(given, seams=seams))
     seams_m = sum(piece.length_m for piece in request.pieces)
     if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * seams_m:
         notices.append(messages.SOURCES_TOO_FEW(between=between, all=seams_m))
@@ -233,7 +238,7 @@ def scan_request(
     if crowded := request.crowded:
         notices.append(messages.SOURCES_CROWDED(count=crowded, most=UNKNOWN))
     if given is not None:
-        outside = cut_off(request.seams, request.pieces, mosaic.grid)
+        outside = cut_off(given.seams, request.pieces, mosaic.grid)
         unnamed = request.named[1] if request.sources else None
         notices = [*notices, *given.notices, *(one for one in (outside, unnamed) if one is not None)]
     return request, notices

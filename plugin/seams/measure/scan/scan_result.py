@@ -230,13 +230,13 @@ class ScanResult:
     which share of the textured ground is ``unexplained``, and the metres of ``unexplained_border`` around it; which
     share of the mosaic within its outline has no pixels (``nodata_inside``); ``unseen_metres`` of border between two
     orthoimages that no seam tells of, ``hidden_metres`` of these along which nothing explains the mosaic, the longest
-    of either in one place (``unseen_longest``, ``hidden_longest``); ``unchanged_metres`` of given seams along which the
-    mosaic shows one orthoimage; the share ``looked_at`` where a corridor leaves some out. ``unseen_at``, ``hidden_at``,
-    ``unexplained_at``, ``nodata_at``: up to three places each, the largest first, as ``x y width height`` (map units,
-    metres), joined by ``; ``; which share of the mosaic is ``unread``, and ``unread_at`` a place in it; which files
-    were scanned, by ``mosaic_files`` and ``source_files``; sources that ``may_be_copies`` of the mosaic, and those that
-    seamlines name and were ``not_given``; the ``metres`` of all pieces. Figures of 0 are left out, but for
-    ``unexplained`` and ``metres``."""
+    of either in one place (``unseen_longest``, ``hidden_longest``); ``unchanged_metres`` of given seams that name two
+    orthoimages and along which the mosaic shows one; the share ``looked_at`` where a corridor leaves some out.
+    ``unseen_at``, ``hidden_at``, ``unexplained_at``, ``nodata_at``: up to three places each, the largest first, as
+    ``x y width height`` (map units, metres), joined by ``; ``; which share of the mosaic is ``unread``, and
+    ``unread_at`` a place in it; which files were scanned, by ``mosaic_files`` and ``source_files``; sources that
+    ``may_be_copies`` of the mosaic, and those that seamlines name and were ``not_given``; the ``metres`` of all pieces.
+    Figures of 0 are left out, but for ``unexplained`` and ``metres``."""
 
     @property
     def features(self) -> tuple[JudgedPiece, ...]:

@@ -48,7 +48,7 @@ def given_seams(
     held = list(features)
     rows = [attributes for attributes, _ in held]
     fields = seam_fields(rows, source_field)
-    names = {said(row.get(name)) for row in rows for name in (fields.source, fields.left, fields.right) if name}
+    names = {said(row.get(name)) for row in rows for name in fields.naming}
     ambiguous = {name for name, places in meant_sources(names - {""}, paths).items() if len(places) > 1}
     pieces = gathered(held, fields, grid, ambiguous)
     network = _Network(grid)
@@ -61,7 +61,7 @@ def given_seams(
     def longest_first(seam: SidedSeam) -> tuple[float, float, float]:
         return -round(seam.length / grid.pixel_width, 3), seam.vertices[0, 0], seam.vertices[0, 1]
 
-    seams = sorted(network.seams(whoever=not named), key=longest_first)
+    seams = sorted(network.seams(), key=longest_first)
     if not seams:
         raise SeamlineError(
             imagery_messages.SEAMLINES_APART() if pieces.rings else imagery_messages.SEAMLINES_TOO_SHORT()
@@ -71,6 +71,7 @@ def given_seams(
         *([messages.SEAM_LINES_CROSS(count=pieces.crossing)] if pieces.crossing else []),
         *([messages.SEAM_POLYGONS_REPAIRED(count=pieces.repaired)] if pieces.repaired else []),
         *polygon_faults(pieces.polygons, grid),
+        *([messages.SEAMS_NAMED_BY(fields=", ".join(fields.naming))] if fields.naming and not source_field else []),
     ]
     if fields.names_by_date and named and pieces.rings:
         notices.append(messages.SEAMS_NAMED_BY_DATE(field=fields.date))
@@ -124,12 +125,10 @@ class _Network:
         of_pair[backward] = of_pair[backward, ::-1]
         self._parts.append((nodes + shift, pairs, of_pair, [str(name) for name in names]))
 
-    def seams(self, whoever: bool) -> Iterator[SidedSeam]:
-        """The longest paths through pieces that part the same two owners; or just the longest paths."""
+    def seams(self) -> Iterator[SidedSeam]:
+        """The longest paths through pieces that part the same two owners."""
         for nodes, pairs, sides, names in self._parts:
-            group = np.zeros(len(pairs), dtype=int)
-            if not whoever:
-                group = sides.min(axis=1) * len(names) + sides.max(axis=1)
+            group = sides.min(axis=1) * len(names) + sides.max(axis=1)
             order = np.argsort(group, kind="stable")
             for chosen in np.split(order, np.flatnonzero(np.diff(group[order])) + 1):
                 if len(chosen):

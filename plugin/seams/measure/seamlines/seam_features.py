@@ -12,7 +12,7 @@ from ....imagery import lines as seamlines
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import Message, RasterError, SeamlineError
 from ....imagery.gdal_calls import gdal_silenced
-from ....imagery.gdal_paths import FEATURES, check_raster_path, open_dataset
+from ....imagery.gdal_paths import FEATURES, check_raster_path, is_there, open_dataset
 from ....imagery.grids import Extent, Grid, extents_meet
 from ....imagery.rasters import Raster
 from ....imagery.reference_systems import geometry_on
@@ -160,7 +160,7 @@ def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message 
         dataset = open_dataset(file, FEATURES)
         layer = None if dataset is None else (dataset.GetLayerByName(name) if name else dataset.GetLayer(0))
         if layer is None:
-            if os.path.exists(file) or file.startswith("/vsi"):
+            if is_there(file):
                 raise SeamlineError(messages.SEAM_FILE_NOT_READ(path=path))
             raise SeamlineError(imagery_messages.NOT_FOUND(path=file))
         system = layer.GetSpatialRef()
@@ -179,7 +179,14 @@ def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message 
                 one.GetName(): _value(feature, number, one.GetType()) for number, one in enumerate(definitions)
             }
             features.append((attributes, None if placed is None else bytes(placed.ExportToWkb(ogr.wkbNDR))))
-    return features, messages.SEAM_FEATURES_NOT_TRANSFORMED(count=lost) if lost else None
+    return features, lost_features(lost, features)
+
+
+def lost_features(lost: int, others: Sequence[SeamFeature]) -> Message | None:
+    """What to tell of so many that can't be transformed. Raises SeamlineError where there are no others."""
+    if lost and not others:
+        raise SeamlineError(messages.SEAMS_ELSEWHERE(count=lost))
+    return messages.SEAM_FEATURES_NOT_TRANSFORMED(count=lost) if lost else None
 
 
 def read_cells(path: str, mosaic: Raster) -> tuple[Cell, ...]:

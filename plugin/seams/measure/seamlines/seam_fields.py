@@ -16,7 +16,7 @@ SOURCE_FIELDS = tuple(
     "bild bildnummer bildname bild_nr zdjecie nr_zdjecia nazwa_pliku ortoobraz local_id raster_id name".split()
 )
 """Fields of polygons that name their orthoimage, first the ones to be preferred; capitals, blanks and underlines make
-no difference."""
+no difference, nor does what a shapefile cuts off."""
 _SIDES = "left right", "l r", "gauche droite", "links rechts", "lewy prawy"
 _OF_SIDE = (
     "{}_source {}_src {}_image {}_img {}_photo {}_ortho {}_name {}_file {}_id {}_cliche source_{} src_{} image_{} "
@@ -36,6 +36,7 @@ DATE_SIDE_FIELDS = tuple(
     for pattern in ("{}_date", "date_{}", "{}_acq_date", "{}_data", "data_{}", "{}_datum")
 )
 """Fields of lines that say when both sides were taken, in pairs."""
+_DBASE_LETTERS = 10  # of a field's name in a shapefile, which is a dBASE table: what is longer is cut
 
 Attributes = Mapping[str, object]
 
@@ -62,6 +63,11 @@ class SeamFields:
         """Whether nothing but dates says what a part of the mosaic was made from."""
         return bool(self.date) and not self.source
 
+    @property
+    def naming(self) -> tuple[str, ...]:
+        """Those that name orthoimages."""
+        return tuple(filter(None, (self.source, self.left, self.right)))
+
 
 def seam_fields(rows: Sequence[Attributes], given: str = "") -> SeamFields:
     """The fields of a layer by their names and by whether anything is written in them.
@@ -74,7 +80,7 @@ def seam_fields(rows: Sequence[Attributes], given: str = "") -> SeamFields:
     # GDAL makes names of nested elements: ``phenomenonTime|TimePeriod|beginPosition``.
     parts = [(part, name) for name in reversed(names) if name in filled for part in (re.split(r"[|.]", name)[-1], name)]
     known = {_bare(part): name for part, name in parts}
-    date, (left_date, right_date) = _first(DATE_FIELDS, known), _first_pair(DATE_SIDE_FIELDS, known)
+    (date, *_), (left_date, right_date) = _first(zip(DATE_FIELDS), known), _first(DATE_SIDE_FIELDS, known)
     if given.strip():
         chosen = [part.strip() for part in given.split(",")]
         for name in chosen:
@@ -83,8 +89,8 @@ def seam_fields(rows: Sequence[Attributes], given: str = "") -> SeamFields:
         if len(chosen) == 2:
             return SeamFields("", chosen[0], chosen[1], date, left_date, right_date)
         return SeamFields(given.strip(), "", "", date)
-    left, right = _first_pair(SIDE_FIELDS, known)
-    return SeamFields(_first(SOURCE_FIELDS, known), left, right, date, left_date, right_date)
+    (source, *_), (left, right) = _first(zip(SOURCE_FIELDS), known), _first(SIDE_FIELDS, known)
+    return SeamFields(source, left, right, date, left_date, right_date)
 
 
 def said(value: object) -> str:
@@ -96,13 +102,16 @@ def said(value: object) -> str:
     return str(value).strip()
 
 
-def _first(fields: Iterable[str], known: Mapping[str, str]) -> str:
-    return next((known[_bare(field)] for field in fields if _bare(field) in known), "")
+def _first(wanted: Iterable[tuple[str, ...]], known: Mapping[str, str]) -> tuple[str, ...]:
+    """The layer's fields of the first tuple of names that it has all of, each whole or as a shapefile cuts it; empty
+    ones where it has none. ``known``: its fields by their bare names."""
+    fields = (tuple(_field(_bare(name), known) for name in names) for names in wanted)
+    return next(filter(all, fields), ("", ""))
 
 
-def _first_pair(pairs: Iterable[tuple[str, str]], known: Mapping[str, str]) -> tuple[str, str]:
-    bare = ((_bare(one), _bare(other)) for one, other in pairs)
-    return next(((known[one], known[other]) for one, other in bare if one in known and other in known), ("", ""))
+def _field(bare: str, known: Mapping[str, str]) -> str:
+    cut = (name for key, name in known.items() if len(name) == _DBASE_LETTERS and bare.startswith(key))
+    return known.get(bare) or next(cut, "")
 
 
 def _bare(name: str) -> str:

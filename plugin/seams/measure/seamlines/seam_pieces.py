@@ -10,7 +10,7 @@ import numpy as np
 
 from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import Grid
-from ....imagery.lines import points_at, shares_inside, vertex_stations
+from ....imagery.lines import points_at, stretches_inside, vertex_stations
 from .. import messages
 from .label_borders import NONE
 
@@ -72,16 +72,20 @@ def cut_in_pieces(seams: Iterable[SidedSeam], piece_m: float, grid: Grid) -> lis
             along = vertex_stations(part)
             count = max(1, round(along[-1] / piece_m))
             cuts = np.linspace(0, along[-1], count + 1)
-            places = points_at(part, along, cuts)
-            # Vertices strictly between two cuts are the piece's own.
-            first = np.searchsorted(along, cuts, side="right")
-            last = np.searchsorted(along, cuts, side="left")
-            for i in range(count):
-                own = np.concatenate([places[i : i + 1], part[first[i] : last[i + 1]], places[i + 1 : i + 2]])
-                start = station + float(cuts[i])
-                length = along[-1] / count
-                pieces.append(SeamPiece(seam_id, start, float(length), own / scale, seam.left, seam.right))
+            length = float(along[-1] / count)
+            for start, own in zip(cuts.tolist(), cut_at(part, along, cuts)):
+                pieces.append(SeamPiece(seam_id, station + start, length, own / scale, seam.left, seam.right))
     return pieces
+
+
+def cut_at(path: np.ndarray, along: np.ndarray, cuts: np.ndarray) -> Iterator[np.ndarray]:
+    """What lies of a path, (n, 2), from each cut to the next; stations ``along`` its vertices and of the ``cuts``."""
+    places = points_at(path, along, cuts)
+    # Vertices strictly between two cuts are the part's own.
+    first = np.searchsorted(along, cuts, side="right")
+    last = np.searchsorted(along, cuts, side="left")
+    for i in range(len(cuts) - 1):
+        yield np.concatenate([places[i : i + 1], path[first[i] : last[i + 1]], places[i + 1 : i + 2]])
 
 
 def cut_off(seams: Iterable[SidedSeam], pieces: Sequence[SeamPiece], grid: Grid) -> Message | None:
@@ -97,25 +101,11 @@ def _inside(path: np.ndarray, grid: Grid) -> Iterator[tuple[np.ndarray, float]]:
     xmin, ymin, xmax, ymax = grid.extent
     low = np.array([xmin * grid.metres_x, ymin * grid.metres_y])
     high = np.array([xmax * grid.metres_x, ymax * grid.metres_y])
-    shortest = grid.ground_sample_distance
     along = vertex_stations(path)
-    if ((path >= low) & (path <= high)).all():
-        if along[-1] >= shortest:
-            yield path, 0.0
-        return
-    start, step = path[:-1], np.diff(path, axis=0)
-    enter, leave = shares_inside(path, low, high)
-    touched = np.flatnonzero(enter < leave)
-    # A part goes on where one stretch is left at its end and the next one entered at its start.
-    goes_on = (np.diff(touched) == 1) & (leave[touched[:-1]] == 1) & (enter[touched[1:]] == 0)
-    for run in np.split(touched, np.flatnonzero(~goes_on) + 1):
-        if not len(run):
-            continue
-        head = start[run[0]] + enter[run[0]] * step[run[0]]
-        tail = start[run[-1]] + leave[run[-1]] * step[run[-1]]
-        part = np.concatenate([head[np.newaxis], path[run[1:]], tail[np.newaxis]])
-        if vertex_stations(part)[-1] >= shortest:
-            yield part, float(along[run[0]] + enter[run[0]] * np.hypot(*step[run[0]]))
+    for first, last in stretches_inside(path, along, low, high):
+        if last - first >= grid.ground_sample_distance:
+            (part,) = cut_at(path, along, np.array([first, last]))
+            yield part.clip(low, high), float(first)
 
 
 LabelsAt = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -135,22 +125,29 @@ def sources_beside(
     it, ``NONE`` where they don't agree."""
     places = np.empty((len(pieces), 2, _STATIONS, len(offsets_px), 2))
     shares = (np.arange(_STATIONS) + 0.5) / _STATIONS
-    offsets = np.array(offsets_px)[:, np.newaxis]
     for i, piece in enumerate(pieces):
         path = grid.to_pixels(piece.vertices)
         along = vertex_stations(path)
-        wanted = shares * along[-1]
-        middle = points_at(path, along, wanted)[:, np.newaxis]
-        across, down = np.diff(path, axis=0)[np.searchsorted(along, wanted).clip(1, len(path) - 1) - 1].T
-        left = np.column_stack([down, -across])  # rows run down
-        aside = (left / np.maximum(np.hypot(across, down), _TINY)[:, np.newaxis])[:, np.newaxis] * offsets
-        places[i] = middle + aside, middle - aside
+        places[i] = points_beside(path, along, shares * along[-1], offsets_px)
     samples = np.floor(places / label_px).astype(np.int64).reshape(len(pieces), 2, _STATIONS * len(offsets_px), 2)
     found = labels_at(samples[..., 0], samples[..., 1])
     votes = np.where(found == NONE, 0, (found[..., np.newaxis] == found[..., np.newaxis, :]).sum(axis=3))
     most = votes.max(axis=2, keepdims=True)
     best = np.where(votes == most, found, np.iinfo(np.int64).max).min(axis=2)  # of several the lowest
     return np.where(most[..., 0] >= _LEAST_SHARE * found.shape[2], best, NONE)
+
+
+def points_beside(
+    path: np.ndarray, along: np.ndarray, wanted: np.ndarray, offsets: tuple[float, ...]
+) -> np.ndarray:
+    """(2, stations, offsets, 2) columns and rows to the left and to the right of a path, (n, 2) of such, at ``wanted``
+    stations; ``along``: those of its vertices."""
+    middle = points_at(path, along, wanted)[:, np.newaxis]
+    across, down = np.diff(path, axis=0)[np.searchsorted(along, wanted).clip(1, len(path) - 1) - 1].T
+    left = np.column_stack([down, -across])  # rows run down
+    aside = left / np.maximum(np.hypot(across, down), _TINY)[:, np.newaxis]
+    far = aside[:, np.newaxis] * np.array(offsets)[:, np.newaxis]
+    return np.stack([middle + far, middle - far])
 
 
 def sided(piece: SeamPiece, shown: Sequence[int], numbers: Mapping[str, int]) -> SeamPiece:

@@ -1,6 +1,7 @@
 """Seams as producers deliver them: which line parts what, and what is wrong with a layer, told and not fatal."""
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -8,10 +9,20 @@ import numpy as np
 import pytest
 from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.errors import SeamlineError, SettingsError
+from seam_inspector.plugin.imagery.gdal_calls import gdal_silenced
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, SidedSeam, given_seams
-from seam_inspector.plugin.seams.measure.seamlines.seam_features import SeamFeature
-from seam_inspector.plugin.seams.measure.seamlines.seam_fields import SeamFields, seam_fields
+from seam_inspector.plugin.seams.measure.seamlines.seam_features import SeamFeature, read_seam_features
+from seam_inspector.plugin.seams.measure.seamlines.seam_fields import (
+    DATE_FIELDS,
+    DATE_SIDE_FIELDS,
+    SIDE_FIELDS,
+    SOURCE_FIELDS,
+    SeamFields,
+    seam_fields,
+)
+
+from tests.numbers.synthetic import UTM33, wkt
 
 GRID = Grid(0.0, 200.0, 0.1, 0.1, 4000, 2000)
 """400 x 200 m."""
@@ -58,7 +69,7 @@ def test_borders_of_polygons_part_the_sources_they_name() -> None:
     assert northward(seam) == ("a.tif", "b.tif")
     assert [cell.source for cell in given.cells] == ["a.tif", "b.tif"]
     assert given.cells[1].extent == (100, 0, 400, 200)
-    assert given.notices == ()
+    assert [one.values for one in given.notices] == [{"fields": "source"}], "it is said which field was taken"
 
 
 def test_polygons_of_one_source_have_no_seam_between_them() -> None:
@@ -83,7 +94,6 @@ def test_an_island_has_a_ring_with_its_source_inside() -> None:
     (ring,) = given.seams
     assert (ring.vertices[0] == ring.vertices[-1]).all()
     assert (ring.left, ring.right) == ("island", "sea")  # counter-clockwise
-    assert given.notices == ()
 
 
 def test_overlaps_are_told_and_have_no_seam() -> None:
@@ -104,7 +114,7 @@ def test_gaps_are_told_and_narrow_slits_are_bridged() -> None:
         ],
         GRID,
     )  # fmt: skip
-    (gaps,) = given.notices
+    gaps, _ = given.notices
     assert gaps.values["count"] == 1
     assert gaps.values["area"] == pytest.approx(400, rel=0.02)
     pairs = {("".join(sorted((str(seam.left), str(seam.right)))), round(length(seam))) for seam in given.seams}
@@ -124,7 +134,7 @@ def test_polygons_that_cross_themselves_are_repaired() -> None:
 def test_polygons_without_names_have_seams_without() -> None:
     given = given_seams([box(0, 0, 100, 200), box(100, 0, 400, 90), box(100, 90, 400, 200)], GRID)
     assert {(seam.left, seam.right) for seam in given.seams} == {(None, None)}
-    assert [round(length(seam)) for seam in given.seams] == [300, 200]
+    assert [round(length(seam)) for seam in given.seams] == [300, 110, 90], "each of two polygons, and no third one"
     assert given.cells == ()
     assert "names no orthoimages" in told(given)
 
@@ -157,7 +167,7 @@ def test_dates_beside_names_are_kept_and_name_nothing() -> None:
     )  # fmt: skip
     assert {frozenset((seam.left, seam.right)) for seam in given.seams} == {frozenset("ab"), frozenset("bc")}
     assert given.dates == {"b": "2016-07-11"}, "two dates of one source are none"
-    assert given.notices == ()
+    assert [one.values for one in given.notices] == [{"fields": "image"}]
 
 
 # --- lines -----------------------------------------------------------------------------------------------------
@@ -239,6 +249,15 @@ def test_layers_without_seams_are_refused(features: list[SeamFeature], match: st
         given_seams(features, GRID)
 
 
+def test_metres_in_a_geojson_of_degrees_lie_elsewhere(tmp_path: Path) -> None:
+    """GeoJSON is in degrees where it says nothing else; GDAL finds no place for such numbers."""
+    geometry = {"type": "LineString", "coordinates": [[500000, 5000000], [500100, 5000100]]}
+    path = tmp_path / "seams.geojson"
+    path.write_text(json.dumps({"type": "Feature", "properties": {}, "geometry": geometry}))
+    with pytest.raises(SeamlineError, match=r"None of the 1 features .* check the reference systems"):
+        read_seam_features(str(path), wkt(UTM33))
+
+
 # --- fields ----------------------------------------------------------------------------------------------------
 
 
@@ -262,6 +281,36 @@ def test_layers_without_seams_are_refused(features: list[SeamFeature], match: st
 )
 def test_fields_of_producers_are_known(row: dict[str, object], expected: SeamFields) -> None:
     assert seam_fields([row]) == expected
+
+
+PAIRED = [*SIDE_FIELDS, *DATE_SIDE_FIELDS]
+
+
+@pytest.mark.parametrize("name", [*SOURCE_FIELDS, *DATE_FIELDS])
+def test_shapefiles_cut_each_name_of_a_polygon_s_field(tmp_path: Path, name: str) -> None:
+    written = written_names(tmp_path, name, "Shape_Area")
+    assert {field for field in vars(seam_fields([dict.fromkeys(written, "x")])).values() if field} == {written[0]}
+
+
+@pytest.mark.parametrize("names", PAIRED, ids="/".join)
+def test_shapefiles_cut_each_pair_of_a_line_s_fields(tmp_path: Path, names: tuple[str, str]) -> None:
+    written = written_names(tmp_path, *names)
+    found = seam_fields([dict.fromkeys(written, "x")])
+    assert written in ([found.left, found.right], [found.left_date, found.right_date])
+
+
+def written_names(folder: Path, *names: str) -> list[str]:
+    """What a shapefile makes of the names of its fields."""
+    dataset = gdal.GetDriverByName("ESRI Shapefile").Create(str(folder / "a.shp"), 0, 0, 0, gdal.GDT_Unknown)
+    layer = dataset.CreateLayer("a", geom_type=ogr.wkbPolygon)
+    with gdal_silenced():
+        for name in names:
+            layer.CreateField(ogr.FieldDefn(name, ogr.OFTString))
+    return [layer.GetLayerDefn().GetFieldDefn(number).GetName() for number in range(len(names))]
+
+
+def test_a_field_of_ten_letters_that_only_begins_alike_is_another_one() -> None:
+    assert seam_fields([{"imagery_no": 1, "sourceless": 2, "left_sourz": 3, "right_sour": 4}]) == SeamFields()
 
 
 def test_a_field_can_be_chosen() -> None:

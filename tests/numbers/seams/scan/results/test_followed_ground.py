@@ -255,8 +255,18 @@ def test_a_seam_that_is_left_out_of_the_seamlines_is_seen(tmp_path: Path) -> Non
 @pytest.mark.slow
 def test_a_line_that_is_no_seam_is_no_seam(tmp_path: Path) -> None:
     one = scene(tmp_path, blended(*images(), beside(SEAM)), images())
-    lines = given_seam(one, SEAM), given_seam(one, SEAM + 300)
-    assert metres(result_of(tmp_path, one, lines), "unchanged") == pytest.approx(SIDE_M, rel=0.01)
+    named = given_seam(one, SEAM), given_seam(one, SEAM + 300, "source_0.tif", "source_1.tif")
+    assert metres(result_of(tmp_path, one, named), "unchanged") == pytest.approx(SIDE_M, rel=0.01)
+    unnamed = result_of(tmp_path, one, (given_seam(one, SEAM), given_seam(one, SEAM + 300)))
+    assert (metres(unnamed, "unchanged"), unnamed.seam_metres) == (0, pytest.approx(SIDE_M, rel=0.01))
+    assert [one.values["metres"] for one in unnamed.notices] == [pytest.approx(SIDE_M, rel=0.01)]
+
+
+@pytest.mark.slow
+def test_a_line_too_far_from_its_seam_tells_nothing_of_it(tmp_path: Path) -> None:
+    one = scene(tmp_path, blended(*images(), beside(SEAM)), images())
+    result = result_of(tmp_path, one, (given_seam(one, SEAM + 55),))
+    assert (result.pieces, metres(result, "unseen")) == ((), pytest.approx(SIDE_M, rel=0.1))
 
 
 def test_a_line_beside_its_seam_is_its_line(tmp_path: Path) -> None:
