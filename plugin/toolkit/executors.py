@@ -48,7 +48,9 @@ if pool:
 
 
 @contextmanager
-def open_executor(crew: Crew = None, is_cancelled: Callable[[], bool] = lambda: False) -> Iterator[tuple[Executor, int]]:
+def open_executor(
+    crew: Crew = None, is_cancelled: Callable[[], bool] = lambda: False
+) -> Iterator[tuple[Executor, int]]:
     """An executor and how many windows it should have under way.
 
     Raises SettingsError for a cluster that can't be used, CancelledError when cancelled before it is open, and
@@ -156,34 +158,39 @@ def _watched(client: Client, is_cancelled: Callable[[], bool]) -> Iterator[tuple
         raise SettingsError(messages.WORKERS_SILENT(address=address, seconds=_PREPARING_SECONDS))
     if isinstance(preparing.exception(), OSError):
         raise SettingsError(messages.SCHEDULER_LOST(address=address))
-    executor, ended, lost = client.get_executor(), Event(), []
+    executor, ended = client.get_executor(), Event()
+    lost: list[Message] = []
 
-    def look() -> None:
-        last_seen, why = time.monotonic(), None
-        while why is None and not ended.wait(LOOK_SECONDS):
-            if client.status not in ("running", "connecting"):
-                why = messages.SCHEDULER_LOST(address=address)
-            elif _has_workers(client):
-                last_seen = time.monotonic()
-            elif time.monotonic() - last_seen > PATIENCE_SECONDS:
-                why = messages.WORKERS_LOST(address=address, seconds=PATIENCE_SECONDS)
-        if why is not None:
+    def watch() -> None:
+        if (why := _why_lost(client, address, ended)) is not None:
             lost.append(why)
             executor.shutdown(wait=False)
 
-    Thread(target=look, name="seam-inspector-cluster", daemon=True).start()
+    Thread(target=watch, name="seam-inspector-cluster", daemon=True).start()
     try:
         yield executor, ahead_of(preparing.result())
     except Exception as error:
         if lost or isinstance(error, concurrent.futures.CancelledError):  # else nobody has cancelled them
-            why: Message = (lost or [messages.SCHEDULER_LOST(address=address)])[0]
-            raise WorkersLostError(why) from None
+            raise WorkersLostError((lost or [messages.SCHEDULER_LOST(address=address)])[0]) from None
         raise
     finally:
         ended.set()
         if client.status == "running":
             executor.shutdown(wait=False)
             _is_done(_started(lambda: client.run(exec, _CLOSE, on_error="ignore")), _ANSWER_SECONDS)
+
+
+def _why_lost(client: Client, address: str, ended: Event) -> Message | None:
+    """Why nobody is left to measure, as soon as that is so; None once all is done."""
+    last_seen = time.monotonic()
+    while not ended.wait(LOOK_SECONDS):
+        if client.status not in ("running", "connecting"):
+            return messages.SCHEDULER_LOST(address=address)
+        if _has_workers(client):
+            last_seen = time.monotonic()
+        elif time.monotonic() - last_seen > PATIENCE_SECONDS:
+            return messages.WORKERS_LOST(address=address, seconds=PATIENCE_SECONDS)
+    return None
 
 
 def _has_workers(client: Client) -> bool:

@@ -74,7 +74,7 @@ class Block:
 
 
 def open_block(
-    mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLike = "", *, keep_copies: bool = False
+    mosaic: PathLike, sources: Iterable[PathLike] | PathLike = (), cells: PathLike = "", *, keep_copies: bool = False
 ) -> Block:
     """Open a mosaic with the orthoimages that it may have been made from.
 
@@ -89,6 +89,7 @@ def open_block(
     can't.
     """
     raster = describe_mosaic(RasterRef(os.fspath(mosaic)))
+    sources = [sources] if isinstance(sources, (str, os.PathLike)) else sources
     refs = [RasterRef(os.fspath(source)) for source in sources]
     known = read_cells(os.fspath(cells), raster) if cells else ()
     paths = (raster.ref.path, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))
