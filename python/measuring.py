@@ -5,12 +5,14 @@ import logging
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import Executor
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable
 
 from osgeo import ogr
 
 from ..plugin.imagery.errors import CancelledError, Level, Message, SettingsError
+from ..plugin.imagery.file_identity import guarding
 from ..plugin.imagery.grids import Extent
 from ..plugin.imagery.messages import CANCELLED
 from ..plugin.imagery.records import GEOMETRY
@@ -18,7 +20,7 @@ from ..plugin.seams.measure.limits import FAILED
 from ..plugin.seams.measure.mending import messages as mending_messages
 from ..plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces
 from ..plugin.seams.measure.mending.mend_run import MendSettings
-from ..plugin.seams.measure.mending.mending import PATCHED, MendedSeam, MendRequest, mending
+from ..plugin.seams.measure.mending.mending import PATCHED, MendedSeam, Mending, MendRequest, mending
 from ..plugin.seams.measure.scan import whole_scan
 from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
 from ..plugin.seams.measure.scan.whole_scan import ScanRun, ScanSettings
@@ -28,7 +30,7 @@ from ..plugin.seams.measure.window.window_request import InspectionSettings, Win
 from ..plugin.seams.measure.window.window_result import WindowResult
 from ..plugin.toolkit.executors import Crew, open_executor
 from . import messages
-from .scan_files import read_seams
+from .scan_files import SEAMLINES, read_seams
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -116,7 +118,8 @@ def scan(
         run = ScanRun(opened, ahead, progress, cancelled)
         found = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
     _tell(found.notices)
-    return found
+    given = os.fspath(seamlines).partition("|")[0]
+    return replace(found, told={**found.told, SEAMLINES: os.path.abspath(given)}) if given else found
 
 
 def mend(
@@ -148,24 +151,34 @@ def mend(
     RasterError where nothing can be mended or written, CancelledError when cancelled, WorkersLostError when nobody is
     left to measure.
     """
-    rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams).rows
-    features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
-    pieces = tuple(given_pieces(features, FIELDS, which))
     place = Path(os.fspath(mended))
     folder = os.fspath(patches) or str(place.with_name(f"{place.stem}_patches"))
-    request = MendRequest(block.mosaic, block.sources, pieces, settings or MendSettings())
-    with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
-        for step in job.steps(*crew, cancelled):
-            _tell(step.notices)
-            progress(PATCHED * step.share)
-        if cancelled():
-            raise CancelledError(mending_messages.MENDING_STOPPED())
+    made = {"patches": folder} if Path(folder).suffix else {one.name: str(one) for one in Path(folder).glob("patch_*")}
+    read = [*block.paths, *block.files]
+    read += [] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]]
+    with guarding({"mended": str(place), **made}, read):
+        rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams).rows
+        features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
+        pieces = tuple(given_pieces(features, FIELDS, which))
+        request = MendRequest(block.mosaic, block.sources, pieces, settings or MendSettings())
+        with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
+            return _mended(job, crew, progress, cancelled)
 
-        def goes_on(share: float) -> bool:
-            progress(PATCHED + (1 - PATCHED) * share)
-            return not cancelled()
 
-        made = job.result(goes_on, *crew)
+def _mended(
+    job: Mending, crew: tuple[Executor, int], progress: Callable[[float], object], cancelled: Callable[[], bool]
+) -> list[MendedSeam]:
+    for step in job.steps(*crew, cancelled):
+        _tell(step.notices)
+        progress(PATCHED * step.share)
+    if cancelled():
+        raise CancelledError(mending_messages.MENDING_STOPPED())
+
+    def goes_on(share: float) -> bool:
+        progress(PATCHED + (1 - PATCHED) * share)
+        return not cancelled()
+
+    made = job.result(goes_on, *crew)
     progress(1.0)
     return made
 

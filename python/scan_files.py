@@ -28,6 +28,8 @@ from . import messages
 
 SEAMS = "seams"
 """Table of the pieces of seam."""
+SEAMLINES = "seamlines_file"
+"""Key, among what a scan tells, of the file of seams that it was given."""
 _KINDS = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString}
 
 
@@ -51,7 +53,8 @@ def write_scan(path: PathLike, found: ScanResult, block: Block, settings: ScanSe
     names = ScanRequest(block.mosaic, block.sources, settings).source_names
     outlines = (ogr.CreateGeometryFromWkt(line_wkt(one.piece.vertices)) for one in found.features)
     failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
-    with guarding({"output": str(place)}, block.paths), whole_file(place) as unfinished, gdal_writing(failure):
+    read = filter(None, (*block.paths, *block.files, found.told.get(SEAMLINES, "")))
+    with guarding({"output": str(place)}, read), whole_file(place) as unfinished, gdal_writing(failure):
         made = gdal.GetDriverByName("GPKG").Create(str(unfinished), 0, 0, 0, gdal.GDT_Unknown)
         _write(made, "worst_windows", ogr.wkbPolygon, wkt, PLACED_COLUMNS, found.worst, (
             _rectangle(*block.mosaic.grid.window_extent(one.window)) for one in found.worst

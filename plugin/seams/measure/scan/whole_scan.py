@@ -124,7 +124,7 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
         yield WholeScan(request, journal, notice, read)
 
 
-def _paths(request: ScanRequest | Block) -> tuple[list[str], list[str]]:
+def _paths(request: ScanRequest) -> tuple[list[str], list[str]]:
     """Paths of the mosaic and of the sources."""
     return [*request.mosaic.ref.paths], [path for source in request.sources for path in source.ref.paths]
 
@@ -176,7 +176,7 @@ def scan(
         run.progress(MEASURED + (1 - MEASURED) * share)
         return not run.cancelled()
 
-    read = *block.paths, *chain(*_paths(block)), *([path.partition("|")[0]] if path else ())
+    read = *block.paths, *block.files, *([path.partition("|")[0]] if path else ())
     with guarding({"loss": os.fspath(loss)} if loss else {}, read), tempfile.TemporaryDirectory() as folder:
         output = Path(os.fspath(loss) or Path(folder) / "loss.tif")
         with whole_scan(request, output) as whole, own_threads(run.executor, run.ahead) as opened:

@@ -43,6 +43,11 @@ class Block:
     paths: tuple[str, ...] = ()
     """All files that ``open_block`` was given, those left out too: no result takes their place."""
 
+    @property
+    def files(self) -> tuple[str, ...]:
+        """All files of the mosaic and of the sources that take part."""
+        return tuple(path for ref in (self.mosaic.ref, *(one.ref for one in self.sources)) for path in ref.paths)
+
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
         """Those whose footprint meets the window, wholly or in part."""
         return sources_in(self.sources, self.mosaic.grid.window_extent(window))
@@ -53,10 +58,11 @@ class Block:
         """What ``inspect_window`` takes for a rectangle: xmin, ymin, xmax, ymax in the mosaic's reference system.
 
         It is snapped to the mosaic's pixels and trimmed to a multiple of ``2 ** levels`` of them, at least 64 px. One
-        that can't be measured makes a request that says why, and its result will. ``settings``: the standard ones
-        where None. Raises SettingsError for settings out of their range.
+        that can't be measured makes a request that says why, and its result will. ``extent`` may be a geometry of
+        shapely, whose bounds count; ``settings``: the standard ones where None. Raises SettingsError for settings out
+        of their range.
         """
-        settings = settings or InspectionSettings()
+        extent, settings = getattr(extent, "bounds", extent), settings or InspectionSettings()
         settings.check()
         return window_request(self, window_id, extent, settings)
 
