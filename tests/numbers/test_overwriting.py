@@ -94,12 +94,11 @@ def of_scan(folder: Path, factory: pytest.TempPathFactory) -> Writer:
 def of_results(folder: Path, factory: pytest.TempPathFactory) -> Writer:
     """What is made of a scan: its GeoPackage, the mended mosaic and its patches."""
     given = of_scan(folder, factory)
-    block, seams = open_block(given.inputs[0], sorted(folder.glob("strip*.tif"))), str(folder / "scan.gpkg")
-    found = ScanResult((), (), (), told={"seamlines_file": str(given.inputs[-1])})
-    write_scan(seams, found, block)
+    block, seams = open_block(given.inputs[0], sorted(folder.glob("strip*.tif"))), str(given.inputs[-1])
+    found = ScanResult((), (), (), told={"seamlines_file": seams})
 
     def write(output: str) -> None:
-        calls = [lambda: write_scan(output, found, block), lambda: mend(block, str(given.inputs[-1]), output)]
+        calls = [lambda: write_scan(output, found, block), lambda: mend(block, seams, output)]
         if output.endswith(".tif"):
             calls.append(lambda: mend(block, seams, folder / "new.vrt", patches=output))
         for call in calls:
