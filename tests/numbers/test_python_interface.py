@@ -122,6 +122,19 @@ def test_the_reference_and_the_notebook_are_made_anew() -> None:
     assert python_pages.NOTEBOOK.read_text("utf-8") == python_pages.notebook()
 
 
+def test_the_first_steps_agree_with_themselves() -> None:
+    """What failed in the scan is what the decision counts, and no window keeps much less than its worst piece."""
+    *_, scanned, _, decided = ([float(one) for one in re.findall(r"\d+(?:\.\d+)?", text)]
+                                   for text in python_pages.printed())  # fmt: skip
+    (_, failed), (counted, measured, longest) = scanned, decided
+    assert failed == counted
+    assert longest <= counted <= measured
+    rows = [line.split()[2:] for line in python_pages.printed()[-2].splitlines()[1:]]
+    assert len(rows) == 4
+    assert all(float(low) <= float(kept) <= float(high) and float(piece) < float(kept) + 0.05
+               for kept, low, high, piece in rows)
+
+
 def test_a_window_is_the_same_one_by_one_and_in_threads(block: Block) -> None:
     xmin, ymin, xmax, ymax = block.mosaic.extent
     requests = [block.window_at(xmin + 80, ymin + 75, side_m=50), block.window((xmax, ymin, xmax + 50, ymax))]
