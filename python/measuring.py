@@ -13,6 +13,7 @@ from osgeo import ogr
 
 from ..plugin.imagery.errors import CancelledError, Level, Message, SettingsError
 from ..plugin.imagery.file_identity import guarding
+from ..plugin.imagery.gdal_calls import gdal_silenced
 from ..plugin.imagery.grids import Extent
 from ..plugin.imagery.messages import CANCELLED
 from ..plugin.imagery.records import GEOMETRY
@@ -62,7 +63,7 @@ def inspect_windows(
     progress : callable, optional
         Is told the share that is done, 0 to 1.
     cancelled : callable, optional
-        Is asked several times a second whether to end.
+        Is asked several times a second whether to end; threads finish what they are at, a window or a block of a scan.
 
     A window that fails in a way nobody foresaw is ``not_comparable`` for that reason. Raises CancelledError when
     cancelled, WorkersLostError when nobody is left to measure, SettingsError for settings out of their range and for
@@ -71,6 +72,8 @@ def inspect_windows(
     requests: list[WindowRequest] = list(windows) if block is None else [
         block.window(extent, settings, number) for number, extent in enumerate(_extents(windows, block.mosaic.wkt), 1)
     ]
+    if not all(isinstance(request, WindowRequest) for request in requests):
+        raise SettingsError(messages.RECTANGLES_WITHOUT_BLOCK())
     return _inspected(requests, executor, progress, cancelled)
 
 
@@ -194,12 +197,13 @@ def _extents(windows: Iterable[Any], wkt: str) -> Iterator[Extent]:
     for number, one in enumerate(table, 1):
         if isinstance(one, Mapping):
             one = one[GEOMETRY] if GEOMETRY in one else [one.get(name) for name in _SIDES]
-        if isinstance(one, str) and (outline := ogr.CreateGeometryFromWkt(one)) is not None:
-            xmin, xmax, ymin, ymax = outline.GetEnvelope()
-            one = xmin, ymin, xmax, ymax
         try:
+            if isinstance(one, str):
+                with gdal_silenced():
+                    xmin, xmax, ymin, ymax = ogr.CreateGeometryFromWkt(one).GetEnvelope()
+                one = xmin, ymin, xmax, ymax
             xmin, ymin, xmax, ymax = map(float, getattr(one, "bounds", one))
-        except (TypeError, ValueError):
+        except (AttributeError, RuntimeError, TypeError, ValueError):  # GDAL's, of words that are no WKT, too
             raise SettingsError(messages.NO_RECTANGLE(number=number)) from None
         yield xmin, ymin, xmax, ymax
 

@@ -24,3 +24,6 @@ NO_RECTANGLE = Message(
     "Window {number} is no rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry "
     "or with xmin, ymin, xmax and ymax."
 )
+RECTANGLES_WITHOUT_BLOCK = Message(
+    "Rectangles lie on a mosaic; give its block, too: inspect_windows(rectangles, block)."
+)

@@ -60,6 +60,8 @@ def open_executor(
         with _connected(crew, is_cancelled) as client, _watched(client, is_cancelled) as opened:
             yield opened
     elif crew and not isinstance(crew, Executor):
+        if not hasattr(crew, "get_executor"):
+            raise SettingsError(messages.NO_EXECUTOR(given=type(crew).__name__))
         with _watched(crew, is_cancelled) as opened:
             yield opened
     else:
