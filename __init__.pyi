@@ -38,7 +38,7 @@ from .plugin.seams.measure.window.window_tables import profile_rows as profile_r
 from .plugin.seams.measure.window.window_tables import curve_rows as curve_rows
 from .plugin.seams.measure.window.window_tables import pair_rows as pair_rows
 from .plugin.seams.measure.scan.scan_result import seam_rows as seam_rows
-from .plugin.imagery.records import Rows as Rows
+from .plugin.imagery.records import TableRows as TableRows
 from .python.scan_files import write_scan as write_scan
 
 # The decision on a delivery

@@ -71,8 +71,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _scan(asked: argparse.Namespace) -> int:
-    block, settings = open_block(asked.mosaic, asked.sources), ScanSettings(density=asked.density, piece_m=asked.piece)
-    rules = _rules(asked)
+    block, rules = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies), _rules(asked)
+    settings = ScanSettings(density=asked.density, piece_m=asked.piece)
     with _guarded(asked, block.paths):
         found = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss, **asked.run)
         write_scan(asked.output, found, block, settings)
@@ -87,7 +87,8 @@ def _accept(asked: argparse.Namespace) -> int:
 
 
 def _inspect(asked: argparse.Namespace) -> int:
-    block, settings = open_block(asked.mosaic, asked.sources), InspectionSettings(min_kept=asked.min_kept)
+    block = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies)
+    settings = InspectionSettings(min_kept=asked.min_kept)
     requests = [block.window_at(x, y, asked.side, settings, number) for number, (x, y) in enumerate(asked.at, 1)]
     with _guarded(asked, block.paths):
         results = list(inspect_windows(requests, **asked.run))
@@ -109,7 +110,7 @@ def _inspect(asked: argparse.Namespace) -> int:
 
 
 def _mend(asked: argparse.Namespace) -> int:
-    block = open_block(asked.mosaic, asked.sources)
+    block = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies)
     made = mend(block, asked.seams, asked.output, patches=asked.patches, which=asked.which, **asked.run)
     left = metres(made, LEFT)
     print(f"{metres(made) - left:.1f} m mended, {left:.1f} m left as they were: {asked.output}")
@@ -159,8 +160,9 @@ def _parser() -> argparse.ArgumentParser:
         made.add_argument("-q", "--quiet", action="store_true", help="tell nothing but the result and errors")
         if is_measuring:
             made.add_argument("mosaic", metavar="MOSAIC")
-            made.add_argument("sources", metavar="SOURCE", nargs="*", help="orthoimages that it was made from")
+            made.add_argument("sources", metavar="SOURCE", nargs="*", help="its orthoimages")
             made.add_argument("--scheduler", default="", help="address of a Dask scheduler, as tcp://host:8786")
+            made.add_argument("--keep-copies", action="store_true", help="use sources that look like copies")
         return made
 
     one = command("scan", _scan, "Scan a mosaic and decide on it.")

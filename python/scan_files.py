@@ -17,7 +17,7 @@ from ..plugin.imagery.file_identity import guarding
 from ..plugin.imagery.gdal_calls import gdal_silenced, gdal_writing
 from ..plugin.imagery.gdal_paths import FEATURES, open_dataset
 from ..plugin.imagery.lines import line_wkt
-from ..plugin.imagery.records import GEOMETRY, Column, Row, Rows, rows_of
+from ..plugin.imagery.records import GEOMETRY, Column, Row, TableRows, rows_of
 from ..plugin.imagery.seam_totals import TOTALS_DOMAIN
 from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
 from ..plugin.seams.measure.planning.window_placing import PLACED_COLUMNS
@@ -37,7 +37,7 @@ _KINDS = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString}
 class SeamTable:
     """The table of seams that a scan left in a file."""
 
-    rows: Rows
+    rows: TableRows
     """As ``seam_rows`` makes them."""
     notes: dict[str, str]
     """What its scan tells beside them, the seal among it."""
@@ -107,4 +107,4 @@ def read_seams(path: PathLike) -> SeamTable:
             points = None if (outline := feature.GetGeometryRef()) is None else outline.GetPoints(2)
             rows.append({**row, GEOMETRY: line_wkt(np.array(points)) if points else ""})  # to the last digit
         wkt = "" if system is None else system.ExportToWkt()
-        return SeamTable(Rows(rows, wkt), dict(layer.GetMetadata(TOTALS_DOMAIN) or {}))
+        return SeamTable(TableRows(rows, wkt), dict(layer.GetMetadata(TOTALS_DOMAIN) or {}))

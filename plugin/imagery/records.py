@@ -72,7 +72,7 @@ GEOMETRY = "geometry"
 """In plain rows, where a layer has lines: the line as WKT."""
 
 
-class Rows(list[Row]):
+class TableRows(list[Row]):
     """Rows of a table; frames of pandas and geopandas, where these are installed."""
 
     def __init__(self, rows: Iterable[Row] = (), wkt: str = "") -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from ...imagery.errors import Message
 from ...imagery.lines import line_wkt
-from ...imagery.records import GEOMETRY, Rows
+from ...imagery.records import GEOMETRY, TableRows
 from ...imagery.seam_totals import PieceState
 from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
@@ -196,8 +196,8 @@ class Decision:
         """Likewise as a ``pandas.DataFrame``, lines as WKT in ``geometry``."""
         return self._rows().to_dataframe()
 
-    def _rows(self) -> Rows:
-        rows = Rows(wkt=self.delivery.wkt)
+    def _rows(self) -> TableRows:
+        rows = TableRows(wkt=self.delivery.wkt)
         for one in self.pieces:
             piece = one.piece
             rows.append({

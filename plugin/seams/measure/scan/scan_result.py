@@ -16,7 +16,7 @@ from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_wind
 from ....imagery.lines import line_wkt, points_at, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
-from ....imagery.records import GEOMETRY, Column, Row, Rows, rows_of
+from ....imagery.records import GEOMETRY, Column, Row, TableRows, rows_of
 from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
 from .. import messages
 from ..blocks.scan_settings import ScanSettings
@@ -292,13 +292,13 @@ CELL_COLUMNS: tuple[Column[str], ...] = (Column("source", "text", lambda name: n
 """CELLS: one polygon per source."""
 
 
-def seam_rows(result: ScanResult) -> Rows:
+def seam_rows(result: ScanResult) -> TableRows:
     """One row per piece of seam: what it kept with its 95 % interval, widths (m), verdict.
 
     The fields are those of the layer SEAMS (docs/reference/tables.md), and ``geometry``: the line as WKT in the
     mosaic's reference system.
     """
-    features, rows = result.features, Rows(wkt=result.told.get(SYSTEM, ""))
+    features, rows = result.features, TableRows(wkt=result.told.get(SYSTEM, ""))
     for row, feature in zip(_field_rows(features), features):
         rows.append({**row, GEOMETRY: line_wkt(feature.piece.vertices)})
     return rows
