@@ -44,7 +44,7 @@ $(PACKAGE):
 lint: link ## Check style and types, and that nothing is left unused
 	$(PYTHON) -m ruff check .
 	$(PYTHON) -m vulture
-	$(PYTHON) -m mypy -p seam_inspector.plugin $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py fuzz/run.py))
+	$(PYTHON) -m mypy -p seam_inspector.plugin -p seam_inspector.python $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py fuzz/run.py))
 
 check: lint ## Before every commit, in two minutes: style, types, and the quick tests of the numbers
 	$(ONE_THREAD) $(PYTHON) -m pytest -q -p no:pytest_qgis $(SIDE_BY_SIDE) --quick tests/numbers

@@ -4,12 +4,6 @@ A plugin of QGIS, and a Python interface that needs no QGIS: ``from seam_inspect
 ``__init__.pyi`` lists its names; docs/python tells of them. Nothing is imported before it is asked for, since QGIS
 loads this file when it starts.
 """
-from __future__ import annotations
-
-from functools import cache
-from typing import Any
-
-_NO_GDAL = "GDAL's Python bindings are missing: install python3-gdal of the system, or gdal of conda"
 
 
 def classFactory(iface: object) -> object:
@@ -19,29 +13,34 @@ def classFactory(iface: object) -> object:
     return SeamInspectorPlugin(iface)
 
 
-def __getattr__(name: str) -> Any:
-    """A name of the Python interface, or the version."""
+def __getattr__(name: str) -> object:
+    """A name of the Python interface, all of them, or the version."""
     from importlib import import_module
 
     if name == "__version__":
         return _version()
-    module = _modules().get(name)
-    if module is None:
+    modules = {} if name.startswith("__") and name != "__all__" else _modules()
+    if name == "__all__":
+        return [*modules]
+    if name not in modules:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     try:
-        return getattr(import_module(module, __name__), name)
+        found = globals()[name] = getattr(import_module(modules[name], __name__), name)
     except ModuleNotFoundError as error:
         if error.name != "osgeo":
             raise
-        raise ImportError(_NO_GDAL) from error
+        raise ImportError(
+            "GDAL's Python bindings are missing: install python3-gdal of the system, or gdal of conda"
+        ) from error
+    return found
 
 
-def __dir__() -> list[str]:
-    return sorted([*globals(), "__version__", *_modules()])
+def __dir__() -> "list[str]":
+    dunder = [name for name in globals() if name.startswith("__")]
+    return sorted([*dunder, "__all__", "__version__", *_modules()])
 
 
-@cache
-def _modules() -> dict[str, str]:
+def _modules() -> "dict[str, str]":
     """Where each name of the Python interface comes from, as the stub says it to type checkers."""
     import ast
     import pkgutil

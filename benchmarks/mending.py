@@ -13,6 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from osgeo import gdal, ogr
+from seam_inspector.plugin.imagery.records import GEOMETRY
 from seam_inspector.plugin.seams.measure.limits import ALL
 from seam_inspector.plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces
 from seam_inspector.plugin.seams.measure.mending.mend_run import MendSettings
@@ -24,7 +25,7 @@ from seam_inspector.plugin.seams.measure.mending.mending import (
     mending,
     metres,
 )
-from seam_inspector.plugin.seams.measure.scan.scan_result import GEOMETRY, ScanResult, seam_rows
+from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
 
 from .large_mosaic import LargeMosaic, make_large_mosaic
 from .scan_engine import AHEAD, SEAMS, scan_once, scan_request

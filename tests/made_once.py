@@ -25,6 +25,11 @@ def the_small_block(factory: pytest.TempPathFactory) -> Block:
     return _made_once(factory, "block", lambda folder: make_block(folder, extent_m=(120.0, 100.0)))
 
 
+def the_first_block(factory: pytest.TempPathFactory) -> Block:
+    """500 x 400 m, as the first steps in Python have it."""
+    return _made_once(factory, "first block", make_block)
+
+
 def _made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], Made]) -> Made:
     """What a maker returned, here or in another process of the run."""
     import fcntl

@@ -23,9 +23,11 @@ REPOSITORY = Path(__file__).parents[1]
 STUB = REPOSITORY / "__init__.pyi"
 PAGES = REPOSITORY / "docs" / "python"
 REFERENCE, FIRST_STEPS, NOTEBOOK = PAGES / "reference.md", PAGES / "first_steps.md", PAGES / "first_steps.ipynb"
+RECIPES, COMMANDS = PAGES / "recipes.md", PAGES / "command_line.md"
 
 _IMPORT = re.compile(r"from \.(\S+) import (\w+) as \2$")
-_FENCE = re.compile(r"^```(python|text)\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
+_FENCE = re.compile(r"^```(python|text|shell)\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
+_HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
 _SECTION = re.compile(r"^(Parameters)\n-+\n((?:.+(?:\n|$))+)", re.MULTILINE)
 _PARAMETER = re.compile(r"^(\S.*) : (.+)((?:\n {4}.*)*)", re.MULTILINE)
 _PICTURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n", re.MULTILINE)
@@ -62,6 +64,23 @@ def entries() -> list[Entry]:
         elif match := _IMPORT.match(line):
             found.append(Entry(match[2], chapter, _definition(match[1], match[2])))
     return found
+
+
+def blocks(page: Path, language: str = "python") -> list[tuple[str, str]]:
+    """The code of a page in a language, each block with the heading above it."""
+    text = page.read_text("utf-8")
+    fences = (fence for fence in _FENCE.finditer(text) if fence[1] == language)
+    return [(_HEADING.findall(text[: fence.start()])[-1], fence[2]) for fence in fences]
+
+
+def example(name: str) -> str:
+    """A link to the first place of the pages whose code has a name; empty where none has it."""
+    for page in (FIRST_STEPS, RECIPES):
+        for heading, code in blocks(page):
+            if re.search(rf"\b{name}\b", code):
+                anchor = re.sub(r"[^\w\s-]", "", heading).strip().lower().replace(" ", "-")
+                return f"[{heading}]({page.name}#{anchor})"
+    return ""
 
 
 def reference() -> str:
@@ -116,6 +135,7 @@ def _section(entry: Entry) -> Iterator[str]:
     if isinstance(entry.node, ast.FunctionDef):
         yield f"```python\n{_signature(entry.node)}\n```\n"
     yield _docstring(entry.node)
+    yield f"Example: {example(entry.name)}.\n"
     if isinstance(entry.node, ast.ClassDef):
         rows = [*_members(entry.node, getattr(seam_inspector, entry.name))]
         if rows:

@@ -420,6 +420,11 @@ def line_pieces(paths: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     return np.column_stack([points[:-1], points[1:]])[within], path[1:][within]
 
 
+def line_wkt(vertices: np.ndarray) -> str:
+    """A line of (n, 2) vertices as WKT, to the last digit."""
+    return f"LINESTRING ({', '.join(f'{x!r} {y!r}' for x, y in vertices.tolist())})"
+
+
 def as_xy(points: np.ndarray) -> np.ndarray:
     """(n, 2) float64 of (n,) complex."""
     return np.column_stack([points.real, points.imag])

@@ -103,13 +103,15 @@ class OpenRaster:
     """For what only GDAL does, such as warping."""
 
     def __init__(
-        self, ref: RasterRef, dataset: gdal.Dataset | None = None, complex_values: bool = False, turned: bool = False
+        self, ref: RasterRef | str | os.PathLike[str], dataset: gdal.Dataset | None = None,
+        complex_values: bool = False, turned: bool = False,
     ) -> None:
-        """``dataset``: what was made of the raster in memory, instead of its file; ``complex_values`` may be welcome;
-        ``turned``: whether its last row is the first one here.
+        """``ref``: where it is, or its path; ``dataset``: what was made of the raster in memory, instead of its file;
+        ``complex_values`` may be welcome; ``turned``: whether its last row is the first one here.
 
         Raises RasterError when it can't be opened or used.
         """
+        ref = ref if isinstance(ref, RasterRef) else RasterRef(os.fspath(ref))
         self.ref, self.is_broken, self._is_turned = ref, False, turned
         self._is_of_file = dataset is None
         # Looked at once: a VRT may name thousands of files.
@@ -143,6 +145,12 @@ class OpenRaster:
         if self._is_remote and self._beside == COMPLETE and is_remote(ref.path) and not is_complete:
             self._beside = WITH_OTHERS
             self._open()
+
+    def __enter__(self) -> OpenRaster:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.dataset = None
 
     def _network(self) -> AbstractContextManager[None]:
         return remote_settings(self._beside) if self._is_remote else nullcontext()

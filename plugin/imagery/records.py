@@ -68,6 +68,33 @@ def rows_of(columns: Sequence[Column[Result]], results: Iterable[Result], levels
         yield {name: str(value) if isinstance(value, Message) else value for name, value in zip(names, values)}
 
 
+GEOMETRY = "geometry"
+"""In plain rows, where a layer has lines: the line as WKT."""
+
+
+class TableRows(list[Row]):
+    """Rows of a table; frames of pandas and geopandas, where these are installed."""
+
+    def __init__(self, rows: Iterable[Row] = (), wkt: str = "") -> None:
+        """``wkt``: the reference system of the rows' lines; empty where they have none."""
+        super().__init__(rows)
+        self.wkt = wkt
+
+    def to_dataframe(self) -> Any:
+        """The table as a ``pandas.DataFrame``."""
+        import pandas
+
+        return pandas.DataFrame(self)
+
+    def to_geodataframe(self) -> Any:
+        """The table as a ``geopandas.GeoDataFrame``, its lines as geometries."""
+        import geopandas
+
+        frame = self.to_dataframe()
+        lines = geopandas.GeoSeries.from_wkt(frame[GEOMETRY]) if len(frame) else []
+        return geopandas.GeoDataFrame(frame, geometry=lines, crs=self.wkt or None)
+
+
 _LENGTH = struct.Struct("<I")
 _QUICK = 1  # of zlib: what is worth it are runs
 _MOST_BYTES = 2**29  # of all arrays of a record; the largest of ours is a tenth of it

@@ -1,4 +1,4 @@
-"""Executors that measure windows: threads of this machine, or a Dask cluster that is watched for lost workers."""
+"""Who measures: threads of this machine, any executor, or a Dask cluster that is watched for lost workers."""
 from __future__ import annotations
 
 import asyncio
@@ -7,11 +7,11 @@ import tempfile
 import time
 import zipfile
 from collections.abc import Iterator
-from concurrent.futures import Executor, Future, InvalidStateError
+from concurrent.futures import BrokenExecutor, Executor, Future
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Event, Thread
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, Union
 
 from ..imagery.errors import CancelledError, Message, SettingsError, WorkersLostError
 from ..imagery.messages import CANCELLED
@@ -21,9 +21,16 @@ from . import messages
 if TYPE_CHECKING:
     from distributed import Client
 
+Crew = Union[Executor, "Client", str, None]
+"""An executor, a client of a Dask cluster, the address of its scheduler, or a thread per core."""
+
 _ANSWER_SECONDS = 10.0  # to the scheduler, until it is known that it is one
 _PREPARING_SECONDS = 120.0  # for all workers to take the code
 _CANCELLED_EVERY_SECONDS = 0.1  # is asked for
+PATIENCE_SECONDS = 120.0
+"""Without any worker: long enough for those that were lost to be started anew."""
+LOOK_SECONDS = 5.0
+"""Between two looks at the cluster."""
 _FORGET = f"""
 import sys
 for name in [name for name in sys.modules if name.partition(".")[0] == {__name__.partition(".")[0]!r}]:
@@ -42,56 +49,51 @@ if pool:
 
 @contextmanager
 def open_executor(
-    scheduler: str = "", is_cancelled: Callable[[], bool] = lambda: False
+    crew: Crew = None, is_cancelled: Callable[[], bool] = lambda: False
 ) -> Iterator[tuple[Executor, int]]:
     """An executor and how many windows it should have under way.
 
-    Without a ``scheduler`` (address of a Dask scheduler) the windows run in one thread per core.
-
-    Raises SettingsError when Dask is not installed, nothing answers, or what answers is not a scheduler;
-    CancelledError when cancelled before it is open.
+    Raises SettingsError for a cluster that can't be used, CancelledError when cancelled before it is open, and
+    WorkersLostError in the place of what a block meets when nobody is left to measure.
     """
-    with _dask_executor(scheduler, is_cancelled) if scheduler else own_threads() as opened:
-        yield opened
+    if isinstance(crew, str) and crew:
+        with _connected(crew, is_cancelled) as client, _watched(client, is_cancelled) as opened:
+            yield opened
+    elif crew and not isinstance(crew, Executor):
+        if not hasattr(crew, "get_executor"):
+            raise SettingsError(messages.NO_EXECUTOR(given=type(crew).__name__))
+        with _watched(crew, is_cancelled) as opened:
+            yield opened
+    else:
+        with own_threads(crew or None) as opened:
+            try:
+                yield opened
+            except (BrokenExecutor, concurrent.futures.CancelledError):
+                raise WorkersLostError(messages.EXECUTOR_LOST()) from None
 
 
 @contextmanager
-def _dask_executor(scheduler: str, is_cancelled: Callable[[], bool]) -> Iterator[tuple[Executor, int]]:
-    with _connected(scheduler, is_cancelled) as client:
-        preparing = _started(lambda: _prepare(client, scheduler))
-        if not _is_done(preparing, _PREPARING_SECONDS, is_cancelled):
-            raise SettingsError(messages.WORKERS_SILENT(address=scheduler, seconds=_PREPARING_SECONDS))
-        if isinstance(preparing.exception(), OSError):
-            raise SettingsError(messages.SCHEDULER_LOST(address=scheduler))
-        executor = WatchedExecutor(client, scheduler)
-        try:
-            yield executor, ahead_of(preparing.result())
-        finally:
-            executor.shutdown()
-            if client.status == "running":
-                _is_done(_started(lambda: client.run(exec, _CLOSE, on_error="ignore")), _ANSWER_SECONDS)
-
-
-@contextmanager
-def _connected(scheduler: str, is_cancelled: Callable[[], bool]) -> Iterator[Client]:
+def _connected(address: str, is_cancelled: Callable[[], bool]) -> Iterator[Client]:
     """A client of the scheduler. Whatever else answers, or does not, is left to itself after a time."""
     try:
         from distributed import Client
     except ImportError:
         raise SettingsError(messages.DASK_MISSING()) from None
-    connecting = _started(lambda: asyncio.run(asyncio.wait_for(_check_scheduler(scheduler), _ANSWER_SECONDS)))
-    has_answered = _is_done(connecting, _ANSWER_SECONDS, is_cancelled)
-    error = connecting.exception() if has_answered else None
-    if not has_answered or isinstance(error, asyncio.TimeoutError):
-        raise SettingsError(messages.SCHEDULER_SILENT(address=scheduler, error=f"{_ANSWER_SECONDS:.0f} s"))
-    if isinstance(error, (OSError, ValueError)):
-        raise SettingsError(messages.SCHEDULER_SILENT(address=scheduler, error=error))
-    if error is not None:  # whatever Dask makes of bytes that are none of its own
-        raise SettingsError(messages.NOT_A_SCHEDULER(address=scheduler))
+    asking = _started(lambda: asyncio.run(asyncio.wait_for(_check_scheduler(address), _ANSWER_SECONDS)))
+    error: BaseException | None = asyncio.TimeoutError()
+    if _is_done(asking, _ANSWER_SECONDS, is_cancelled):
+        error = asking.exception()
     try:
-        client = Client(scheduler, timeout=_ANSWER_SECONDS)
-    except (OSError, ValueError) as lost:
-        raise SettingsError(messages.SCHEDULER_SILENT(address=scheduler, error=lost)) from None
+        if error is not None:
+            raise error
+        client = Client(address, timeout=_ANSWER_SECONDS)
+    except SettingsError:
+        raise
+    except (OSError, ValueError, asyncio.TimeoutError) as silent:
+        why = str(silent) or f"{_ANSWER_SECONDS:.0f} s"
+        raise SettingsError(messages.SCHEDULER_SILENT(address=address, error=why)) from None
+    except Exception:  # whatever Dask makes of bytes that are none of its own
+        raise SettingsError(messages.NOT_A_SCHEDULER(address=address)) from None
     try:
         yield client
     finally:
@@ -99,7 +101,8 @@ def _connected(scheduler: str, is_cancelled: Callable[[], bool]) -> Iterator[Cli
 
 
 async def _check_scheduler(address: str) -> None:
-    """Dask's own client has no limit of time for the first words. Raises whatever those of something else lead to."""
+    """Dask's own client has no limit of time for the first words, and breaks off where versions differ. Raises whatever
+    those of something else lead to."""
     from distributed.comm.core import connect
     from distributed.security import Security
 
@@ -108,8 +111,19 @@ async def _check_scheduler(address: str) -> None:
         await comm.write({"op": "identity", "reply": True})
         if (await comm.read())["type"] != "Scheduler":
             raise TypeError(address)
+        await comm.write({"op": "versions", "reply": True})
+        _check_versions(address, await comm.read())
     finally:
         comm.abort()
+
+
+def _check_versions(address: str, *told: dict[str, Any]) -> None:
+    """Raise SettingsError where another version of Dask answers, by what Dask tells of versions."""
+    from distributed import __version__ as own
+
+    versions = {str(one["packages"]["distributed"]) for one in told} - {own}
+    if versions:
+        raise SettingsError(messages.DASK_VERSIONS(address=address, versions=", ".join(sorted(versions)), own=own))
 
 
 def _started(call: Callable[[], Any]) -> Future[Any]:
@@ -136,19 +150,70 @@ def _is_done(future: Future[Any], seconds: float, is_cancelled: Callable[[], boo
     return future.done()
 
 
-def _prepare(client: Client, scheduler: str) -> int:
-    """Give the workers this plugin's code, whatever they have of it; those that come later get it, too. How many
-    threads they have.
+@contextmanager
+def _watched(client: Client, is_cancelled: Callable[[], bool]) -> Iterator[tuple[Executor, int]]:
+    """Dask gives the work of a lost worker to others; where none is left for long, all that waits ends instead of
+    waiting for ever."""
+    address = client.scheduler.address
+    preparing = _started(lambda: _prepare(client, address))
+    if not _is_done(preparing, _PREPARING_SECONDS, is_cancelled):
+        raise SettingsError(messages.WORKERS_SILENT(address=address, seconds=_PREPARING_SECONDS))
+    if isinstance(preparing.exception(), OSError):
+        raise SettingsError(messages.SCHEDULER_LOST(address=address))
+    executor, ended = client.get_executor(), Event()
+    lost: list[Message] = []
 
-    A worker that is lost costs its windows' time only: Dask gives them to others.
-    """
+    def watch() -> None:
+        if (why := _why_lost(client, address, ended)) is not None:
+            lost.append(why)
+            executor.shutdown(wait=False)
+
+    Thread(target=watch, name="seam-inspector-cluster", daemon=True).start()
+    try:
+        yield executor, ahead_of(preparing.result())
+    except Exception as error:
+        if lost or isinstance(error, concurrent.futures.CancelledError):  # else nobody has cancelled them
+            raise WorkersLostError((lost or [messages.SCHEDULER_LOST(address=address)])[0]) from None
+        raise
+    finally:
+        ended.set()
+        if client.status == "running":
+            executor.shutdown(wait=False)
+            _is_done(_started(lambda: client.run(exec, _CLOSE, on_error="ignore")), _ANSWER_SECONDS)
+
+
+def _why_lost(client: Client, address: str, ended: Event) -> Message | None:
+    """Why nobody is left to measure, as soon as that is so; None once all is done."""
+    last_seen = time.monotonic()
+    while not ended.wait(LOOK_SECONDS):
+        if client.status not in ("running", "connecting"):
+            return messages.SCHEDULER_LOST(address=address)
+        if _has_workers(client):
+            last_seen = time.monotonic()
+        elif time.monotonic() - last_seen > PATIENCE_SECONDS:
+            return messages.WORKERS_LOST(address=address, seconds=PATIENCE_SECONDS)
+    return None
+
+
+def _has_workers(client: Client) -> bool:
+    try:
+        return bool(client.nthreads())
+    except (OSError, ValueError):  # the connection is down; Dask tries to have it again
+        return False
+
+
+def _prepare(client: Client, address: str) -> int:
+    """Give the workers this plugin's code, whatever they have of it; those that come later get it, too. How many
+    threads they have."""
     threads = sum(client.nthreads().values())
     if not threads:
-        raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=scheduler))
+        raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=address))
+    versions = client.get_versions()
+    _check_versions(address, versions["scheduler"], *versions["workers"].values())
     lacking = client.run(eval, _MISSING.format(needed=_NEEDED))
     missing = sorted({name for names in lacking.values() for name in names})
     if missing:
-        raise SettingsError(messages.WORKERS_WITHOUT_PACKAGES(address=scheduler, packages=", ".join(missing)))
+        raise SettingsError(messages.WORKERS_WITHOUT_PACKAGES(address=address, packages=", ".join(missing)))
     client.run(exec, _FORGET)
     with tempfile.TemporaryDirectory() as folder:
         client.upload_file(_measuring_archive(Path(folder)))
@@ -174,75 +239,3 @@ def _measuring_archive(folder: Path) -> str:
         for module in measuring_modules(plugin):
             file.write(module, "/".join([*package, *module.relative_to(plugin).parts]))
     return str(archive)
-
-
-PATIENCE_SECONDS = 120.0
-"""Without any worker: long enough for those that were lost to be started anew."""
-LOOK_SECONDS = 5.0
-"""Between two looks at the cluster."""
-
-
-class WatchedExecutor(Executor):
-    """Dask gives the work of a lost worker to others; where none is left for long, all that waits ends with
-    WorkersLostError instead of waiting for ever."""
-
-    def __init__(self, client: Client, address: str) -> None:
-        """``address`` of the scheduler, for the user."""
-        self._client, self._address = client, address
-        self._executor = client.get_executor()
-        self._waiting: set[Future[Any]] = set()
-        self._closed = Event()
-        self._watch = Thread(target=self._look, name="seam-inspector-cluster", daemon=True)
-        self._watch.start()
-
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """Submit work as any executor does."""
-        promised: Future[Any] = Future()
-        self._waiting.add(promised)
-        under_way = self._executor.submit(fn, *args, **kwargs)
-
-        def settle(done: Future[Any]) -> None:
-            try:
-                error = done.exception()
-            except concurrent.futures.CancelledError:  # by us, then nobody asks any more; else the scheduler is gone
-                error = WorkersLostError(messages.SCHEDULER_LOST(address=self._address))
-            self._settle(promised, error, None if error else done.result())
-
-        under_way.add_done_callback(settle)
-        promised.add_done_callback(lambda done: under_way.cancel() if done.cancelled() else None)
-        return promised
-
-    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """Ends the watch, and the work that nobody waits for."""
-        self._closed.set()
-        self._executor.shutdown(wait=False)
-
-    def _settle(self, promised: Future[Any], error: BaseException | None, result: Any = None) -> None:
-        self._waiting.discard(promised)
-        try:
-            if error is None:
-                promised.set_result(result)
-            else:
-                promised.set_exception(error)
-        except InvalidStateError:
-            pass  # cancelled, or given up before
-
-    def _look(self) -> None:
-        last_seen = time.monotonic()
-        while not self._closed.wait(LOOK_SECONDS):
-            if self._client.status not in ("running", "connecting"):
-                self._give_up(messages.SCHEDULER_LOST(address=self._address))
-            elif self._has_workers():
-                last_seen = time.monotonic()
-            elif time.monotonic() - last_seen > PATIENCE_SECONDS:
-                self._give_up(messages.WORKERS_LOST(address=self._address, seconds=PATIENCE_SECONDS))
-
-    def _has_workers(self) -> bool:
-        try:
-            return bool(self._client.nthreads())
-        except (OSError, ValueError):  # the connection is down; Dask tries to have it again
-            return False
-
-    def _give_up(self, why: Message) -> None:
-        for promised in list(self._waiting):
-            self._settle(promised, WorkersLostError(why))

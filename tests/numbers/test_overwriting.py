@@ -18,14 +18,15 @@ import numpy as np
 import pytest
 import seam_inspector
 from osgeo import gdal
-from seam_inspector import OrthoRequest, SeamInspectorError, Source, open_block, orthorectify, scan
+from seam_inspector import MendSettings, ScanResult, SeamInspectorError, mend, open_block, scan, write_scan
 from seam_inspector.plugin.imagery.atomic_files import leads_as_checked
 from seam_inspector.plugin.imagery.file_identity import DataPlace, check_outputs, guarding
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.raster_writer import WrittenBands, raster_writer
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.mending.mend_run import MendSettings
 from seam_inspector.plugin.seams.measure.mending.mending import MendRequest, mending
+from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
 
 from tests.made_once import the_small_block
 from tests.numbers.synthetic import write_raster
@@ -34,17 +35,13 @@ from tools import python_pages
 BELONGS = "which belongs to an input; choose another file"
 READ = {
     "open_block mosaic", "open_block sources", "open_block cells", "scan seamlines", "load_acceptance_rules path",
-    "read_calibration path", "Ortho path",
+    "mend seams", "decide sheets", "decide mosaics", "inspect_windows executor", "scan executor", "mend executor",
 }  # fmt: skip
 """Paths that the interface takes to read, or tells."""
 WORDS = {
-    "make_delivery sheets", "open_block crs", "make_delivery wkt", "make_delivery told",
-    "AcceptanceRules.limit check",
-    "AcceptanceRules.rule check", "clip_curves wavelet", "measure_noise names", "measure_noise wavelet",
-    "measure_noise raster", "TargetResolution.worst direction", "TargetResolution.interval direction",
-    "TargetResolution.seen direction", "TargetResolution.seen observer", "TargetResolution.worst_error direction",
-    "orient_photo positions", "sensor_model name", "sensor_model variant", "Message.worded translate",
-    "Message.worded fill",
+    "AcceptanceRules.limit check", "AcceptanceRules.rule check", "clip_curves wavelet", "measure_noise names",
+    "measure_noise wavelet", "mend which",
+    "open_block crs",
 }  # fmt: skip
 """Texts that are no paths."""
 
@@ -95,6 +92,25 @@ def of_scan(folder: Path, factory: pytest.TempPathFactory) -> Writer:
     return Writer(inputs, lambda path: scan(block, seamlines=f"{lines}seamlines", loss=path))
 
 
+def of_results(folder: Path, factory: pytest.TempPathFactory) -> Writer:
+    """What is made of a scan: its GeoPackage, the mended mosaic and its patches."""
+    given = of_scan(folder, factory)
+    block, seams = open_block(given.inputs[0], sorted(folder.glob("strip*.tif"))), str(given.inputs[-1])
+    found = ScanResult((), (), (), told={"seamlines_file": seams})
+
+    def write(output: str) -> None:
+        calls = [lambda: write_scan(output, found, block), lambda: mend(block, seams, output)]
+        if output.endswith(".tif"):
+            calls.append(lambda: mend(block, seams, folder / "new.vrt", patches=output))
+        for call in calls:
+            with pytest.raises(SeamInspectorError, match=BELONGS) as raised:
+                call()
+        raise raised.value
+
+    inputs = [path for path in given.inputs if path.name != "sheet.tif"]
+    return Writer(tuple(inputs), write)
+
+
 def of_orthorectify(folder: Path, _: pytest.TempPathFactory) -> Writer:
     paths = [write_raster(folder / f"{name}.tif", np.full((8, 8), 9, np.uint8)) for name in ("image", "part", "dem")]
     nothing: Any = None  # what is not looked at before
@@ -134,8 +150,11 @@ def of_mending(folder: Path, _: pytest.TempPathFactory) -> Writer:
     return Writer((Path(mosaic), Path(source)), write)
 
 
-WRITTEN = {"scan loss": of_scan, "OrthoRequest output": of_orthorectify}
-WRITERS = {**WRITTEN, "raster_writer": of_raster_writer, "mending": of_mending}
+WRITTEN = {"scan loss": of_scan, **dict.fromkeys(("write_scan path", "mend mended", "mend patches"), of_results)}
+WRITERS = {
+    "scan loss": of_scan, "results": of_results, "orthorectify": of_orthorectify, "raster_writer": of_raster_writer,
+    "mending": of_mending,
+}  # fmt: skip
 
 
 def test_every_path_of_the_interface_is_known_as_read_or_written() -> None:

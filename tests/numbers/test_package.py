@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.toolkit.executors import measuring_modules
 
-from tests.made_once import the_small_block
+from tests.made_once import the_first_block
 from tests.releases import built, cloned, run_tool
 from tools import python_pages
 from tools.check_package import check_metadata, check_package
@@ -86,11 +86,15 @@ def test_it_holds_what_is_committed_and_the_compiled_translations(clone: Path, p
 
 def test_the_wheel_holds_what_a_cluster_is_given_and_its_types(clone: Path, wheel: Path) -> None:
     given = {path.relative_to(clone).as_posix() for path in measuring_modules(clone / "plugin")}
+    given |= {path.relative_to(clone).as_posix() for path in (clone / "python").glob("*.py")}
+    given |= {f"plugin/toolkit/{name}.py" for name in ("executors", "messages")}
     given |= {"__init__.py", "__init__.pyi", "py.typed", "metadata.txt", "plugin/__init__.py"}
     with zipfile.ZipFile(wheel) as held:
         names = {name for name in held.namelist() if ".dist-info/" not in name}
         assert names == {f"seam_inspector/{name}" for name in given}
         told = held.read(next(name for name in held.namelist() if name.endswith("/METADATA"))).decode()
+        commands = held.read(next(name for name in held.namelist() if name.endswith("/entry_points.txt"))).decode()
+    assert "seam-inspector = seam_inspector.python.command_line:main" in commands
     for needed in ("numpy", "scipy", "PyWavelets"):
         assert re.search(f"^Requires-Dist: {needed}", told, re.MULTILINE | re.IGNORECASE)
     assert "plugin/seams/measure/window/inspection.py" in given
@@ -110,7 +114,7 @@ def test_the_guides_notebook_runs_with_the_wheel_alone(
     pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--target", packages, wheel]
     subprocess.run(pip, env=own, check=True)
     (packages / "pandas.pth").write_text(sysconfig.get_path("purelib"), encoding="utf-8")
-    (tmp_path / "block").symlink_to(the_small_block(tmp_path_factory).mosaic.parent)
+    (tmp_path / "block").symlink_to(the_first_block(tmp_path_factory).mosaic.parent)
     run = subprocess.run(
         [python, repository / "tests" / "notebook_cells.py", python_pages.NOTEBOOK], cwd=tmp_path,
         env={**own, "MPLBACKEND": "agg"}, capture_output=True, text=True, check=False,

@@ -74,6 +74,8 @@ def test_all_that_is_installed_is_imported_without_qgis(installed: Path) -> None
 def test_the_wheel_holds_what_a_cluster_is_given(installed: Path, repository: Path) -> None:
     home = Path(run(installed, "import seam_inspector; print(seam_inspector.__path__[0])").decode().strip())
     given = {path.relative_to(repository) for path in measuring_modules(repository / "plugin")}
+    given |= {path.relative_to(repository) for path in (repository / "python").glob("*.py")}
+    given |= {Path("plugin/toolkit/executors.py"), Path("plugin/toolkit/messages.py")}
     given |= {Path("__init__.py"), Path("plugin/__init__.py")}
     assert {path.relative_to(home) for path in home.rglob("*.py")} == given
     assert Path("plugin/seams/measure/window/inspection.py") in given

@@ -4,10 +4,12 @@ from __future__ import annotations
 import ast
 import inspect
 import json
+import re
 import subprocess
 import sys
 import warnings
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -16,20 +18,19 @@ import seam_inspector
 from osgeo import gdal, ogr, osr
 from seam_inspector import (
     Block,
-    ScanRun,
     SeamInspectorError,
     SeamInspectorWarning,
-    decide,
     inspect_window,
     inspect_windows,
     limit_rules,
-    make_delivery,
     open_block,
     profile_rows,
     scan,
     seam_rows,
     window_rows,
 )
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
 
 from tests.made_once import the_small_block
 from tools import python_pages
@@ -37,11 +38,10 @@ from tools import python_pages
 LOADED = """
 import json, sys
 import seam_inspector
-names = [name for name in dir(seam_inspector) if not name.startswith("_")]
 before = sorted(sys.modules)
-for name in names:
-    if name != "classFactory":
-        getattr(seam_inspector, name)
+from seam_inspector import *
+import seam_inspector.python.command_line
+names = sorted({*globals()} - {"json", "sys", "seam_inspector", "before"})
 json.dump([names, before, sorted(sys.modules)], sys.stdout)
 """
 HEAVY = {"numpy", "scipy", "pywt", "osgeo"}
@@ -62,6 +62,13 @@ def block(folder: Path) -> Block:
         return open_block(folder / "mosaic.tif", sorted(folder.glob("strip*.tif")))
 
 
+@cache
+def our_types() -> set[str]:
+    """Names of all classes of the package."""
+    files = [path for room in ("plugin", "python") for path in (python_pages.REPOSITORY / room).rglob("*.py")]
+    return {name for path in files for name in re.findall(r"^class (\w+)", path.read_text("utf-8"), re.MULTILINE)}
+
+
 def roots(modules: list[str]) -> set[str]:
     return {name.partition(".")[0] for name in modules}
 
@@ -72,7 +79,10 @@ def test_importing_costs_nothing_and_no_name_brings_qgis() -> None:
     names, before, after = json.loads(run.stdout)
     assert not (HEAVY | NEVER) & roots(before)
     assert not NEVER & roots(after)
-    assert {one.name for one in python_pages.entries()} == {*names} - {"classFactory", "cache", "annotations", "Any"}
+    public = [name for name in names if not name.startswith("_")]
+    assert public == sorted(seam_inspector.__all__)
+    assert public == [name for name in dir(seam_inspector) if not name.startswith("_")]
+    assert {one.name for one in python_pages.entries()} == {*public}
 
 
 def test_an_unknown_name_is_no_attribute() -> None:
@@ -89,10 +99,13 @@ def test_the_version_is_that_of_the_metadata(repository: Path) -> None:
 def test_a_name_is_typed_and_documented(entry: python_pages.Entry) -> None:
     assert getattr(seam_inspector, entry.name).__name__ == entry.name
     assert entry.line.endswith(".")
+    assert python_pages.example(entry.name)
     if isinstance(entry.node, ast.FunctionDef):
         found = inspect.signature(getattr(seam_inspector, entry.name))
         assert found.return_annotation is not inspect.Signature.empty
         assert all(one.annotation is not inspect.Parameter.empty for one in found.parameters.values())
+        named = {*re.findall(r"\w+", ast.unparse(entry.node.args) + ast.unparse(entry.node.returns or ast.Tuple([])))}
+        assert named & our_types() <= {*seam_inspector.__all__}
     else:
         body = entry.node.body
         bare = [
@@ -107,6 +120,19 @@ def test_the_reference_and_the_notebook_are_made_anew() -> None:
     """`make help-pages` makes them."""
     assert python_pages.REFERENCE.read_text("utf-8") == python_pages.reference()
     assert python_pages.NOTEBOOK.read_text("utf-8") == python_pages.notebook()
+
+
+def test_the_first_steps_agree_with_themselves() -> None:
+    """What failed in the scan is what the decision counts, and no window keeps much less than its worst piece."""
+    *_, scanned, _, decided = ([float(one) for one in re.findall(r"\d+(?:\.\d+)?", text)]
+                                   for text in python_pages.printed())  # fmt: skip
+    (_, failed), (counted, measured, longest) = scanned, decided
+    assert failed == counted
+    assert longest <= counted <= measured
+    rows = [line.split()[2:] for line in python_pages.printed()[-2].splitlines()[1:]]
+    assert len(rows) == 4
+    assert all(float(low) <= float(kept) <= float(high) and float(piece) < float(kept) + 0.05
+               for kept, low, high, piece in rows)
 
 
 def test_a_window_is_the_same_one_by_one_and_in_threads(block: Block) -> None:
@@ -165,7 +191,7 @@ def test_a_scan_goes_along_seamlines(block: Block, folder: Path, tmp_path: Path,
     with ThreadPoolExecutor(1) as executor:
         found = scan(
             scanned, seamlines=folder / "seamlines.gpkg", loss=tmp_path / "loss.tif",
-            run=ScanRun(executor, 2, shares.append),
+            executor=executor, progress=shares.append,
         )  # fmt: skip
     assert 250 < found.seam_metres < 320
     assert shares == sorted(shares)
@@ -185,7 +211,7 @@ def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        scan(block, loss=tmp_path / "loss.tif", run=ScanRun(progress=end))
+        scan(block, loss=tmp_path / "loss.tif", progress=end)
     assert list(tmp_path.glob("*.scan"))
     found = scan(block, loss=tmp_path / "loss.tif")
     assert "goes on where it stopped" in str(found.notices[0])

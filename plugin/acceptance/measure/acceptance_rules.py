@@ -137,9 +137,9 @@ def ready_files() -> dict[str, Path]:
     return ready_rules(SUBJECT)
 
 
-def load_acceptance_rules(path: Path) -> AcceptanceRules:
+def load_acceptance_rules(path: Path | str) -> AcceptanceRules:
     """The rules of a JSON file. Raises SettingsError that says what is wrong with it and where."""
-    return read_rules(path, _acceptance_rules)
+    return read_rules(Path(path), _acceptance_rules)
 
 
 def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> AcceptanceRules:

@@ -3,8 +3,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
+from typing import Any
 
 from ...imagery.errors import Message
+from ...imagery.lines import line_wkt
+from ...imagery.records import GEOMETRY, TableRows
 from ...imagery.seam_totals import PieceState
 from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
@@ -184,6 +187,26 @@ class Decision:
     """None with all inspected."""
     by_observer: bool = False
     """Whether pieces failed by what operators saw, whatever they kept."""
+
+    def to_geodataframe(self) -> Any:
+        """Its pieces as a ``geopandas.GeoDataFrame``, one row each: what was measured, and what it counts as."""
+        return self._rows().to_geodataframe()
+
+    def to_dataframe(self) -> Any:
+        """Likewise as a ``pandas.DataFrame``, lines as WKT in ``geometry``."""
+        return self._rows().to_dataframe()
+
+    def _rows(self) -> TableRows:
+        rows = TableRows(wkt=self.delivery.wkt)
+        for one in self.pieces:
+            piece = one.piece
+            rows.append({
+                "sheet": piece.sheet, "seam_id": piece.seam_id, "station": piece.station_m, "length": piece.length_m,
+                "kept_1": piece.kept_1, "kept_low": piece.kept_low, "kept_high": piece.kept_high,
+                "left_source": piece.left_source, "right_source": piece.right_source, "state": one.state.value,
+                "is_unclear": one.is_unclear, "failure": one.run, GEOMETRY: line_wkt(piece.vertices),
+            })
+        return rows
 
     @property
     def accepted(self) -> bool | None:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -257,7 +257,8 @@ def _points_of(
 
 
 def make_delivery(
-    sheets: Mapping[str, Iterable[SeamRow]], wkt: str, told: Mapping[str, Mapping[str, str]] | None = None
+    sheets: Mapping[str, Iterable[SeamRow]], wkt: str, told: Mapping[str, Mapping[str, str]] | None = None,
+    sealed: Collection[str] = (),
 ) -> Delivery:
     """A delivery of what scans found, to be decided on.
 
@@ -266,7 +267,7 @@ def make_delivery(
     WKT. None, NaN and fields that lack mean that nothing is known. ``wkt``: the reference system of all lines; those
     in degrees are moved to their UTM zone. ``told``: by sheet what its scan tells of the ground and of all its metres
     (``ScanResult.told``); without it nothing is known of seams that are in no row, and gaps between pieces of a seam
-    count as pieces that lack.
+    count as pieces that lack. ``sealed``: sheets that have to be as their scans sealed them, by what is ``told``.
 
     A sheet without rows leaves the decision open: leave one without seams out.
 
@@ -278,6 +279,7 @@ def make_delivery(
     first = next((line for of_sheet in lines.values() for line in of_sheet if len(line)), None)
     if first is None:
         raise SettingsError(messages.LAYERS_EMPTY())
+    as_scanned, own_wkt = lines, wkt
     if wkt and is_geographic(wkt):
         target = utm_wkt(*first[0].tolist())
         lines = {sheet: [transform_points(line, wkt, target) for line in of_sheet] for sheet, of_sheet in lines.items()}
@@ -290,13 +292,13 @@ def make_delivery(
         if rows and not any("kept_1" in row for row in rows):
             raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=sheet))
         doubts = LayerDoubts(sheet)
-        for row, line in zip(rows, lines[sheet]):
+        for row, line, scanned in zip(rows, lines[sheet], as_scanned[sheet]):
             drawn_m = float(vertex_stations(line)[-1]) * unit_m if len(line) else 0.0
-            if (piece := doubts.piece(sheet, row, line, drawn_m)) is not None:
+            if (piece := doubts.piece(sheet, row, line, drawn_m, scanned)) is not None:
                 pieces.append(piece)
         notices += doubts.told()
         said = (told or {}).get(sheet, {})
-        layers.append(replace(doubts.layer({METRES: said.get(METRES, "")}, is_asked=False), settings=said))
+        layers.append(replace(doubts.layer(said, own_wkt, sheet in sealed), settings=said))
     delivery, doubled = united_delivery(pieces, wkt, layers=layers)
     for notice in [*notices, *doubled]:
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)

@@ -14,6 +14,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import CancelledError, SettingsError
+from ...imagery.records import GEOMETRY
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
@@ -139,7 +140,7 @@ class MendSeams(SeamInspectorAlgorithm):
         """Those of a scan; with windows of one that is made now, of which only those in the windows are wanted."""
         from ...toolkit import layers
         from ..measure.mending.failed_runs import FIELDS, given_pieces
-        from ..measure.scan.scan_result import GEOMETRY, seam_rows
+        from ..measure.scan.scan_result import seam_rows
         from ..measure.scan.whole_scan import ScanRun, scan
         from ..measure.window.inspection import Block
 

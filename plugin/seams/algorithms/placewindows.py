@@ -62,8 +62,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         from ...imagery.open_raster import OpenRaster
         from ...toolkit import layers
         from ...toolkit.table_fields import column_fields, column_values, feature
-        from ..measure.planning.window_placing import place_windows
-        from ..tables.result_tables import PLACED_COLUMNS
+        from ..measure.planning.window_placing import PLACED_COLUMNS, place_windows
 
         seamlines, mosaic = run.source(SEAMLINES), self._mosaic
         crs = layers.mosaic_crs(mosaic)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator
-from concurrent.futures import Executor, Future, wait
+from concurrent.futures import BrokenExecutor, Executor, Future, wait
 from dataclasses import dataclass
 from typing import Callable, TypeVar
 
@@ -68,7 +68,7 @@ def _ready(
     error = future.exception()
     if error is None:
         yield future.result()
-    elif isinstance(error, Exception) and not isinstance(error, WorkersLostError):
+    elif isinstance(error, Exception) and not isinstance(error, (WorkersLostError, BrokenExecutor)):
         yield failed(request, unforeseen(error))
     else:
         raise error

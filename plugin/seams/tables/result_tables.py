@@ -24,7 +24,6 @@ from ...toolkit.translation import sentence
 from ...toolkit.version_differences import field
 from ..measure.calibration.threshold_calibration import STANDARD_LIMITS, Step, ThresholdCalibration, step_at
 from ..measure.planning.loss_forecast import Forecast, ForecastPair
-from ..measure.planning.window_placing import PlacedWindow
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import MEASURED, WINDOW_FIELDS
 
@@ -54,14 +53,6 @@ FORECAST_PAIR_COLUMNS: tuple[Column[tuple[Forecast, ForecastPair]], ...] = (
     Column("resampled", "integer", lambda row: int(row[1].resampled)),
 )
 """PAIRS of ``predictloss``: one row per window and pair of sources."""
-
-PLACED_COLUMNS: tuple[Column[PlacedWindow], ...] = (
-    Column("window_id", "integer", lambda placed: placed.window_id),
-    Column("seam_id", "integer", lambda placed: placed.seam_id),
-    Column("station", "real", lambda placed: placed.station_m),
-)
-"""The windows of ``placewindows``."""
-
 
 def output_fields(levels: int, said: Iterable[str]) -> QgsFields:
     """Fields of OUTPUT: those of every window, and what operators said as far as the windows given have it."""

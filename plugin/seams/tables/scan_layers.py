@@ -23,8 +23,8 @@ from ...imagery.seam_totals import TOTALS_DOMAIN
 from ...toolkit.geopackages import write_table
 from ...toolkit.layers import rectangle, write_layer_notes
 from ...toolkit.table_fields import column_fields, column_values, feature
+from ..measure.planning.window_placing import PLACED_COLUMNS
 from ..measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, seam_notes
-from .result_tables import PLACED_COLUMNS
 
 if TYPE_CHECKING:
     from ..measure.scan.scan_request import ScanRequest

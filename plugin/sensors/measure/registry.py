@@ -118,14 +118,3 @@ RPC_BIAS = ModelKind(
 
 KINDS = {kind.name: kind for kind in (POLYNOMIAL_2D, POLYNOMIAL_3D, RATIONAL, RATIONAL_TERMS, DLT, PUSHBROOM, RPC_BIAS)}
 """In the paper's order."""
-
-
-def sensor_model(
-    name: str, variant: str = "", orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000,
-    size: tuple[float, float] | None = None, rpc: Rational | None = None,
-) -> ModelRequest:
-    """A sensor model for ``adjust`` to fit. ``name``: ``polynomial_2d``, ``polynomial_3d``, ``rational``,
-    ``rational_terms``, ``dlt``, ``pushbroom`` or ``rpc_bias``. ``variant``: an order such as ``2``, or a correction
-    such as ``shift``; the first one where empty. A pushbroom takes the nominal ``orbit_height_m`` and the image's
-    ``size`` (columns, rows), ``rpc_bias`` the image's own ``rpc``. Raises KeyError for another name."""
-    return KINDS[name].request(variant, orbit_height_m=orbit_height_m, size=size, rpc=rpc)

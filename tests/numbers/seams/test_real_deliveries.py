@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal, ogr
-from seam_inspector import Decision, ScanSettings, decide, limit_rules, make_delivery, open_block, scan, seam_rows
+from seam_inspector import Decision, ScanSettings, decide, limit_rules, open_block, scan
 
 
 def files(folder: Path) -> tuple[Path, list[Path], Path]:
@@ -35,9 +35,9 @@ def as_jpeg(path: Path, folder: Path) -> Path:
 def decision(mosaic: Path, orthoimages: list[Path], seamlines: Path | str = "") -> Decision:
     block = open_block(mosaic, orthoimages)
     found = scan(block, ScanSettings(piece_m=3.0), seamlines=seamlines)
-    delivery = make_delivery({"a": seam_rows(found)}, block.mosaic.wkt, {"a": found.told})
-    assert (float(found.told["metres"]), delivery.lacking_m) == (found.seam_metres, 0)
-    return decide(delivery, limit_rules(min_kept=0.7, max_share=0.02, max_run_m=25, min_measured=0.8))
+    made = decide({"a": found}, limit_rules(min_kept=0.7, max_share=0.02, max_run_m=25, min_measured=0.8))
+    assert (float(found.told["metres"]), made.delivery.lacking_m) == (found.seam_metres, 0)
+    return made
 
 
 @pytest.mark.slow

@@ -200,7 +200,7 @@ def test_without_orthoimages_seamlines_are_enough(feathered: Files) -> None:
         ({"CELL": 48}, "no cells of 48 pixels; give one of: 16, 32, 64, 128, 256"),
         ({"LEVELS": 5}, "measures 1 to 4 levels"),
         ({"LEVELS": 0}, "measures 1 to 4 levels"),
-        ({"PIECE": 0}, "PIECE is 0"),
+        ({"PIECE": 0}, r"piece of seam \(metres\) is 0; give 0\.01"),
         ({"CORRIDOR": -1.0}, "0 or more"),
         ({"DENSITY": "some"}, "A scan has no density 'some'"),
         ({"WAVELET": "bior2.2"}, "not orthogonal"),

@@ -10,9 +10,10 @@ from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFe
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.acceptance.paper.defect_files import DEFECT_COLUMNS
 from seam_inspector.plugin.imagery.statistics import JUDGING_FIELDS
+from seam_inspector.plugin.seams.measure.planning.window_placing import PLACED_COLUMNS
 from seam_inspector.plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS
 from seam_inspector.plugin.seams.measure.window.window_tables import WINDOW_FIELDS
-from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS, PLACED_COLUMNS
+from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS
 from seam_inspector.plugin.toolkit.layer_styles import field_title, load_style
 from seam_inspector.plugin.toolkit.resources import style_path
 

@@ -58,8 +58,8 @@ class ScanSettings:
         if self.cell_px not in CELLS_PX:
             raise SettingsError(messages.SCAN_CELL(cell=self.cell_px, known=", ".join(map(str, CELLS_PX))))
         for name, value, least in (
-            ("PIECE", self.piece_m, LEAST_PIECE_M), ("CORRIDOR", self.corridor_m, 0.0),
-            ("WORST_COUNT", self.worst_count, 0),
+            (messages.PIECE_LENGTH(), self.piece_m, LEAST_PIECE_M), (messages.CORRIDOR(), self.corridor_m, 0.0),
+            (messages.WORST_WINDOWS(), self.worst_count, 0),
         ):
             if not least <= value < math.inf:
                 raise SettingsError(messages.SCAN_LENGTHS(name=name, value=value, least=f"{least:g}"))

@@ -58,13 +58,13 @@ class Explanation:
     """Sharpness of the whole window: its finest detail against the composite in the mosaic's tones, as an amplitude."""
     added: float | None
     """Share of the mosaic's finest detail that its sources don't have."""
-    curves: dict[str, Curve]
+    curves: dict[str, Curve] = field(hash=False)
     """Curves of the levelled composite, by band."""
-    ratios: dict[str, Ratios]
+    ratios: dict[str, Ratios] = field(hash=False)
     """The mosaic against the levelled composite, by band."""
-    similarity: dict[str, float | None]
+    similarity: dict[str, float | None] = field(hash=False)
     """Correlation of the coarse components with the composite's, by band."""
-    changes: tuple[dict[str, Change], ...]
+    changes: tuple[dict[str, Change], ...] = field(hash=False)
     """Changes by band: against each source in turn, then against the composite."""
     expected: tuple[float | None, ...]
     """Detail variance that a 50:50 feather would leave, levels 1..R, the smallest over the pairs of sources."""

@@ -110,7 +110,9 @@ class MendedSeam:
     """One run with what became of it."""
 
     run: SeamRun
+    """The seam as the scan found it."""
     cut: MendedRun
+    """What cutting it anew gave."""
     outcome: str
     """``MENDED``, ``IMPROVED`` or ``LEFT``."""
     kept: float | None = None

@@ -20,6 +20,7 @@ from ....imagery import messages as imagery_messages
 from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
 from ....imagery.lines import Seam, points_at, stretches_inside, vertex_stations
+from ....imagery.records import Column
 from .. import limits, messages
 
 _MOST_PLACES = 12  # named in a sentence
@@ -39,6 +40,14 @@ class PlacedWindow:
     """Metres along the seam from its start to the window's centre."""
     window: PixelWindow
     """Its pixels on the mosaic's grid."""
+
+
+PLACED_COLUMNS: tuple[Column[PlacedWindow], ...] = (
+    Column("window_id", "integer", lambda placed: placed.window_id),
+    Column("seam_id", "integer", lambda placed: placed.seam_id),
+    Column("station", "real", lambda placed: placed.station_m),
+)
+"""Fields of placed windows."""
 
 
 @dataclass(frozen=True)

@@ -7,16 +7,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Callable
+from typing import Any, Callable
 
 from ....imagery import limits as imagery_limits
 from ....imagery.documents import plugin_version
 from ....imagery.errors import Message, RasterError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
-from ....imagery.lines import points_at, vertex_stations
+from ....imagery.lines import line_wkt, points_at, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
-from ....imagery.records import Column, Row, rows_of
+from ....imagery.records import GEOMETRY, Column, Row, TableRows, rows_of
 from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
 from .. import messages
 from ..blocks.scan_settings import ScanSettings
@@ -236,12 +236,20 @@ class ScanResult:
     ``x y width height`` (map units, metres), joined by ``; ``; which share of the mosaic is ``unread``, and
     ``unread_at`` a place in it; which files were scanned, by ``mosaic_files`` and ``source_files``; sources that
     ``may_be_copies`` of the mosaic, and those that seamlines name and were ``not_given``; the ``metres`` of all pieces.
-    Figures of 0 are left out, but for ``unexplained`` and ``metres``."""
+    Figures of 0 are left out, but for ``unexplained``, ``metres`` and the reference ``system``."""
 
     @property
     def features(self) -> tuple[JudgedPiece, ...]:
         """Features of the layer SEAMS: all pieces, then the stretches."""
         return self.pieces + self.stretches
+
+    def to_dataframe(self) -> Any:
+        """The table ``seam_rows`` as a ``pandas.DataFrame``."""
+        return seam_rows(self).to_dataframe()
+
+    def to_geodataframe(self) -> Any:
+        """The table ``seam_rows`` as a ``geopandas.GeoDataFrame``."""
+        return seam_rows(self).to_geodataframe()
 
     @property
     def seam_metres(self) -> float:
@@ -258,9 +266,6 @@ class ScanResult:
         """kept_1 of the piece that kept least; None where nothing could be measured."""
         return min((one.least_kept for one in self.pieces if one.least_kept is not None), default=None)
 
-
-GEOMETRY = "geometry"
-"""In plain rows, where a layer has lines."""
 
 SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
     Column("seam_id", "integer", lambda one: one.piece.seam_id),
@@ -287,17 +292,15 @@ CELL_COLUMNS: tuple[Column[str], ...] = (Column("source", "text", lambda name: n
 """CELLS: one polygon per source."""
 
 
-def seam_rows(result: ScanResult) -> list[Row]:
+def seam_rows(result: ScanResult) -> TableRows:
     """One row per piece of seam: what it kept with its 95 % interval, widths (m), verdict.
 
     The fields are those of the layer SEAMS (docs/reference/tables.md), and ``geometry``: the line as WKT in the
     mosaic's reference system.
     """
-    features = result.features
-    rows = []
+    features, rows = result.features, TableRows(wkt=result.told.get(SYSTEM, ""))
     for row, feature in zip(_field_rows(features), features):
-        points = ", ".join(f"{x!r} {y!r}" for x, y in feature.piece.vertices.tolist())
-        rows.append({**row, GEOMETRY: f"LINESTRING ({points})"})
+        rows.append({**row, GEOMETRY: line_wkt(feature.piece.vertices)})
     return rows
 
 

@@ -11,11 +11,11 @@ from itertools import chain
 from pathlib import Path
 from typing import Callable
 
-from ....imagery.errors import Message, SettingsError
+from ....imagery.errors import CancelledError, Message, SettingsError
 from ....imagery.file_identity import FileState, guarding, known_states, local_states, states_text
 from ....imagery.gdal_paths import is_remote
 from ....imagery.raster_pool import own_threads, rasters_kept
-from ....imagery.seam_totals import METRES, MOSAIC_FILES, SOURCE_FILES
+from ....imagery.seam_totals import METRES, MOSAIC_FILES, SOURCE_FILES, SYSTEM
 from .. import messages
 from ..blocks.block_grid import BlockKey
 from ..blocks.mosaic_reading import MosaicReading
@@ -97,7 +97,7 @@ class WholeScan:
         dates = self.request.dates
         files = {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
         return result and replace(
-            result, told={**result.told, METRES: repr(result.seam_metres), **files},
+            result, told={**result.told, SYSTEM: self.request.mosaic.wkt, METRES: repr(result.seam_metres), **files},
             pieces=tuple(dated(piece, dates) for piece in result.pieces),
             stretches=tuple(dated(stretch, dates) for stretch in result.stretches),
         )
@@ -124,7 +124,7 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
         yield WholeScan(request, journal, notice, read)
 
 
-def _paths(request: ScanRequest | Block) -> tuple[list[str], list[str]]:
+def _paths(request: ScanRequest) -> tuple[list[str], list[str]]:
     """Paths of the mosaic and of the sources."""
     return [*request.mosaic.ref.paths], [path for source in request.sources for path in source.ref.paths]
 
@@ -139,6 +139,8 @@ class ScanRun:
     """Blocks that the executor should have under way; twice this machine's cores where 0."""
     progress: Callable[[float], object] = lambda share: None
     """Is told the share that is done, 0 to 1, now and then; what it raises ends the scan."""
+    cancelled: Callable[[], bool] = lambda: False
+    """Is asked several times a second whether the scan is to end."""
 
 
 def scan(
@@ -158,7 +160,7 @@ def scan(
 
     What was left out or assumed stands in the result's ``notices``. Raises SettingsError when the inputs make no scan,
     or the picture would be written over one of them, SeamlineError for seamlines that are none, RasterError when the
-    picture can't be written.
+    picture can't be written, CancelledError when cancelled.
     """
     path, settings, run = os.fspath(seamlines), settings or ScanSettings(), run or ScanRun()
     given, notices = None, []
@@ -172,17 +174,18 @@ def scan(
 
     def goes_on(share: float) -> bool:
         run.progress(MEASURED + (1 - MEASURED) * share)
-        return True
+        return not run.cancelled()
 
-    read = *block.paths, *chain(*_paths(block)), *([path.partition("|")[0]] if path else ())
+    read = *block.paths, *block.files, *([path.partition("|")[0]] if path else ())
     with guarding({"loss": os.fspath(loss)} if loss else {}, read), tempfile.TemporaryDirectory() as folder:
         output = Path(os.fspath(loss) or Path(folder) / "loss.tif")
         with whole_scan(request, output) as whole, own_threads(run.executor, run.ahead) as opened:
             notices += [whole.notice] if whole.notice else []
-            for step in whole.steps(*opened):
+            for step in whole.steps(*opened, run.cancelled):
                 notices += step.notices
                 run.progress(MEASURED * step.share)
-            result = whole.result(os.fspath(loss), goes_on, *opened)
-            assert result is not None  # it goes on
+            result = None if run.cancelled() else whole.result(os.fspath(loss), goes_on, *opened)
+            if result is None:
+                raise CancelledError(messages.SCAN_STOPPED())
             whole.finish()
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))

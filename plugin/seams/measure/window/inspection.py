@@ -44,6 +44,11 @@ class Block:
     paths: tuple[str, ...] = ()
     """All files that ``open_block`` was given, those left out too: no result takes their place."""
 
+    @property
+    def files(self) -> tuple[str, ...]:
+        """All files of the mosaic and of the sources that take part."""
+        return tuple(path for ref in (self.mosaic.ref, *(one.ref for one in self.sources)) for path in ref.paths)
+
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
         """Those whose footprint meets the window, wholly or in part."""
         return sources_in(self.sources, self.mosaic.grid.window_extent(window))
@@ -54,10 +59,11 @@ class Block:
         """What ``inspect_window`` takes for a rectangle: xmin, ymin, xmax, ymax in the mosaic's reference system.
 
         It is snapped to the mosaic's pixels and trimmed to a multiple of ``2 ** levels`` of them, at least 64 px. One
-        that can't be measured makes a request that says why, and its result will. ``settings``: the standard ones
-        where None. Raises SettingsError for settings out of their range.
+        that can't be measured makes a request that says why, and its result will. ``extent`` may be a geometry of
+        shapely, whose bounds count; ``settings``: the standard ones where None. Raises SettingsError for settings out
+        of their range.
         """
-        settings = settings or InspectionSettings()
+        extent, settings = getattr(extent, "bounds", extent), settings or InspectionSettings()
         settings.check()
         return window_request(self, window_id, extent, settings)
 
@@ -75,7 +81,7 @@ class Block:
 
 
 def open_block(
-    mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLike = "", *, keep_copies: bool = False,
+    mosaic: PathLike, sources: Iterable[PathLike] | PathLike = (), cells: PathLike = "", *, keep_copies: bool = False,
     crs: str = "",
 ) -> Block:
     """Open a mosaic with the orthoimages that it may have been made from.
@@ -93,6 +99,7 @@ def open_block(
     """
     wkt = known_wkt(crs)
     raster = describe_mosaic(RasterRef(os.fspath(mosaic), wkt))
+    sources = [sources] if isinstance(sources, (str, os.PathLike)) else sources
     refs = [RasterRef(os.fspath(source), wkt) for source in sources]
     known = read_cells(os.fspath(cells), raster) if cells else ()
     paths = (raster.ref.path, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))

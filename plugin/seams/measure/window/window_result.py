@@ -26,9 +26,9 @@ class ClipResult:
     """File name without its folder."""
     role: str
     """``mosaic``, ``source`` or ``composite``."""
-    curves: dict[str, Curve]
+    curves: dict[str, Curve] = field(hash=False)
     """Curves by band name, ``luminance`` first where there is one."""
-    directions: dict[str, Directions] = field(default_factory=dict)
+    directions: dict[str, Directions] = field(default_factory=dict, hash=False)
     """Relative variances by band name and direction; empty where that was not asked for."""
 
 

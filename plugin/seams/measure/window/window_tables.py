@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import QT_TR_NOOP
 from ....imagery.limits import MIN_SHARE
-from ....imagery.records import Column, NotUnderstoodError, Row, record_of, rows_of, sentences_of, value_of
+from ....imagery.records import Column, NotUnderstoodError, TableRows, record_of, rows_of, sentences_of, value_of
 from ....imagery.seam_totals import MOST_KEPT, possible
 from ....imagery.shifts import Shift
 from ....imagery.statistics import JUDGING_FIELDS
@@ -300,40 +300,40 @@ def in_filter(fields: Sequence[WindowField] = WINDOW_FIELDS) -> dict[str, Window
     return {name: one for one in fields for name in (one.name, *one.called)}
 
 
-def window_rows(results: Iterable[WindowResult]) -> list[Row]:
+def window_rows(results: Iterable[WindowResult]) -> TableRows:
     """One row per window: verdict, ratios, kept along the seam with its interval, widths, causes.
 
     The fields are those of the table OUTPUT (docs/reference/tables.md); lengths in metres, shares of 1, DN for grey
     values.
     """
     found = list(results)
-    return list(rows_of(_ROW_COLUMNS, found, _most_levels(found)))
+    return TableRows(rows_of(_ROW_COLUMNS, found, _most_levels(found)))
 
 
-def profile_rows(results: Iterable[WindowResult]) -> list[Row]:
+def profile_rows(results: Iterable[WindowResult]) -> TableRows:
     """One row per window, level and distance from the seam (m): what is kept there, with its 95 % interval.
 
     The fields are those of the table PROFILES; a window without a seam has no rows.
     """
-    return [row for result in results for row in rows_of(PROFILE_COLUMNS, bins_of(result))]
+    return TableRows(row for result in results for row in rows_of(PROFILE_COLUMNS, bins_of(result)))
 
 
-def curve_rows(results: Iterable[WindowResult]) -> list[Row]:
+def curve_rows(results: Iterable[WindowResult]) -> TableRows:
     """One row per window, raster, band, component and level: its relative variance, and its variance (DN squared).
 
     The fields are those of the table CURVES.
     """
-    return [row for result in results for row in rows_of(CURVE_COLUMNS, curves_of(result))]
+    return TableRows(row for result in results for row in rows_of(CURVE_COLUMNS, curves_of(result)))
 
 
-def pair_rows(results: Iterable[WindowResult]) -> list[Row]:
+def pair_rows(results: Iterable[WindowResult]) -> TableRows:
     """One row per window, source and band: ratios, tones and shifts (px) of the mosaic against that source.
 
     The fields are those of the table PAIRS; the sources' composite comes last.
     """
     found = list(results)
     most = _most_levels(found)
-    return [row for result in found for row in rows_of(PAIR_COLUMNS, pairs_of(result), most)]
+    return TableRows(row for result in found for row in rows_of(PAIR_COLUMNS, pairs_of(result), most))
 
 
 def bins_of(result: WindowResult) -> Iterator[ProfileRow]:

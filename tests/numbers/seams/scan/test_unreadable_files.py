@@ -11,16 +11,15 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector import (
-    RasterRef,
-    ScanRun,
     SeamInspectorError,
     SeamInspectorWarning,
-    decide,
     limit_rules,
-    make_delivery,
     open_block,
     scan,
 )
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX
 from seam_inspector.plugin.seams.measure.window.inspection import Block
 
@@ -122,7 +121,7 @@ class Elsewhere(Executor):
 )
 def test_files_that_no_worker_sees_are_an_error(files: Path, unseen: list[str], said: str) -> None:
     with pytest.raises(SeamInspectorError, match=said):
-        scan(block_of(files), run=ScanRun(Elsewhere(*(files / f"{name}.tif" for name in unseen))))
+        scan(block_of(files), executor=Elsewhere(*(files / f"{name}.tif" for name in unseen)))
 
 
 @pytest.mark.slow
@@ -131,7 +130,7 @@ def test_relative_paths_are_found_from_another_folder(files: Path, monkeypatch: 
     block = open_block("mosaic.tif", ["north.tif", "south.tif"])
     assert RasterRef("mosaic.tif", parts=("north.tif",)).paths == (str(files / "mosaic.tif"), str(files / "north.tif"))
     assert RasterRef("/vsicurl/none").path == "/vsicurl/none"
-    found = scan(block, run=ScanRun(Elsewhere()))
+    found = scan(block, executor=Elsewhere())
     assert found.seam_metres == pytest.approx(COLUMNS / 10, rel=0.02)
 
 

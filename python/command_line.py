@@ -1,0 +1,214 @@
+"""`seam-inspector`: scan, inspect, accept and mend mosaics from a shell, without QGIS."""
+from __future__ import annotations
+
+import argparse
+import csv
+import io
+import logging
+import signal
+import sys
+import traceback
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+from threading import Event
+from typing import Any, NoReturn
+
+from ..plugin.acceptance.measure.acceptance_rules import (
+    FAILED_SHARE,
+    LONGEST_FAILURE,
+    MEASURED_SHARE,
+    AcceptanceRules,
+    limit_rules,
+    load_acceptance_rules,
+)
+from ..plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
+from ..plugin.imagery.atomic_files import save_text
+from ..plugin.imagery.documents import plugin_version
+from ..plugin.imagery.errors import SeamInspectorError, SeamInspectorWarning
+from ..plugin.imagery.file_identity import guarding
+from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
+from ..plugin.seams.measure.judgement.verdicts import Verdict
+from ..plugin.seams.measure.limits import DENSITIES, FAILED, MENDED_SEAMS, STANDARD_PIECE_M
+from ..plugin.seams.measure.mending.mending import LEFT, metres
+from ..plugin.seams.measure.window.inspection import open_block
+from ..plugin.seams.measure.window.window_request import InspectionSettings
+from ..plugin.seams.measure.window.window_tables import window_rows
+from .deciding import decide
+from .measuring import inspect_windows, mend, scan
+from .report_page import save_report
+from .scan_files import write_scan
+
+ACCEPTED, REJECTED, UNDECIDED, ERROR = 0, 1, 2, 3
+"""Exit codes."""
+_CODES = {
+    AcceptanceOutcome.ACCEPTED: ACCEPTED, AcceptanceOutcome.REJECTED: REJECTED, AcceptanceOutcome.UNDECIDED: UNDECIDED,
+}
+_CODES_IN_WORDS = "Exit codes: 0 accepted, 1 rejected, 2 undecided, 3 error."
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command, and give its exit code."""
+    asked = _parser().parse_args(arguments)
+    stopped = Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: stopped.set())
+    logging.basicConfig(format="%(message)s", level=logging.ERROR if asked.quiet else logging.WARNING)
+    asked.run = {
+        "executor": asked.scheduler or None, "progress": _shown if sys.stderr.isatty() and not asked.quiet else _untold,
+        "cancelled": stopped.is_set,
+    }  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore" if asked.quiet else "always", SeamInspectorWarning)
+        warnings.showwarning = lambda message, *_, **__: _say(str(message))
+        try:
+            return int(asked.command(asked))
+        except SeamInspectorError as error:
+            _say(f"seam-inspector: {error}")
+        except Exception:  # any other exit code than 3 would be a decision
+            _say(traceback.format_exc())
+    return ERROR
+
+
+def _scan(asked: argparse.Namespace) -> int:
+    block, rules = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies), _rules(asked)
+    settings = ScanSettings(density=asked.density, piece_m=asked.piece)
+    with _guarded(asked, block.paths):
+        found = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss, **asked.run)
+        write_scan(asked.output, found, block, settings)
+        return _decided(asked, decide({Path(asked.mosaic).stem: asked.output}, rules, mosaics=[asked.mosaic]))
+
+
+def _accept(asked: argparse.Namespace) -> int:
+    stems = [Path(path).stem for path in asked.seams]
+    sheets = {path if stems.count(stem) > 1 else stem: path for path, stem in zip(asked.seams, stems)}
+    with _guarded(asked, (*asked.seams, *asked.mosaics)):
+        return _decided(asked, decide(sheets, _rules(asked), mosaics=asked.mosaics))
+
+
+def _inspect(asked: argparse.Namespace) -> int:
+    block = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies)
+    settings = InspectionSettings(min_kept=asked.min_kept)
+    requests = [block.window_at(x, y, asked.side, settings, number) for number, (x, y) in enumerate(asked.at, 1)]
+    with _guarded(asked, block.paths):
+        results = list(inspect_windows(requests, **asked.run))
+        rows = window_rows(results)
+        if asked.output:
+            text = io.StringIO()
+            table = csv.DictWriter(text, list(rows[0]))
+            table.writeheader()
+            table.writerows(rows)
+            save_text(text.getvalue(), Path(asked.output))
+    for row in rows:
+        numbers = [row[name] for name in ("kept_1", "kept_low", "kept_high")]
+        kept = "" if None in numbers else ", {:.2f} kept ({:.2f} to {:.2f})".format(*numbers)
+        print(f"{row['window_id']}: {row['verdict']}{kept}{': ' + row['reason'] if row['reason'] else ''}")
+    verdicts = {result.judgement.verdict for result in results}
+    if Verdict.SIGNIFICANT in verdicts:
+        return REJECTED
+    return UNDECIDED if Verdict.NOT_COMPARABLE in verdicts else ACCEPTED
+
+
+def _mend(asked: argparse.Namespace) -> int:
+    block = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies)
+    made = mend(block, asked.seams, asked.output, patches=asked.patches, which=asked.which, **asked.run)
+    left = metres(made, LEFT)
+    print(f"{metres(made) - left:.1f} m mended, {left:.1f} m left as they were: {asked.output}")
+    for one in made:
+        if one.reason is not None:
+            print(f"seam {one.run.piece.seam_id}, {one.run.piece.station_m:.0f} m: {one.reason}")
+    return REJECTED if left else ACCEPTED
+
+
+def _decided(asked: argparse.Namespace, decision: Decision) -> int:
+    for sentence in decision.sentences:
+        print(sentence)
+    if asked.report:
+        save_report(Path(asked.report), decision)
+    return _CODES[decision.outcome]
+
+
+def _rules(asked: argparse.Namespace) -> AcceptanceRules:
+    if asked.rules:
+        return load_acceptance_rules(asked.rules)
+    return limit_rules(asked.min_kept, asked.max_share, asked.max_run, asked.min_measured)
+
+
+def _guarded(asked: argparse.Namespace, inputs: Sequence[str]) -> Any:
+    """Over no input: checked before anything is measured."""
+    given = (getattr(asked, name, "") for name in ("seamlines", "rules"))
+    outputs = {name: getattr(asked, name, "") for name in ("output", "loss", "report")}
+    return guarding({name: path for name, path in outputs.items() if path}, (*inputs, *filter(None, given)))
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        """A command that is wrong is an error: argparse would end with what means undecided here."""
+        self.print_usage(sys.stderr)
+        self.exit(ERROR, f"{self.prog}: {message}\n")
+
+
+def _parser() -> argparse.ArgumentParser:
+    words = "Measure the detail that a mosaic lost along its seams."
+    parser = _Parser("seam-inspector", description=words, epilog=_CODES_IN_WORDS)
+    parser.add_argument("--version", action="version", version=plugin_version())
+    commands = parser.add_subparsers(metavar="COMMAND", required=True)
+
+    def command(name: str, call: Any, words: str, is_measuring: bool = True) -> argparse.ArgumentParser:
+        made = commands.add_parser(name, help=words, description=words, epilog=_CODES_IN_WORDS)
+        made.set_defaults(command=call, scheduler="")
+        made.add_argument("-q", "--quiet", action="store_true", help="tell nothing but the result and errors")
+        if is_measuring:
+            made.add_argument("mosaic", metavar="MOSAIC")
+            made.add_argument("sources", metavar="SOURCE", nargs="*", help="its orthoimages")
+            made.add_argument("--scheduler", default="", help="address of a Dask scheduler, as tcp://host:8786")
+            made.add_argument("--keep-copies", action="store_true", help="use sources that look like copies")
+        return made
+
+    one = command("scan", _scan, "Scan a mosaic and decide on it.")
+    one.add_argument("-o", "--output", required=True, help="GeoPackage for what is found")
+    one.add_argument("--seamlines", default="", help="vector file of seams; else they are found")
+    one.add_argument("--loss", default="", help="GeoTIFF of losses; a scan that was stopped goes on by it")
+    one.add_argument("--density", choices=DENSITIES, default=DENSITIES[0])
+    one.add_argument("--piece", type=float, default=STANDARD_PIECE_M, metavar="METRES", help="of a piece of seam")
+    _add_limits(one)
+    one = command("inspect", _inspect, "Inspect windows: 1 where a loss is significant, 2 where one can't be compared.")
+    middle = "a window's middle, as often as there are"
+    one.add_argument("--at", nargs=2, type=float, action="append", required=True, metavar=("X", "Y"), help=middle)
+    one.add_argument("--side", type=float, default=100.0, metavar="METRES", help="the least side of a window")
+    one.add_argument("--min-kept", type=float, default=InspectionSettings().min_kept, help="share that has to be kept")
+    one.add_argument("-o", "--output", default="", help="CSV for the table of windows")
+    one = command("accept", _accept, "Decide on what scans left.", is_measuring=False)
+    one.add_argument("seams", metavar="SEAMS", nargs="+", help="GeoPackages of scans, a sheet each")
+    one.add_argument("--mosaic", action="append", default=[], dest="mosaics", help="a file that is delivered")
+    _add_limits(one)
+    one = command("mend", _mend, "Cut failed seams anew: 1 where some stay as they were.")
+    one.add_argument("--seams", required=True, help="GeoPackage of the scan")
+    one.add_argument("-o", "--output", required=True, help="VRT for the mended mosaic")
+    one.add_argument("--patches", default="", help="folder for the patches, or one GeoTIFF for all of them")
+    one.add_argument("--which", choices=MENDED_SEAMS, default=FAILED)
+    return parser
+
+
+def _add_limits(parser: argparse.ArgumentParser) -> None:
+    standard = limit_rules()
+    parser.add_argument("--report", default="", help="page of HTML for the decision")
+    parser.add_argument("--rules", default="", help="JSON file of rules, in the place of the limits below")
+    parser.add_argument("--min-kept", type=float, default=standard.least_kept, metavar="SHARE")
+    for name, check, unit in (
+        ("--max-share", FAILED_SHARE, "SHARE"), ("--max-run", LONGEST_FAILURE, "METRES"),
+        ("--min-measured", MEASURED_SHARE, "SHARE"),
+    ):  # fmt: skip
+        parser.add_argument(name, type=float, default=standard.limit(check), metavar=unit)
+
+
+def _shown(share: float) -> None:
+    print(f"\r{share:4.0%}", end="\n" if share >= 1 else "", file=sys.stderr, flush=True)
+
+
+def _untold(share: float) -> None:
+    """Nobody watches."""
+
+
+def _say(words: str) -> None:
+    print(words, file=sys.stderr)

@@ -1,0 +1,58 @@
+"""The decision on scans, by the plugin's rules."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from ..plugin.acceptance.measure import deciding
+from ..plugin.acceptance.measure.acceptance_rules import AcceptanceRules
+from ..plugin.acceptance.measure.decision import Decision
+from ..plugin.acceptance.measure.delivered_rows import make_delivery
+from ..plugin.acceptance.measure.scanned_files import file_doubts
+from ..plugin.imagery.errors import SettingsError
+from ..plugin.imagery.reference_systems import same_system
+from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
+from ..plugin.seams.measure.window.inspection import PathLike
+from . import messages
+from .scan_files import SeamTable, read_seams
+
+
+def decide(
+    sheets: Mapping[str, ScanResult | PathLike], rules: AcceptanceRules, *, mosaics: Iterable[PathLike] = (),
+    lot_size: int | None = None, seed: int = 0,
+) -> Decision:
+    """Accept a delivery, reject it, or say what would decide it.
+
+    Parameters
+    ----------
+    sheets : mapping
+        By the name of each sheet what ``scan`` found in it, or the GeoPackage that holds that, which has to be as the
+        scan left it; all in one reference system. A sheet without any seam leaves the decision open: leave it out.
+    rules : AcceptanceRules
+        Of ``limit_rules`` or ``load_acceptance_rules``.
+    mosaics : iterable of paths, optional
+        The files that are delivered; where others were scanned nothing is decided.
+    lot_size : int, optional
+        Pieces of the whole lot where a plan of sampling decides; None: those that are given.
+    seed : int
+        Of the sample that is drawn then.
+
+    What is left out or doubtful is told by a SeamInspectorWarning each. Raises SettingsError for a delivery without
+    any seams, sheets in different systems, a file that holds no scan, or a lot size that can't be.
+    """
+    files = {name: os.fspath(one) for name, one in sheets.items() if not isinstance(one, ScanResult)}
+    tables = {
+        name: SeamTable(seam_rows(one), dict(one.told)) if isinstance(one, ScanResult) else read_seams(one)
+        for name, one in sheets.items()
+    }
+    first = next(iter(tables), "")
+    for name, table in tables.items():
+        if not same_system(table.rows.wkt, tables[first].rows.wkt):
+            raise SettingsError(messages.NOT_IN_ONE_SYSTEM(name=name, first=first))
+    rows, told = ({name: getattr(table, part) for name, table in tables.items()} for part in ("rows", "notes"))
+    delivery = make_delivery(rows, tables[first].rows.wkt if tables else "", told, files)
+    given, folders = [os.fspath(one) for one in mosaics], [os.path.dirname(path) for path in files.values()]
+    return deciding.decide(
+        replace(delivery, files=file_doubts(delivery.layers, given, (), folders)), rules, lot_size, seed
+    )

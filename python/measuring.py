@@ -1,0 +1,213 @@
+"""Windows and whole mosaics, measured by any executor, with progress and cancelling alike everywhere."""
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import Executor
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable
+
+from osgeo import ogr
+
+from ..plugin.imagery.errors import CancelledError, Level, Message, SettingsError
+from ..plugin.imagery.file_identity import guarding
+from ..plugin.imagery.gdal_calls import gdal_silenced
+from ..plugin.imagery.grids import Extent
+from ..plugin.imagery.messages import CANCELLED
+from ..plugin.imagery.records import GEOMETRY
+from ..plugin.seams.measure.limits import FAILED
+from ..plugin.seams.measure.mending import messages as mending_messages
+from ..plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces
+from ..plugin.seams.measure.mending.mend_run import MendSettings
+from ..plugin.seams.measure.mending.mending import PATCHED, MendedSeam, Mending, MendRequest, mending
+from ..plugin.seams.measure.scan import whole_scan
+from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
+from ..plugin.seams.measure.scan.whole_scan import ScanRun, ScanSettings
+from ..plugin.seams.measure.window import inspection
+from ..plugin.seams.measure.window.inspection import Block, PathLike
+from ..plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+from ..plugin.seams.measure.window.window_result import WindowResult
+from ..plugin.toolkit.executors import Crew, open_executor
+from . import messages
+from .scan_files import SEAMLINES, read_seams
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+_log = logging.getLogger("seam_inspector")
+_log.addHandler(logging.NullHandler())
+_SIDES = ("xmin", "ymin", "xmax", "ymax")
+
+
+def inspect_windows(
+    windows: Iterable[Any], block: Block | None = None, settings: InspectionSettings | None = None, *,
+    executor: Executor | Client | str | None = None, progress: Callable[[float], object] = lambda share: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Iterator[WindowResult]:
+    """``inspect_window`` for many, in their order, each as soon as it is ready.
+
+    Parameters
+    ----------
+    windows : iterable
+        What ``Block.window`` makes; or with a ``block`` rectangles, numbered from 1: (xmin, ymin, xmax, ymax) in the
+        mosaic's reference system, geometries of shapely, rows with a ``geometry`` or with these four names, a
+        GeoSeries or a GeoDataFrame, which are moved to the mosaic's system.
+    block : Block, optional
+        The mosaic that rectangles lie on.
+    settings : InspectionSettings, optional
+        How rectangles are inspected; the standard ones where None.
+    executor : concurrent.futures.Executor, dask.distributed.Client or address of a Dask scheduler, optional
+        Where windows are measured; a thread per core where None.
+    progress : callable, optional
+        Is told the share that is done, 0 to 1.
+    cancelled : callable, optional
+        Is asked several times a second whether to end; threads finish what they are at, a window or a block of a scan.
+
+    A window that fails in a way nobody foresaw is ``not_comparable`` for that reason. Raises CancelledError when
+    cancelled, WorkersLostError when nobody is left to measure, SettingsError for settings out of their range and for
+    what is no rectangle.
+    """
+    requests: list[WindowRequest] = list(windows) if block is None else [
+        block.window(extent, settings, number) for number, extent in enumerate(_extents(windows, block.mosaic.wkt), 1)
+    ]
+    if not all(isinstance(request, WindowRequest) for request in requests):
+        raise SettingsError(messages.RECTANGLES_WITHOUT_BLOCK())
+    return _inspected(requests, executor, progress, cancelled)
+
+
+def _inspected(
+    requests: list[WindowRequest], executor: Crew, progress: Callable[[float], object], cancelled: Callable[[], bool]
+) -> Iterator[WindowResult]:
+    done = 0
+    with open_executor(executor, cancelled) as (opened, ahead):
+        for result in inspection.inspect_windows(requests, opened, ahead, cancelled):
+            done += 1
+            _tell(result.notices)
+            progress(done / len(requests))
+            yield result
+    if done < len(requests):
+        raise CancelledError(CANCELLED())
+
+
+def scan(
+    block: Block, settings: ScanSettings | None = None, *, seamlines: PathLike = "", loss: PathLike = "",
+    executor: Executor | Client | str | None = None, progress: Callable[[float], object] = lambda share: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> ScanResult:
+    """Scan a whole mosaic: what each piece of its seams kept, and windows of the places that kept least.
+
+    Parameters
+    ----------
+    block : Block
+        The mosaic with its orthoimages.
+    settings : ScanSettings, optional
+        The standard ones where None.
+    seamlines : path, optional
+        A vector file of lines, or of polygons that are filled from one source each, as ``file.gpkg|layername=name``
+        where it has several layers; without it seams are found from the pixels.
+    loss : path, optional
+        A GeoTIFF for the picture of losses; a scan that was stopped goes on when it is started again with the same.
+    executor, progress, cancelled : optional
+        As for ``inspect_windows``.
+
+    What was left out or assumed stands in the result's ``notices``, and goes to the log ``seam_inspector``. Raises
+    SettingsError when the inputs make no scan, or the picture would be written over one of them, SeamlineError for
+    seamlines that are none, RasterError when the picture can't be written, CancelledError when cancelled,
+    WorkersLostError when nobody is left to measure.
+    """
+    with open_executor(executor, cancelled) as (opened, ahead):
+        run = ScanRun(opened, ahead, progress, cancelled)
+        found = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
+    _tell(found.notices)
+    given = os.fspath(seamlines).partition("|")[0]
+    return replace(found, told={**found.told, SEAMLINES: os.path.abspath(given)}) if given else found
+
+
+def mend(
+    block: Block, seams: ScanResult | PathLike, mended: PathLike, settings: MendSettings | None = None, *,
+    patches: PathLike = "", which: str = FAILED,
+    executor: Executor | Client | str | None = None, progress: Callable[[float], object] = lambda share: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> list[MendedSeam]:
+    """Cut seams anew where the images agree best, as patches beside the mosaic, which is never touched.
+
+    Parameters
+    ----------
+    block : Block
+        The mosaic with its orthoimages.
+    seams : ScanResult or path
+        What ``scan`` found, or the GeoPackage that holds it.
+    mended : path
+        The mended mosaic, a VRT over the mosaic and the patches.
+    settings : MendSettings, optional
+        The standard ones where None.
+    patches : path, optional
+        A folder for the patches, or one GeoTIFF for all of them; beside ``mended`` where empty.
+    which : str
+        ``failed``, ``reduced`` for those too that measurably lost something, or ``all``.
+    executor, progress, cancelled : optional
+        As for ``inspect_windows``.
+
+    Each run of seam with what became of it: ``mended``, ``improved`` or ``left``, and why. Raises SettingsError or
+    RasterError where nothing can be mended or written, CancelledError when cancelled, WorkersLostError when nobody is
+    left to measure.
+    """
+    place = Path(os.fspath(mended))
+    folder = os.fspath(patches) or str(place.with_name(f"{place.stem}_patches"))
+    made = {"patches": folder} if Path(folder).suffix else {one.name: str(one) for one in Path(folder).glob("patch_*")}
+    read = [*block.paths, *block.files]
+    read += [] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]]
+    with guarding({"mended": str(place), **made}, read):
+        rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams).rows
+        features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
+        pieces = tuple(given_pieces(features, FIELDS, which))
+        request = MendRequest(block.mosaic, block.sources, pieces, settings or MendSettings())
+        with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
+            return _mended(job, crew, progress, cancelled)
+
+
+def _mended(
+    job: Mending, crew: tuple[Executor, int], progress: Callable[[float], object], cancelled: Callable[[], bool]
+) -> list[MendedSeam]:
+    for step in job.steps(*crew, cancelled):
+        _tell(step.notices)
+        progress(PATCHED * step.share)
+    if cancelled():
+        raise CancelledError(mending_messages.MENDING_STOPPED())
+
+    def goes_on(share: float) -> bool:
+        progress(PATCHED + (1 - PATCHED) * share)
+        return not cancelled()
+
+    made = job.result(goes_on, *crew)
+    progress(1.0)
+    return made
+
+
+def _extents(windows: Iterable[Any], wkt: str) -> Iterator[Extent]:
+    """(xmin, ymin, xmax, ymax) of each, in the mosaic's reference system."""
+    table: Any = windows
+    if getattr(table, "crs", None) is not None:
+        table = table.to_crs(wkt)
+    table = getattr(table, "geometry", table)
+    if hasattr(table, "columns"):  # a DataFrame of pandas
+        table = table.to_dict("records")
+    for number, one in enumerate(table, 1):
+        if isinstance(one, Mapping):
+            one = one[GEOMETRY] if GEOMETRY in one else [one.get(name) for name in _SIDES]
+        try:
+            if isinstance(one, str):
+                with gdal_silenced():
+                    xmin, xmax, ymin, ymax = ogr.CreateGeometryFromWkt(one).GetEnvelope()
+                one = xmin, ymin, xmax, ymax
+            xmin, ymin, xmax, ymax = map(float, getattr(one, "bounds", one))
+        except (AttributeError, RuntimeError, TypeError, ValueError):  # GDAL's, of words that are no WKT, too
+            raise SettingsError(messages.NO_RECTANGLE(number=number)) from None
+        yield xmin, ymin, xmax, ymax
+
+
+def _tell(notices: Iterable[Message]) -> None:
+    for notice in notices:
+        _log.log(logging.INFO if notice.level is Level.INFO else logging.WARNING, "%s", notice)

@@ -1,0 +1,29 @@
+"""What is told to whoever calls the Python interface; in English, as Python's own errors are."""
+from __future__ import annotations
+
+from ..plugin.imagery.errors import Message
+
+NO_IMAGE = Message(
+    "{name} is an array of {kind} with the shape {shape}; give real numbers as (rows, columns[, bands])."
+)
+BANDS_FIRST = Message(
+    "{name} has the shape {shape}, bands first; give (rows, columns, bands): np.moveaxis({name}, 0, -1)."
+)
+NO_PIXEL_SIZE = Message("pixel_size_m is {value:g}; give the metres on the ground that a pixel spans, more than 0.")
+OTHER_SHAPE = Message("{name} has {columns} x {rows} pixels, the mosaic {wide} x {high}; give all on one pixel grid.")
+LABELS_OF_OTHERS = Message("labels names source {number}, of {count} sources; give 0 to {most}, and -1 where unknown.")
+NOT_MULTIPLE = Message(
+    "image has {columns} x {rows} pixels; cut both sides to a multiple of {step} for {levels} levels."
+)
+NOT_FINITE = Message("image holds NaN, infinite or masked pixels; cut a part without them, or fill them first.")
+NAMES_TWICE = Message("names has {name} twice; give each band a name of its own.")
+NAMES_COUNT = Message("names has {given} names for {count} bands; give one for each.")
+NOT_IN_ONE_SYSTEM = Message("{name} lies in another reference system than {first}; decide on each by itself.")
+NO_LAYER_OF_SEAMS = Message("{path} has no layer of seams as a scan writes it; give the GeoPackage of a scan.")
+NO_RECTANGLE = Message(
+    "Window {number} is no rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry "
+    "or with xmin, ymin, xmax and ymax."
+)
+RECTANGLES_WITHOUT_BLOCK = Message(
+    "Rectangles lie on a mosaic; give its block, too: inspect_windows(rectangles, block)."
+)

@@ -1,0 +1,110 @@
+"""What a scan found as a GeoPackage and back, with its seal, as the plugin writes and reads it."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from osgeo import gdal, ogr, osr
+
+from ..plugin.imagery import messages as imagery_messages
+from ..plugin.imagery.atomic_files import whole_file
+from ..plugin.imagery.errors import SettingsError
+from ..plugin.imagery.file_identity import guarding
+from ..plugin.imagery.gdal_calls import gdal_silenced, gdal_writing
+from ..plugin.imagery.gdal_paths import FEATURES, open_dataset
+from ..plugin.imagery.lines import line_wkt
+from ..plugin.imagery.records import GEOMETRY, Column, Row, TableRows, rows_of
+from ..plugin.imagery.seam_totals import TOTALS_DOMAIN
+from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
+from ..plugin.seams.measure.planning.window_placing import PLACED_COLUMNS
+from ..plugin.seams.measure.scan.scan_request import ScanRequest
+from ..plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, ScanResult, seam_notes
+from ..plugin.seams.measure.window.inspection import Block, PathLike
+from . import messages
+
+SEAMS = "seams"
+"""Table of the pieces of seam."""
+SEAMLINES = "seamlines_file"
+"""Key, among what a scan tells, of the file of seams that it was given."""
+_KINDS = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString}
+
+
+@dataclass(frozen=True, eq=False)
+class SeamTable:
+    """The table of seams that a scan left in a file."""
+
+    rows: TableRows
+    """As ``seam_rows`` makes them."""
+    notes: dict[str, str]
+    """What its scan tells beside them, the seal among it."""
+
+
+def write_scan(path: PathLike, found: ScanResult, block: Block, settings: ScanSettings | None = None) -> None:
+    """Write what a scan found as a GeoPackage: the tables ``seams``, ``source_cells`` and ``worst_windows``.
+
+    The file is there whole or not at all, over no input. ``settings``: those of the scan. Raises SettingsError where it
+    can't be.
+    """
+    settings, place, wkt = settings or ScanSettings(), Path(os.fspath(path)), block.mosaic.wkt
+    names = ScanRequest(block.mosaic, block.sources, settings).source_names
+    outlines = (ogr.CreateGeometryFromWkt(line_wkt(one.piece.vertices)) for one in found.features)
+    failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
+    read = filter(None, (*block.paths, *block.files, found.told.get(SEAMLINES, "")))
+    with guarding({"output": str(place)}, read), whole_file(place) as unfinished, gdal_writing(failure):
+        made = gdal.GetDriverByName("GPKG").Create(str(unfinished), 0, 0, 0, gdal.GDT_Unknown)
+        _write(made, "worst_windows", ogr.wkbPolygon, wkt, PLACED_COLUMNS, found.worst, (
+            _rectangle(*block.mosaic.grid.window_extent(one.window)) for one in found.worst
+        ))  # fmt: skip
+        seams = _write(made, SEAMS, ogr.wkbLineString, wkt, SEAM_COLUMNS, found.features, outlines, settings.levels)
+        cells = [names[one.source] for one in found.polygons]
+        _write(made, "source_cells", ogr.wkbMultiPolygon, wkt, CELL_COLUMNS, cells, (
+            ogr.CreateGeometryFromWkb(one.wkb) for one in found.polygons
+        ))  # fmt: skip
+        seams.SetMetadata(seam_notes(found, settings, wkt), TOTALS_DOMAIN)
+        del seams, made
+
+
+def _write(
+    made: gdal.Dataset, name: str, kind: int, wkt: str, columns: Sequence[Column[Any]], results: Sequence[object],
+    outlines: Iterable[ogr.Geometry], levels: int = 0,
+) -> ogr.Layer:
+    layer = made.CreateLayer(name, osr.SpatialReference(wkt), kind)
+    for column in columns:
+        for field in column.names(levels):
+            layer.CreateField(ogr.FieldDefn(field, _KINDS[column.kind]))
+    for row, outline in zip(rows_of(columns, results, levels), outlines):
+        feature = ogr.Feature(layer.GetLayerDefn())
+        for field, value in row.items():
+            if value is not None:
+                feature[field] = value
+        feature.SetGeometry(outline)
+        layer.CreateFeature(feature)
+    return layer
+
+
+def _rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
+    return ogr.CreateGeometryFromWkt(
+        f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
+    )
+
+
+def read_seams(path: PathLike) -> SeamTable:
+    """The table of seams in a file that a scan wrote, here or in QGIS; ``file|layername=name`` where it is called
+    otherwise. Raises SettingsError where there is none."""
+    file, _, name = os.fspath(path).partition("|layername=")
+    with gdal_silenced():
+        opened = open_dataset(file, FEATURES)
+        layer = opened and (opened.GetLayerByName(name or SEAMS) or (None if name else opened.GetLayer(0)))
+        if layer is None or layer.GetLayerDefn().GetFieldIndex("kept_1") < 0:
+            raise SettingsError(messages.NO_LAYER_OF_SEAMS(path=path))
+        system, rows = layer.GetSpatialRef(), []
+        for feature in layer:
+            row: Row = {**feature.items()}
+            points = None if (outline := feature.GetGeometryRef()) is None else outline.GetPoints(2)
+            rows.append({**row, GEOMETRY: line_wkt(np.array(points)) if points else ""})  # to the last digit
+        wkt = "" if system is None else system.ExportToWkt()
+        return SeamTable(TableRows(rows, wkt), dict(layer.GetMetadata(TOTALS_DOMAIN) or {}))

@@ -1,0 +1,102 @@
+"""Arrays in memory measure as files do, and what is no image is refused with a sentence."""
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+import pywt
+from osgeo import gdal
+from seam_inspector import (
+    SettingsError,
+    clip_curves,
+    inspect_arrays,
+    inspect_window,
+    inspect_windows,
+    measure_noise,
+    open_block,
+    seam_profile,
+)
+
+from tests.numbers.conftest import MakeRaster
+from tests.numbers.synthetic import orthoimage
+
+SIDE, PIXEL_M = 384, 0.1
+
+
+@pytest.fixture(scope="module")
+def images() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Two images, and their mixture over a linear feather of 48 px, (rows, columns, bands)."""
+    left, right = (np.moveaxis(orthoimage((SIDE, SIDE), seed=seed), 0, -1) for seed in (1, 2))
+    weight = np.clip((np.arange(SIDE) - SIDE / 2) / 48 + 0.5, 0, 1)[:, np.newaxis]
+    return left, right, np.rint((1 - weight) * left + weight * right).astype(np.uint8)
+
+
+def test_arrays_measure_as_their_files_do(images: tuple[np.ndarray, ...], make_raster: MakeRaster) -> None:
+    left, right, mosaic = images
+    paths = [make_raster(f"{i}.tif", np.moveaxis(one, -1, 0)) for i, one in enumerate((mosaic, left, right))]
+    block = open_block(paths[0], paths[1:])
+    expected = inspect_window(block.window(block.mosaic.extent)).profile
+    found = seam_profile(mosaic, [left, right], block.mosaic.ground_sample_distance)
+    assert found is not None
+    assert expected is not None
+    assert found.kept == pytest.approx(expected.kept, rel=1e-5)
+    assert found.feather_width_px == pytest.approx(48, rel=0.2)
+    assert found.kept[0] < 0.75
+
+
+def test_types_and_masks_change_nothing_that_is_measured(images: tuple[np.ndarray, ...]) -> None:
+    left, right, mosaic = images
+    expected = seam_profile(mosaic, [left, right], PIXEL_M)
+    masked = np.ma.masked_array(mosaic, np.zeros(mosaic.shape, bool))
+    masked[:4, :4] = np.ma.masked
+    for other in (mosaic.astype(np.int64), mosaic.astype(np.float32), masked):
+        found = seam_profile(other, {"left": left, "right": right}, PIXEL_M)
+        assert expected is not None
+        assert found is not None
+        assert found.kept == pytest.approx(expected.kept, rel=0.02)
+
+
+def test_labels_say_where_the_seam_is(images: tuple[np.ndarray, ...]) -> None:
+    left, right, _ = images
+    labels = np.zeros((SIDE, SIDE), int)
+    labels[:, SIDE // 2 :] = 1
+    hard = np.where(labels[..., np.newaxis] == 0, left, right)
+    found = inspect_arrays(hard, [left, right], PIXEL_M, labels)
+    assert found.profile is not None
+    assert found.profile.kept[0] == pytest.approx(1, abs=0.05)
+    assert not [path for path in gdal.ReadDir("/vsimem/") or () if gdal.ReadDir(f"/vsimem/{path}")]
+
+
+def test_curves_are_those_of_pywavelets(images: tuple[np.ndarray, ...]) -> None:
+    plane = images[0][..., 0].astype(float)
+    coefficients = pywt.wavedec2(plane - plane.mean(), "coif3", "periodization", 3)
+    energies = [sum(float((one**2).sum()) for one in level) for level in reversed(coefficients[1:])]
+    expected = np.array(energies) / (plane.size * plane.var())
+    assert clip_curves(images[0][..., 0])["band_1"].detail == pytest.approx(expected, rel=1e-4)
+    assert list(measure_noise(images[0])) == ["luminance", "red", "green", "blue"]
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda image: seam_profile(np.moveaxis(image, -1, 0), [image], PIXEL_M), r"bands first; .*moveaxis"),
+        (lambda image: seam_profile(image.astype(complex), [image], PIXEL_M), "array of complex128"),
+        (lambda image: seam_profile(image > 3, [image], PIXEL_M), "array of bool"),
+        (lambda image: seam_profile(image, [image[:-8]], PIXEL_M), "source_0 has 384 x 376 pixels"),
+        (lambda image: seam_profile(image, [image], PIXEL_M, np.zeros((8, 8), int)), "labels has 8 x 8 pixels"),
+        (lambda image: seam_profile(image, [image], PIXEL_M, np.ones(image.shape[:2], int)), "source 1, of 1"),
+        (lambda image: seam_profile(image, [image], 0.0), "pixel_size_m is 0"),
+        (lambda image: clip_curves(image[:, :381]), "381 x 384 pixels; cut both sides to a multiple of 8"),
+        (lambda image: clip_curves(np.where(image > 250, np.nan, image.astype(float))), "holds NaN"),
+        (lambda image: clip_curves(np.ma.masked_greater(image, 250)), "masked pixels"),
+        (lambda image: measure_noise(image, ["red", "red", "blue"]), "red twice"),
+        (lambda image: measure_noise(image, ["red"]), "1 names for 3 bands"),
+        (lambda image: inspect_windows([(0, 0, 1, 1)]), "give its block"),
+    ],
+)
+def test_what_is_no_image_is_told(
+    images: tuple[np.ndarray, ...], call: Callable[[np.ndarray], object], words: str
+) -> None:
+    with pytest.raises(SettingsError, match=words):
+        call(images[0])

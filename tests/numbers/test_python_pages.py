@@ -1,0 +1,109 @@
+"""What the pages about Python show runs as it stands: recipes, the shell, and the exit codes of the command."""
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+import seam_inspector
+
+from tests.made_once import the_small_block
+from tools import python_pages
+
+pytestmark = pytest.mark.slow
+
+OPTIONAL = ("geopandas", "shapely", "xarray", "distributed")
+RECIPES = python_pages.blocks(python_pages.RECIPES)
+MISSING = [name for name in OPTIONAL if not find_spec(name)]
+COMMAND = 'import sys; from seam_inspector.python.command_line import main; sys.exit(main())'
+FORGED = "UPDATE seams SET kept_1 = 0.95, kept_low = 0.9, kept_high = 1, state = 'passed', verdict = 'preserved'"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the small block, as the pages have it."""
+    made = tmp_path_factory.mktemp("reader")
+    (made / "block").symlink_to(the_small_block(tmp_path_factory).mosaic.parent)
+    return made
+
+
+@pytest.fixture(scope="module")
+def shell(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """An environment with the command that the wheel installs."""
+    place = tmp_path_factory.mktemp("bin")
+    command = place / "seam-inspector"
+    command.write_text(f'#!/bin/sh\nexec {sys.executable} -c "{COMMAND}" "$@"\n', encoding="utf-8")
+    command.chmod(0o755)
+    home = str(Path(seam_inspector.__file__).parent.parent)
+    return {**os.environ, "PATH": f"{place}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": home}
+
+
+def is_script(code: str) -> bool:
+    return "__main__" in code or "distributed" in code
+
+
+def can_run(code: str) -> bool:
+    return not any(re.search(rf"^(import|from) {name}\b", code, re.MULTILINE) for name in MISSING)
+
+
+def test_the_recipes_run_one_after_the_other(folder: Path, shell: dict[str, str]) -> None:
+    codes = [code for _, code in RECIPES if not is_script(code) and can_run(code)]
+    program = "\n".join(["import sys", *(f"sys.modules[{name!r}] = None" for name in ("qgis", "PyQt5")), *codes])
+    run = subprocess.run(
+        [sys.executable, "-c", program], cwd=folder, env=shell, capture_output=True, text=True, check=False
+    )
+    assert run.returncode == 0, run.stderr
+    assert "Traceback" not in run.stderr
+    assert "False" not in run.stdout
+
+
+@pytest.mark.parametrize("code", [code for _, code in RECIPES if is_script(code)], ids=["spawn", "dask"])
+def test_a_script_of_the_recipes_runs(folder: Path, shell: dict[str, str], tmp_path: Path, code: str) -> None:
+    if not can_run(code):
+        pytest.skip("Dask is not installed")
+    script = tmp_path / "script.py"
+    script.write_text(code, encoding="utf-8")
+    run = subprocess.run(
+        [sys.executable, script], cwd=folder, env=shell, capture_output=True, text=True, timeout=120, check=False
+    )
+    assert run.returncode == 0, run.stderr
+    assert re.fullmatch(r"\d+ m of seam\n", run.stdout)
+
+
+@pytest.mark.parametrize(("heading", "code"), python_pages.blocks(python_pages.COMMANDS, "shell"))
+def test_the_shell_of_the_page_runs(folder: Path, shell: dict[str, str], heading: str, code: str) -> None:
+    run = subprocess.run(["sh", "-c", code], cwd=folder, env=shell, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    assert "Traceback" not in run.stderr
+
+
+def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
+    from osgeo import gdal
+
+    sources = sorted(map(str, folder.glob("block/strip*.tif")))
+    mosaic, seams, report = str(folder / "block" / "mosaic.tif"), str(tmp_path / "seams.gpkg"), tmp_path / "report.html"
+
+    def code(*arguments: str) -> int:
+        run = subprocess.run(["seam-inspector", *arguments], env=shell, capture_output=True, text=True, check=False)
+        assert "Traceback" not in run.stderr
+        return run.returncode
+
+    assert code("scan", mosaic, *sources, "-o", seams, "--report", str(report)) == 1
+    assert report.read_text("utf-8").startswith("<!DOCTYPE html>")
+    assert code("accept", seams, "--mosaic", mosaic, "--max-share", "1", "--max-run", "500") == 0
+    assert code("accept", seams, "--mosaic", sources[0], "--max-share", "1", "--max-run", "500") == 2
+    changed = gdal.OpenEx(seams, gdal.OF_UPDATE)
+    changed.ExecuteSQL(FORGED)
+    del changed
+    assert code("accept", seams) == 2
+    assert code("inspect", mosaic, *sources, "--at", "0", "0") == 2
+    for wrong in (
+        ["scan", mosaic, *sources, "-o", mosaic], ["scan", str(tmp_path / "none.tif"), "-o", seams], ["accept", mosaic],
+        ["scan", mosaic, *sources, "-o", seams, "--piece", "0"], [], ["accept", seams, "--min-kept", "7"],
+        ["accept", seams, "--max-share", "much"],
+    ):  # fmt: skip
+        assert code(*wrong) == 3
