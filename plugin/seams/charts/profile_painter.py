@@ -11,6 +11,7 @@ from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 from ...toolkit.charts.chart_painter import ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.translation import filled, percent, shown_number, tr
+from ..words import seam_width_words
 
 if TYPE_CHECKING:
     from ..measure.profile.seam_profile import ProfileBin, SeamProfile
@@ -92,8 +93,9 @@ def summary_words(shown: ShownProfile) -> list[str]:
         return [""]
     values = {
         "kept": percent(profile.kept[0]), "low": percent(profile.low), "high": percent(profile.high),
-        "width": shown_number(profile.band_width_px * shown.pixel_m, 1),
-        "feather": shown_number((profile.feather_width_px or 0) * shown.pixel_m, 1),
+        "width": seam_width_words(
+            profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m
+        ),
     }  # fmt: skip
     words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
     if shown.ground_left < 1 and profile.is_of_the_ground:
@@ -104,12 +106,11 @@ def summary_words(shown: ShownProfile) -> list[str]:
             tr("Seam: {kept} % of the ground; ground: {left} % of the orthoimages"),
             tr("Seam {kept} %, ground {left} %"),
         ]
-    elif profile.band_width_px:
-        words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m"))
-        if profile.feather_width_px:
-            words.insert(
-                0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m")
-            )
+    elif profile.high < 1 and values["width"]:
+        words = [
+            tr("Beside the seam {kept} % kept ({low} to {high} %), in {width} m"),
+            tr("{kept} % kept ({low} to {high} %) in {width} m"), tr("{kept} % kept in {width} m"),
+        ]
     return [filled(text, **values) for text in words]
 
 

@@ -22,7 +22,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ...imagery.errors import Message
 from ...toolkit.desk.tool_dock import ToolDock
-from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow
+from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
@@ -65,6 +65,8 @@ class InspectionDock(ToolDock):
         self._view = WindowView(self._canvas, self.session, lambda: self.judging.model.is_blind)
         self.zoom_to = self._view.show
         self.session.selectionChanged.connect(self._view.follow)
+        self._namer = single_shot(self, self._name_window)
+        self.session.selectionChanged.connect(self._namer.start)
         self.judging = JudgingDesk(self.session, self.windows, self, self._view.is_seen)
         self.judge = self.judging.bar
         self.curves = CurvesAndProfile(self.session)
@@ -84,7 +86,7 @@ class InspectionDock(ToolDock):
         self.layout_of_judging.action.toggled.connect(self._begin_judging)
         self.layout_of_judging.action.toggled.connect(self.flicker.hide)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
-        self.scans.found.connect(lambda done: self._findings.show(done, self.scans.notes))
+        self.scans.found.connect(self._findings.show)
         self.steps = UndoActions(self.session, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
@@ -274,8 +276,15 @@ class InspectionDock(ToolDock):
         self._tab_widget.setTabVisible(0, not is_blind)
         allow(self.lost.action, tr("What was found is hidden while you judge blind.") if is_blind else "")
         self.steps.keep_steps(is_blind)
-        if is_blind:
-            self._iface.statusBarIface().clearMessage()  # of QGIS, which says what the selected window is
+        self._name_window()
+
+    def _name_window(self) -> None:
+        """In the place of QGIS's words on what is selected, which are cut, and tell what was found."""
+        rows = [row for row in map(self.session.row, self.session.selected()) if row is not None]
+        if len(rows) == 1:
+            self._iface.statusBarIface().showMessage(filled(tr("Window {number}"), number=rows[0].window_id))
+        elif self.judging.model.is_blind:
+            self._iface.statusBarIface().clearMessage()
 
     def _progress_row(self) -> QWidget:
         """How far windows and scan are, and the button that stops them; in sight while there is something to stop."""

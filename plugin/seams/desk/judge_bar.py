@@ -221,8 +221,11 @@ class JudgeBar(QWidget):
         self._say(selected, progress, is_pending, result)
         words = progress.words()
         if (sure := self._judging.just_sure) is not None:  # a digit that did not go to the selected window
-            words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
-        self._progress.setText(words, rich_tip(progress.tip()))
+            words = [
+                filled(text, number=sure[0], percent=sure[1])
+                for text in (tr("Window {number}: {percent} % sure"), "{number}: {percent} %")
+            ]
+        self._progress.setText(words[0], rich_tip(progress.tip()), words[1:])
         self._arranger.start()
 
     def _follow_progress(self, _done: int, asked: int) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 from ...imagery.errors import INFO, WARNING, Message
 
 WINDOWS_KEPT_MEANWHILE = Message(
-    "Until the project is saved its windows are in {path}; they move beside the project then.", INFO
+    "Windows are in your profile until the project is saved, then beside it. Now they are in {path}.", INFO
 )
 WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO)
 WINDOWS_NOT_MOVED = Message(

@@ -64,7 +64,7 @@ class MosaicScans(QObject):
         self._background.failed.connect(self._tell)
         self._background.ended.connect(self._ended)
         self._is_closed = False
-        self.notes = 0
+        self._notes = 0
         """Warnings about the scan, all of which are in the log."""
         self.news: ScanNews | None = None
         """How far the scan is; None while there is none."""
@@ -103,7 +103,7 @@ class MosaicScans(QObject):
         name = self._session.mosaic_layer()
         title = filled(tr("Scan of {mosaic}"), mosaic=name.name() if name is not None else order.mosaic.ref.name)
         self._group.begin(title, self._session.inputs.mosaic, files)
-        self.news, self.notes = ScanNews(0.0, None), 0
+        self.news, self._notes = ScanNews(0.0, None), 0
         self._background.start(tr("Scan the mosaic"), scan_job(order, files), self._take, _KEY, steps=1)
         self.changed.emit()
 
@@ -179,25 +179,22 @@ class MosaicScans(QObject):
         for notice in notices:
             write_log([notice])
             if notice.level is not INFO:
-                self.notes += 1
-                if self.notes <= _NOTES_IN_BAR:
+                self._notes += 1
+                if self._notes <= _NOTES_IN_BAR:
                     self._tell(notice)
 
     def _tell(self, message: Message) -> None:
         self.told.emit(sentence(message), bar_level(message))
 
 
-def scan_sentence(done: ScanDone, notes: int = 0) -> str:
-    """What a scan found, and how many warnings are in the log."""
+def scan_sentence(done: ScanDone) -> str:
+    """What a scan found."""
     words = tr("Scanned: no seam was found.")
     if done.seam_metres:
-        words = tr("Scanned {metres} m of seams: no significant loss")
+        words = tr("No significant loss on {metres} m of seams.")
         if done.failed_metres:
-            words = tr("Scanned {metres} m of seams: significant loss on {failed} m")
-        words = filled(words,
-            metres=grouped_number(done.seam_metres), failed=grouped_number(done.failed_metres)
-        ) + "."
-    return f"{words} " + filled(tr("Notes in the log: {count}."), count=notes) if notes else words
+            words = tr("Significant loss on {failed} of {metres} m of seams.")
+    return filled(words, metres=grouped_number(done.seam_metres), failed=grouped_number(done.failed_metres))
 
 
 def file_stem(name: str) -> str:
@@ -428,12 +425,12 @@ class ScanMessage(BarQuestion):
         super().__init__(bar, parent)
         self._judge = judge
 
-    def show(self, done: ScanDone, notes: int) -> None:
-        """Say it, and how many warnings are in the log."""
+    def show(self, done: ScanDone) -> None:
+        """Say it."""
         level = Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success
         words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
         self.ask(
-            scan_sentence(done, notes), level, filled(words, count=done.worst_count),
+            scan_sentence(done), level, filled(words, count=done.worst_count),
             tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."),
             self._judge if done.worst_count else None,
         )  # fmt: skip

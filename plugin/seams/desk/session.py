@@ -133,7 +133,7 @@ class Session(QObject):
             (self._steps.stepped, self._follow_step),
             *((told, self._tell) for told in (
                 self._opening.failed, self._background.failed, self._live.failed, self._results.failed,
-                self._mosaics.told, self._new.told, self._steps.failed,
+                self._mosaics.told, self._new.told, self._steps.failed, self._block.told,
             )),
         ):  # fmt: skip
             signal.connect(slot)

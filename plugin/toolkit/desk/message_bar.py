@@ -33,6 +33,19 @@ def write_log(messages: Iterable[Message]) -> None:
         QgsMessageLog.logMessage(text, tr("Seam Inspector"), _LEVELS[message.level], False)
 
 
+_MOST_CHARACTERS = 90  # QGIS cuts what is longer than a line, beside a map of 1,366 px with two docks
+
+
+def brief_words(text: str) -> tuple[str, str]:
+    """What of a message stands in the bar: all of it, or whole sentences, or as many words as there is room for; and
+    the rest."""
+    if len(text) <= _MOST_CHARACTERS:
+        return text, ""
+    ends = [place + 1 for place in range(_MOST_CHARACTERS) if text[place : place + 2] in (". ", "? ", "! ")]
+    end = ends[-1] if ends else max(text.rfind(" ", 0, _MOST_CHARACTERS), 0) or _MOST_CHARACTERS
+    return text[:end] + ("" if ends else " …"), text[end:].lstrip()
+
+
 class BarQuestion(QObject):
     """A question in the message bar, one at a time, until it is answered or dismissed, or the project closes."""
 

@@ -83,6 +83,7 @@ def plain_tip(text: str) -> str:
     return rich_tip(first, *lines) if "<" in text or "&" in text else text
 
 
+_CUT = "…"
 _WRAPPED = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter) | int(Qt.TextFlag.TextWordWrap)
 
 
@@ -96,18 +97,23 @@ class ClippedLabel(QWidget):
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._fewest = self._most = self._lines = lines
-        self._text = ""
+        self._text, self._shorter = "", tuple[str, ...]()
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
         """All of the text."""
         return self._text
 
-    def setText(self, text: str, tip: str = "") -> None:
-        """Say something else; ``tip``: more than that, as rich text, for the tooltip."""
+    def shown_text(self) -> str:
+        """What of it, or which shorter text, there is room for."""
+        return self._fitting(self.fontMetrics())
+
+    def setText(self, text: str, tip: str = "", shorter: Sequence[str] = ()) -> None:
+        """Say something else; ``tip``: more than that, as rich text, for the tooltip; ``shorter``: the same in fewer
+        words, for where there is no room."""
         self.setToolTip(tip or (rich_tip(text) if text else ""))
-        if text != self._text:
-            self._text = text
+        if (text, *shorter) != (self._text, *self._shorter):
+            self._text, self._shorter = text, tuple(shorter)
             self.setAccessibleName(text)
             self._fit()
             self.update()
@@ -126,7 +132,7 @@ class ClippedLabel(QWidget):
         if lines != self._lines:
             self._lines = lines
             self.updateGeometry()
-        is_cut = not self._fits(metrics, self._text, lines)
+        is_cut = self._fitting(metrics).endswith(_CUT)
         self.setCursor(Qt.CursorShape.PointingHandCursor if is_cut else Qt.CursorShape.ArrowCursor)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -153,20 +159,21 @@ class ClippedLabel(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         with painting(self) as painter:
             painter.setPen(readable_palette(self).color(self.foregroundRole()))
-            painter.drawText(self.contentsRect(), _WRAPPED, with_units(self._fitting(self.fontMetrics())))
+            painter.drawText(self.contentsRect(), _WRAPPED, with_units(self.shown_text()))
 
     def _fitting(self, metrics: QFontMetrics) -> str:
         """The text as far as there are lines for it."""
-        if self._fits(metrics, self._text, self._lines):
-            return self._text
-        shortest, longest = 0, len(self._text)
+        for text in (self._text, *self._shorter):
+            if self._fits(metrics, text, self._lines):
+                return text
+        shortest, longest = 0, len(text)
         while longest - shortest > 1:
             middle = (shortest + longest) // 2
-            if self._fits(metrics, self._text[:middle].rstrip() + "…", self._lines):
+            if self._fits(metrics, text[:middle].rstrip() + _CUT, self._lines):
                 shortest = middle
             else:
                 longest = middle
-        return self._text[:shortest].rstrip() + "…"
+        return text[:shortest].rstrip() + _CUT
 
     def _fits(self, metrics: QFontMetrics, text: str, lines: int) -> bool:
         width = self.contentsRect().width()

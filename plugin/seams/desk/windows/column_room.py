@@ -80,6 +80,7 @@ def _menu_title(column: TableColumn) -> str:
 
 
 _GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio")
+"""After reasons, the ratios beyond level 1 and the paper's flag; verdict, loss, observer and cause stay longest."""
 
 
 class Widths(NamedTuple):
@@ -172,10 +173,7 @@ class ColumnMeter:
 
 
 def choose_columns(columns: Sequence[TableColumn], meter: ColumnMeter, room: int) -> ColumnChoosing:
-    """Those there is room for.
-
-    Reasons give way first, then the ratios beyond level 1 and the paper's flag, then the causes.
-    """
+    """Those there is room for. Causes are cut short, and go last, so that a verdict's word is never cut."""
     reason, cause = next(place for place, one in enumerate(columns) if one.name == "reason"), columns.index(CAUSE)
     off = set(range(reason + 1, len(columns)))  # for the operator to choose
     coarser = {section for section, column in enumerate(columns) if column.level > 1 or column == PAPER}
@@ -186,18 +184,16 @@ def choose_columns(columns: Sequence[TableColumn], meter: ColumnMeter, room: int
 
     if room >= sum(one.airy for section, one in enumerate(long) if section not in off):
         return ColumnChoosing(off, False, long)
-    for hidden in ({reason, *off}, {reason, *off, *coarser}):
+    hidden = {reason, *off}
+    named = ({place for place, one in enumerate(columns) if one.name == name} for name in _GIVING_WAY)
+    for group in (set[int](), coarser, *named):
+        hidden |= group
         for widths, short, size in (
             (long, False, long[cause].natural), (brief, True, brief[cause].natural), (brief, True, brief[cause].least)
         ):
             if room >= needed(widths, {*hidden, cause}) + size:
                 return ColumnChoosing(hidden, short, widths)
-    hidden = {reason, cause, *off}
-    if room < needed(brief, hidden):
-        hidden |= coarser
-    for name in _GIVING_WAY:
-        if room < needed(brief, hidden):  # so that a verdict's word is never cut
-            hidden |= {place for place, one in enumerate(columns) if one.name == name}
+    hidden.add(cause)
     short = room < needed(long, hidden)
     return ColumnChoosing(hidden, short, brief if short else long)
 
