@@ -26,7 +26,7 @@ from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allo
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
-from .accepting import open_form
+from .accept_page import AcceptPage
 from .charts.profile_panel import CurvesAndProfile
 from .desk_keys import DeskKeys
 from .dock_body import DockBody
@@ -198,8 +198,8 @@ class InspectionDock(ToolDock):
         )  # fmt: skip
         self.accept = self._action(
             "FileNew", tr("Accept..."),
-            tr("Accept or reject the delivery: by its last scan, or all the way from its files"),
-            lambda: open_form(QgsProject.instance(), self.session.inputs),
+            tr("Accept or reject the delivery by its scans, or all the way from its files"),
+            lambda: AcceptPage(QgsProject.instance(), self.session.inputs, self).show(),
         )  # fmt: skip
         self.inspect_selected = self._action(
             "Refresh", tr("Again"), tr("Inspect the selected windows again"),

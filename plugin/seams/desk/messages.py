@@ -15,6 +15,8 @@ WINDOWS_IN_BOXES = Message(
     "Windows that are no rectangles along the mosaic's axes are measured in the boxes around them: {count}.", INFO
 )
 WINDOWS_BACK = Message("The windows of this mosaic that the project did not know are back, from {path}.", INFO)
+DECISION_THERE_ALREADY = Message("{path} is there already: choose another folder, so that no document is replaced.")
+DECISION_NOT_SAVED = Message("The decision could not be saved in {folder} ({error}); choose another folder.")
 WINDOWS_TO_COPY = Message(
     "The windows in {name} are in no windows file, so what is measured and judged can't be kept with them. Copy them "
     "into one?"
