@@ -110,6 +110,7 @@ def summary_words(shown: ShownProfile) -> list[str]:
         words = [
             tr("Beside the seam {kept} % kept ({low} to {high} %), in {width} m"),
             tr("{kept} % kept ({low} to {high} %) in {width} m"), tr("{kept} % kept in {width} m"),
+            tr("{kept} % kept"),
         ]
     return [filled(text, **values) for text in words]
 

@@ -37,6 +37,7 @@ from .judging_layout import JudgingLayout
 from .keys import JUDGING
 from .map.flicker import Flicker
 from .map.lost_detail import LostDetail
+from .map.seam_pieces import SeamPieces
 from .map.window_tool import WindowTool
 from .map.window_view import SelectedWindows, WindowView
 from .mosaic_scans import MosaicScans, ScanMessage, uncover
@@ -67,11 +68,14 @@ class InspectionDock(ToolDock):
         self.session.selectionChanged.connect(self._view.follow)
         self._namer = single_shot(self, self._name_window)
         self.session.selectionChanged.connect(self._namer.start)
+        self.session.windowsChanged.connect(self._namer.start)
         self.judging = JudgingDesk(self.session, self.windows, self, self._view.is_seen)
         self.judge = self.judging.bar
         self.curves = CurvesAndProfile(self.session)
         self.images = ImagesPanel(self.session, is_blind=lambda: self.judging.model.is_blind)
         self.lost = LostDetail(iface, self.session, self)
+        self.pieces = SeamPieces(self._canvas, self.session, self, lambda: self.judging.model.is_blind)
+        self.judge.follow_pieces(self.pieces)
         self._selected = SelectedWindows(self._canvas, self.session)
         self.lost.follow_chart(self.curves.profile)
         self.reports = ReportWriter(self.session, self)
@@ -124,7 +128,7 @@ class InspectionDock(ToolDock):
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
             self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker, self._findings,
-            self.scans, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
+            self.scans, self.pieces, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
             self.curves, self.images,
         ):  # fmt: skip
             part.close()

@@ -18,6 +18,7 @@ from ...measure.judgement.causes import Cause
 from ...window_summary import shown_area
 from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import CAUSE, OBSERVERS, PAPER, TableColumn
+from .windows_model import WindowsModel
 
 _KEY = "SeamInspector/window_columns"
 
@@ -107,12 +108,10 @@ class ColumnChoosing(NamedTuple):
 class ColumnMeter:
     """Measures columns in the font and style of a table as they are now."""
 
-    def __init__(
-        self, table: QTableView, sorted_by: TableColumn | None, has_stale: bool, most_lost: float = 0.0
-    ) -> None:
-        """``most_lost``: the largest loss in the table, m²: that number is never cut."""
-        self._table, self._sorted_by, self._has_stale = table, sorted_by, has_stale
-        self._most_lost = shown_area(most_lost)
+    def __init__(self, table: QTableView, windows: WindowsModel) -> None:
+        self._table, self._sorted_by, self._has_stale = table, windows.sorted_by, windows.has_stale
+        self._verdicts = [verdict_word(one) for one in VERDICTS if one in windows.verdicts or not windows.count]
+        self._most_lost = shown_area(windows.most_lost)  # a number that is never cut
         self._metrics = QFontMetrics(table.font())
 
     def widths(self, columns: Sequence[TableColumn], short: bool) -> list[Widths]:
@@ -136,9 +135,8 @@ class ColumnMeter:
         if column.name in ("remark", "remark_2"):
             return Widths(8 * em, 10 * em, 12 * em)
         if column.name == "verdict":
-            words = [verdict_word(verdict) for verdict in VERDICTS]
-            changed = [filled(tr("{verdict}, changed"), verdict=word) for word in words[:3]]
-            natural, airy = chip + width(*words), chip + width(*changed)
+            changed = [filled(tr("{verdict}, changed"), verdict=word) for word in self._verdicts]
+            natural, airy = chip + width(*self._verdicts), chip + width(*changed)
             least = natural = airy if self._has_stale else natural
         else:
             verdicts, observers = map(verdict_word, VERDICTS), [observer_word(word) for word in OBSERVERS]
