@@ -16,7 +16,7 @@ from ....imagery.documents import json_document
 from ....toolkit.translation import filled, tr
 from ...measure.judgement.causes import Cause
 from ...window_summary import shown_area
-from ...words import VERDICTS, cause_word, observer_word, verdict_word
+from ...words import CLAIMS, VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import CAUSE, OBSERVERS, PAPER, TableColumn
 from .windows_model import WindowsModel
 
@@ -110,7 +110,7 @@ class ColumnMeter:
 
     def __init__(self, table: QTableView, windows: WindowsModel) -> None:
         self._table, self._sorted_by, self._has_stale = table, windows.sorted_by, windows.has_stale
-        self._verdicts = [verdict_word(one) for one in VERDICTS if one in windows.verdicts or not windows.count]
+        self._verdicts = windows.verdicts or frozenset(VERDICTS)
         self._most_lost = shown_area(windows.most_lost)  # a number that is never cut
         self._metrics = QFontMetrics(table.font())
 
@@ -135,8 +135,9 @@ class ColumnMeter:
         if column.name in ("remark", "remark_2"):
             return Widths(8 * em, 10 * em, 12 * em)
         if column.name == "verdict":
-            changed = [filled(tr("{verdict}, changed"), verdict=word) for word in self._verdicts]
-            natural, airy = chip + width(*self._verdicts), chip + width(*changed)
+            words = {verdict: verdict_word(verdict) for verdict in self._verdicts}
+            changed = [filled(tr("{verdict}, changed"), verdict=words[one]) for one in CLAIMS if one in words]
+            natural, airy = chip + width(*words.values()), chip + width(*words.values(), *changed)
             least = natural = airy if self._has_stale else natural
         else:
             verdicts, observers = map(verdict_word, VERDICTS), [observer_word(word) for word in OBSERVERS]
