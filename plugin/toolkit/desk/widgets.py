@@ -7,7 +7,8 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from qgis.gui import QgsCollapsibleGroupBoxBasic
+from qgis.core import QgsCoordinateReferenceSystem
+from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsMapCanvas
 from qgis.PyQt import QtGui, QtWidgets
 from qgis.PyQt.QtCore import QEvent, QObject, QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QMouseEvent, QPaintEvent, QResizeEvent, QShowEvent
@@ -28,6 +29,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..painting import painting
+from ..reference_systems import known_system
 from ..translation import tr
 from .theme import readable_palette
 
@@ -48,6 +50,11 @@ def check_chosen_file(path: Path) -> None:
         from ..algorithms.outputs import check_beside_layers
 
         check_beside_layers(path)
+
+
+def set_map_system(canvas: QgsMapCanvas, crs: QgsCoordinateReferenceSystem) -> None:
+    """Draw a map in the reference system of a layer; no other way is one that this thread has."""
+    canvas.setDestinationCrs(known_system(crs))
 
 
 _TIP = "seam_inspector_tip"
