@@ -24,12 +24,12 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
+from ...imagery.statistics import DECIDED, INVISIBLE, UNSURE, VISIBLE, Operator
 from ...toolkit.desk.widgets import ClippedLabel, rich_tip, single_shot
 from ...toolkit.translation import filled, tr
 from ..window_summary import window_sentence
+from ..words import CLAIMS
 from .judging import Judging, JudgingProgress
-from .judging_summary import counts_words, tool_words
 from .notes_row import NotesRow
 from .windows.window_columns import verdict_chip, window_tip, windows_sentence
 
@@ -392,3 +392,26 @@ class JudgeBar(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda *_: slot())
         return button
+
+
+def counts_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
+    """How many were judged, and what was said of them."""
+    said = [getattr(row, operator.observer) for row in windows]
+    shares = {word: said.count(word) for word in (VISIBLE, INVISIBLE, UNSURE)}
+    text = tr("All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.")
+    return filled(text, visible=shares[VISIBLE], invisible=shares[INVISIBLE], unsure=shares[UNSURE])
+
+
+def tool_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
+    """How often the tool says so too; empty where both said something of none."""
+    pairs = [
+        (getattr(row, operator.observer) == VISIBLE, row.verdict == "significant") for row in windows
+        if getattr(row, operator.observer) in DECIDED and row.verdict in CLAIMS
+    ]  # fmt: skip
+    same, vain = sum(seen == found for seen, found in pairs), sum(found and not seen for seen, found in pairs)
+    text = tr("The tool agrees on {same} of {count}.")
+    if same < len(pairs):
+        text = tr("The tool agrees on {same} of {count}. Called significant and not seen: {vain}; seen and not called "
+                  "so: {missed}.")
+    missed = len(pairs) - same - vain
+    return filled(text, same=same, count=len(pairs), vain=vain, missed=missed) if pairs else ""

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from functools import partial
+from html import escape
 from itertools import chain, count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,12 +21,14 @@ from qgis.core import (
     QgsRasterLayer,
     QgsVectorLayer,
 )
-from qgis.gui import QgsMessageBar
+from qgis.gui import QgsMessageBar, QgsMessageBarItem
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import QPushButton
 
 from ...imagery.errors import INFO, Message, SeamInspectorError
 from ...toolkit.background_tasks import BackgroundTasks, Cancelled, End, Job, Outcome
-from ...toolkit.desk.message_bar import BarQuestion, bar_level, write_log
+from ...toolkit.desk.message_bar import bar_level, write_log
 from ...toolkit.desk.widgets import single_shot
 from ...toolkit.layer_styles import load_style
 from ...toolkit.reference_systems import keep_system
@@ -418,19 +421,39 @@ def _table(path: Path, kind: ScanLayer, title: str) -> QgsVectorLayer:
     return layer
 
 
-class ScanMessage(BarQuestion):
-    """Says how much was lost, and offers the worst places."""
+class ScanMessage(QObject):
+    """Says how much was lost, and offers the worst places until they are taken, or the project closes."""
 
     def __init__(self, bar: QgsMessageBar, judge: Callable[[], None], parent: QObject) -> None:
-        super().__init__(bar, parent)
-        self._judge = judge
+        super().__init__(parent)
+        self._bar, self._judge = bar, judge
+        self._item: QgsMessageBarItem | None = None
+        QgsProject.instance().cleared.connect(self.dismiss)
 
     def show(self, done: ScanDone) -> None:
-        """Say it."""
-        level = Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success
-        words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
-        self.ask(
-            scan_sentence(done), level, filled(words, count=done.worst_count),
-            tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."),
-            self._judge if done.worst_count else None,
-        )  # fmt: skip
+        """Say it, in the place of what was said of a scan before."""
+        self.dismiss()
+        item = self._bar.createMessage(tr("Seam Inspector"), escape(scan_sentence(done), quote=False))
+        if done.worst_count:
+            words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
+            button = QPushButton(filled(words, count=done.worst_count), item)
+            button.setToolTip(tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."))
+            button.clicked.connect(self._go_on)
+            item.layout().addWidget(button)
+        self._item = item
+        self._bar.pushWidget(item, Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success, 0)
+
+    def close(self) -> None:
+        """Leave nothing in the bar and follow the project no more."""
+        QgsProject.instance().cleared.disconnect(self.dismiss)
+        self.dismiss()
+
+    def dismiss(self) -> None:
+        """Leave nothing in the bar."""
+        if self._item is not None and not sip.isdeleted(self._item):
+            self._bar.popWidget(self._item)
+        self._item = None
+
+    def _go_on(self) -> None:
+        self.dismiss()
+        self._judge()

@@ -124,7 +124,7 @@ class WindowsTable(QTableView):
         if wanted is not None:
             hidden = {section for section, column in enumerate(columns) if column.field not in wanted}
             chosen = ColumnChoosing(hidden, False, meter.widths(columns, short=False))
-            sizes = {section: one.natural for section, one in enumerate(chosen.widths) if section not in hidden}
+            sizes = {section: one for section, one in enumerate(chosen.widths) if section not in hidden}
         else:
             chosen = choose_columns(columns, meter, room)
             sizes = shared_room(columns, chosen, room)
