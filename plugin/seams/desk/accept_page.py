@@ -91,7 +91,7 @@ class AcceptPage(QDialog):
         self._made = {name: folder / Path(file).name for name, file in beside.items()}
         self._home = Path(next(iter(beside.values()), str(Path.home()))).parent
         values = {**self.values(), **{name: str(file) for name, file in self._made.items()}}
-        context, self._feedback = QgsProcessingContext(), _Told()
+        context, self._feedback = QgsProcessingContext(), _FailureHeard()
         context.setProject(self._project)
         self._feedback.progressChanged.connect(self._show_progress)
         is_sound, why = self._algorithm.checkParameterValues(values, context)
@@ -279,7 +279,7 @@ class AcceptPage(QDialog):
         return button
 
 
-class _Told(QgsProcessingFeedback):
+class _FailureHeard(QgsProcessingFeedback):
     """Keeps why a run failed."""
 
     def __init__(self) -> None:

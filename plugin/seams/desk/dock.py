@@ -35,9 +35,9 @@ from .inputs.inputs_panel import InputsPanel
 from .judging_desk import JudgingDesk
 from .judging_layout import JudgingLayout
 from .keys import JUDGING
+from .map.clicked_pieces import ClickedPieces
 from .map.flicker import Flicker
 from .map.lost_detail import LostDetail
-from .map.seam_pieces import SeamPieces
 from .map.window_tool import WindowTool
 from .map.window_view import SelectedWindows, WindowView
 from .mosaic_scans import MosaicScans, ScanMessage, uncover
@@ -74,7 +74,7 @@ class InspectionDock(ToolDock):
         self.curves = CurvesAndProfile(self.session)
         self.images = ImagesPanel(self.session, is_blind=lambda: self.judging.model.is_blind)
         self.lost = LostDetail(iface, self.session, self)
-        self.pieces = SeamPieces(self._canvas, self.session, self, lambda: self.judging.model.is_blind)
+        self.pieces = ClickedPieces(self._canvas, self.session, self, lambda: self.judging.model.is_blind)
         self.judge.follow_pieces(self.pieces)
         self._selected = SelectedWindows(self._canvas, self.session)
         self.lost.follow_chart(self.curves.profile)

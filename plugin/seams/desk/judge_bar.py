@@ -36,7 +36,7 @@ from .windows.window_columns import verdict_chip, window_tip, windows_sentence
 if TYPE_CHECKING:
     from ..measure.window.window_result import WindowResult
     from ..measure.window_records import WindowRecord
-    from .map.seam_pieces import SeamPiece, SeamPieces
+    from .map.clicked_pieces import ClickedPiece, ClickedPieces
     from .session import Session
 
 
@@ -120,7 +120,7 @@ class JudgeBar(QWidget):
         self._why.setToolTip(rich_tip(tr("What the sentence rests on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
-        self._pieces: SeamPieces | None = None
+        self._pieces: ClickedPieces | None = None
         self._here = self._push_button(
             tr("Judge here"), "", self._judge_here, tr("Makes a window on this piece of seam, and inspects it.")
         )
@@ -185,7 +185,7 @@ class JudgeBar(QWidget):
             button.setVisible(False)
             self._steps.append(button)
 
-    def follow_pieces(self, pieces: SeamPieces) -> None:
+    def follow_pieces(self, pieces: ClickedPieces) -> None:
         """Say what a scan found in the piece of seam that was clicked, and offer a window there."""
         self._pieces = pieces
         pieces.changed.connect(self.refresh)
@@ -263,7 +263,7 @@ class JudgeBar(QWidget):
 
     def _say(
         self, selected: Sequence[WindowRecord], progress: JudgingProgress, is_pending: bool,
-        result: WindowResult | None, piece: SeamPiece | None,
+        result: WindowResult | None, piece: ClickedPiece | None,
     ) -> None:
         tip, shows_chip = "", False
         if selected and self._judging.is_blind:

@@ -110,8 +110,8 @@ class ColumnMeter:
 
     @property
     def least_cause(self) -> int:
-        """With most causes cut short."""
-        return self._with_margins(cause_word(Cause.FEATHERING.value))
+        """With causes cut short, of which the first letters tell."""
+        return self._heading(CAUSE.title(), CAUSE == self._sorted_by)
 
     def _width(self, column: TableColumn, short: bool) -> int:
         em = self._metrics.horizontalAdvance("m")

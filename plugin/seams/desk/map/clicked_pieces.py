@@ -27,7 +27,7 @@ _REACH_PX = 8  # screen pixels at 96 dpi, from a line
 
 
 @dataclass(frozen=True)
-class SeamPiece:
+class ClickedPiece:
     """The piece that was clicked."""
 
     found: WindowRecord
@@ -36,7 +36,7 @@ class SeamPiece:
     """The standard window around the click, which the charts are of."""
 
 
-class SeamPieces(QObject):
+class ClickedPieces(QObject):
     """Follows clicks of the tools that pan and identify until ``close``."""
 
     changed = pyqtSignal()
@@ -48,7 +48,7 @@ class SeamPieces(QObject):
         super().__init__(parent)
         self._canvas, self._session, self._is_blind = canvas, session, is_blind
         self._pressed_at: QPoint | None = None
-        self.current: SeamPiece | None = None
+        self.current: ClickedPiece | None = None
         """What is looked at."""
         canvas.viewport().installEventFilter(self)
         self._connections = Connections(
@@ -99,7 +99,7 @@ class SeamPieces(QObject):
             window = None
         if window is not None:
             self._session.select([])
-            self.current = SeamPiece(found, window)
+            self.current = ClickedPiece(found, window)
             self._session.hover(window, is_live=True)
             self.changed.emit()
 

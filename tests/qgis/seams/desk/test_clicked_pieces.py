@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtTest import QTest
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
-from seam_inspector.plugin.seams.desk.map.seam_pieces import SeamPieces
+from seam_inspector.plugin.seams.desk.map.clicked_pieces import ClickedPieces
 
 from tests.qgis.acceptance.seam_scenes import file, sealed
 from tests.qgis.scenes import at, layer, line
@@ -41,7 +41,7 @@ class Map:
         self.tool = QgsMapToolPan(canvas)
         canvas.setMapTool(self.tool)
         self.is_blind = False
-        self.pieces = SeamPieces(canvas, desk.session, canvas, lambda: self.is_blind)
+        self.pieces = ClickedPieces(canvas, desk.session, canvas, lambda: self.is_blind)
         self.judging = Judging(desk.session)
         self.bar = JudgeBar(desk.session, self.judging)
         self.bar.follow_pieces(self.pieces)
