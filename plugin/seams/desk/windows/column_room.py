@@ -111,14 +111,15 @@ class ColumnMeter:
     @property
     def least_cause(self) -> int:
         """With causes cut short, of which the first letters tell."""
-        return self._heading(CAUSE.title(), CAUSE == self._sorted_by)
+        return self._heading(CAUSE.title(), self._sorted_by == CAUSE)
 
     def _width(self, column: TableColumn, short: bool) -> int:
         em = self._metrics.horizontalAdvance("m")
         title = self._heading(column.title(short), column == self._sorted_by)
         if column.short_heading and not short:
             title += em  # themes cut it before others, as its cells are narrow; the short one takes its place then
-        words = [verdict_word(verdict) for verdict in self._verdicts]
+        shown = [one for one in self._verdicts if one in CLAIMS or not short] or self._verdicts
+        words = [verdict_word(verdict) for verdict in shown]  # in short, what there is no verdict by is cut
         claims = [verdict_word(one) for one in CLAIMS if one in self._verdicts]
         changed = [filled(tr("{verdict}, changed"), verdict=word) for word in claims]
         observers = [observer_word(word) for word in OBSERVERS]
