@@ -70,7 +70,7 @@ class AcceptPage(QDialog):
             QgsApplication.processingRegistry().createAlgorithmById(DECISION)
         )
         self._scans = delivered_scans(project, inputs.mosaic)
-        self._task: QgsProcessingAlgRunnerTask | None = None
+        self._task: DecisionTask | None = None
         self.files: dict[str, Path] = {}
         """What the last decision made, by the outputs' names."""
         self._lay_out()
@@ -98,9 +98,8 @@ class AcceptPage(QDialog):
         if not is_sound:
             self._say("", why)
             return
-        self._task = QgsProcessingAlgRunnerTask(self._algorithm, values, context, self._feedback)
+        self._task = DecisionTask(self._algorithm, values, context, self._feedback)
         self._task.executed.connect(self._decided)
-        self._task.kept = context, self._feedback  # QGIS uses them to its end, whether or not the page is there
         self._say("", "")
         self._show_state()
         QgsApplication.taskManager().addTask(self._task)
@@ -277,6 +276,17 @@ class AcceptPage(QDialog):
         button.setAutoDefault(False)
         button.clicked.connect(slot)
         return button
+
+
+class DecisionTask(QgsProcessingAlgRunnerTask):
+    """Holds what it uses to its end, whether or not the page is there."""
+
+    def __init__(
+        self, algorithm: QgsProcessingAlgorithm, values: Mapping[str, Any], context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+    ) -> None:
+        super().__init__(algorithm, dict(values), context, feedback)
+        self._held = context, feedback
 
 
 class _FailureHeard(QgsProcessingFeedback):

@@ -148,8 +148,11 @@ class ToolDock(QgsDockWidget):
 
     def _show_markup(self, text: str, level: int, more: str = "") -> None:
         """``more``: the rest of it, behind a button."""
-        bar, words = self._iface.messageBar(), (tr("Seam Inspector"), text, *([more] if more else []))
-        bar.pushMessage(*words, Qgis.MessageLevel(level), _MESSAGE_SECONDS)
+        bar, title, shown = self._iface.messageBar(), tr("Seam Inspector"), Qgis.MessageLevel(level)
+        if more:
+            bar.pushMessage(title, text, more, shown, _MESSAGE_SECONDS)
+        else:
+            bar.pushMessage(title, text, shown, _MESSAGE_SECONDS)
         self._told = [one for one in (*self._told, bar.currentItem()) if one is not None and not sip.isdeleted(one)]
 
     def _take_back(self) -> None:
