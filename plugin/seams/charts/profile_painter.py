@@ -11,7 +11,6 @@ from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 from ...toolkit.charts.chart_painter import ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.translation import filled, percent, shown_number, tr
-from ..words import seam_width_words
 
 if TYPE_CHECKING:
     from ..measure.profile.seam_profile import ProfileBin, SeamProfile
@@ -88,6 +87,8 @@ def bin_words(shown: ShownProfile, one: ProfileBin) -> list[str]:
 
 def summary_words(shown: ShownProfile) -> list[str]:
     """What is kept beside the seam, in full and in short."""
+    from ..words import seam_width_words  # needs numpy, which a chart does without
+
     profile = shown.profile
     if profile.kept[0] is None:
         return [""]
