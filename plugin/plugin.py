@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Callable
 
-from qgis.core import Qgis, QgsApplication
+from qgis.core import Qgis, QgsApplication, QgsSettings
 from qgis.gui import QgisInterface, QgsDockWidget
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QIcon
@@ -85,17 +85,27 @@ class Desk:
     ) -> None:
         self._iface, self._make = iface, make
         self.action = action
+        self._key = f"SeamInspector/{action.objectName()}_open"
         self.dock: QgsDockWidget | None = None
         action.setCheckable(True)
         action.triggered.connect(self._show)
+        iface.initializationCompleted.connect(self._reopen)
         iface.addRasterToolBarIcon(action)
         # not by addPluginToRasterMenu: it makes a menu of one entry, and QGIS keeps that after the entry is removed
         iface.rasterMenu().addAction(action)
 
+    def _reopen(self) -> None:
+        """As it was when QGIS was closed."""
+        if self.dock is None and QgsSettings().value(self._key, False, type=bool):
+            self._show(True)
+
     def remove(self) -> None:
         """Leave nothing behind."""
+        self._iface.initializationCompleted.disconnect(self._reopen)
         if self.dock is not None:
             self.dock.visibilityChanged.disconnect(self._shown)
+            self.dock.closed.disconnect(self._closed)
+            self.dock.opened.disconnect(self._opened)
             self.dock.close_desk()
             self._iface.removeDockWidget(self.dock)
             self.dock.deleteLater()
@@ -121,7 +131,20 @@ class Desk:
             width = self.dock.standard_width
             self._iface.mainWindow().resizeDocks([self.dock], [width], Qt.Orientation.Horizontal)
             self.dock.visibilityChanged.connect(self._shown)
+            self.dock.closed.connect(self._closed)
+            self.dock.opened.connect(self._opened)
         self.dock.setUserVisible(shown)
+        self._remember(shown)
+
+    def _opened(self) -> None:
+        self._remember(True)
+
+    def _closed(self) -> None:
+        self._remember(False)
+
+    def _remember(self, is_open: bool) -> None:
+        """For the next start; that QGIS hides all as it ends says nothing."""
+        QgsSettings().setValue(self._key, is_open)
 
     def _explain(self, why_not: str) -> None:
         """Why there is no dock; the message stays until it is read."""

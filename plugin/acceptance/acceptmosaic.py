@@ -14,7 +14,7 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
-from ..toolkit.translation import tr
+from ..toolkit.translation import sentence, tr
 from . import stated_rules as stated
 from .measure import messages
 from .measure.acceptance_rules import ready_files
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 SEAMS, WINDOWS, JUDGE = "SEAMS", "WINDOWS", "JUDGE"
 TOOL, OBSERVER = "tool", "observer"
+REASONS = "REASONS"
 DECISION, ACCEPTED, TOTAL_METRES, MEASURED_METRES = "DECISION", "ACCEPTED", "TOTAL_METRES", "MEASURED_METRES"
 FAILED_METRES, FAILED_SHARE, LONGEST_FAILURE = "FAILED_METRES", "FAILED_SHARE", "LONGEST_FAILURE"
 
@@ -81,6 +82,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         add_paper(self)
         self.addDescribed(*common.chart(tr("How many metres kept how much.")))
         self.addOutput(QgsProcessingOutputString(DECISION, tr("accepted, rejected or undecided")))
+        self.addOutput(QgsProcessingOutputString(REASONS, tr("Its reasons, in words")))
         self.addNumbers({
             ACCEPTED: tr("Accepted (1), rejected (0), or nothing where it is undecided"),
             TOTAL_METRES: tr("Length of all seams (metres)"),
@@ -140,6 +142,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             **write(run, decision, read, self),
             **run.save(common.CHART, lambda path: _save_chart(path, decision)),
             DECISION: decision.outcome.value,
+            REASONS: sentence(decision.why),
             ACCEPTED: None if decision.accepted is None else int(decision.accepted),
             TOTAL_METRES: whole.total_m,
             MEASURED_METRES: whole.measured_m,

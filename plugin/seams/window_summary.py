@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
 from .measure.judgement.causes import ALONG_THE_SEAM, Cause, causes_taken
 from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
-from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
+from .measure.profile.seam_profile import Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
     CLAIMS,
@@ -19,6 +19,7 @@ from .words import (
     cause_clause,
     causes_words,
     judged_change,
+    seam_width_words,
     to_do,
     took_words,
     verdict_sentence,
@@ -66,7 +67,6 @@ def _number_words(text: str, value: float | None) -> list[str]:
 
 _TOLD_BEFORE = ("", Cause.NONE, Cause.MISSING_SOURCE)  # no sentence of their own beside the seam's
 _FEW_M2 = 10.0
-_LEAST_WIDTH_M = 0.05  # less is 0.0 m
 _LEAST_TAKEN = 0.005  # of the window's finest detail
 _MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
 
@@ -82,14 +82,14 @@ class Happening(NamedTuple):
     """A sentence on the rest; empty for none."""
 
 
-def what_happened(row: WindowRecord, found: Explanation | None) -> Happening:
-    """``found``: the explanation behind what the row holds; None where that is not at hand."""
+def what_happened(row: WindowRecord, found: Explanation | None, width: str) -> Happening:
+    """``found``: the explanation behind what the row holds; None where that is not at hand. ``width``: of the seam."""
     left = [cause for cause in _causes_of(row) if cause not in _TOLD_BEFORE]
     main = left[0] if left else ""
     at_seam = [cause for cause in left if _took_along_the_seam(cause, found)]
     if at_seam == [Cause.UNCLEAR] and row.kept_1 is None:
         at_seam = []  # nothing at all is clear
-    seam = _seam_clause(at_seam, row, _is_endless(found)) if at_seam else ""
+    seam = _seam_clause(at_seam, row, width) if at_seam else ""
     taken = {} if found is None else {cause.value: share for cause, share in causes_taken(found.evidence)}
     took = [
         (cause, words) for cause in left
@@ -134,18 +134,8 @@ def _is_softened_seam(cause: str, found: Explanation | None) -> bool:
     return cause == Cause.BLUR and found is not None and found.evidence.is_smoothed_seam
 
 
-def _is_endless(found: Explanation | None) -> bool:
-    """Whether a feather does not end as far as one is looked for."""
-    profile = None if found is None else found.profile
-    return profile is not None and (profile.feather_width_px or 0.0) >= WIDEST_FEATHER_PX
-
-
-def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
+def _seam_clause(causes: list[str], row: WindowRecord, width: str) -> str:
     """What took detail there; whether images fit is told of those that are mixed."""
-    metres = row.feather_width or 0.0
-    width = shown_number(metres, 1) if metres >= _LEAST_WIDTH_M else ""
-    if width and is_endless:
-        width = filled(tr("more than {width}"), width=width)
     apart = shown_number(row.misfit, 1) if Cause.MISREGISTRATION in causes and row.misfit is not None else ""
     if causes[0] == Cause.UNCLEAR:
         return ""  # told with what the mixture took
@@ -221,10 +211,11 @@ _NOT_COMPARABLE = "not_comparable"
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
-def window_sentence(row: WindowRecord, result: WindowResult | None = None) -> str:
+def window_sentence(row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None) -> str:
     """Verdict; where and how much; by what; what to do. With its result the numbers of the cause are told too.
 
-    A result that is not the one in the row, as after an undo, is left aside.
+    A result that is not the one in the row, as after an undo, is left aside. ``pixel_m``: the mosaic's pixel size,
+    where there is no result to say it.
     """
     if not row.verdict:
         return verdict_sentence("")
@@ -232,18 +223,20 @@ def window_sentence(row: WindowRecord, result: WindowResult | None = None) -> st
     if row.verdict == _NOT_COMPARABLE:
         found = row.reason or verdict_sentence(row.verdict)
     elif row.reference == SEAM:
-        found = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why)])
+        found = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, _width(row, result, pixel_m))])
     else:
         found = _by_ratio(row, why)
     return filled(tr("{finding} Changed since: inspect it again."), finding=found) if row.stale else found
 
 
-def window_why(row: WindowRecord, result: WindowResult | None = None) -> list[str]:
+def window_why(
+    row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None
+) -> list[str]:
     """What the sentence of a window rests on, and all else that was found, a paragraph each."""
     found = explanation_of(row, result)
     said = []
     if row.reference == SEAM and row.verdict:
-        happened = what_happened(row, found)
+        happened = what_happened(row, found, _width(row, result, pixel_m))
         clause = as_sentence(happened.along_the_seam) if row.verdict != "preserved" else []
         is_told = row.verdict == _NOT_COMPARABLE or is_lost_along_the_seam(row)
         said = [*_interval(row), *(clause * is_told), *by_mixture(found), *_mixing_alone(row, found)]
@@ -257,6 +250,10 @@ def window_why(row: WindowRecord, result: WindowResult | None = None) -> list[st
             said.append(filled(text, percent=percent(missing)))
         said += [happened.besides, *by_the_paper(row)]
     return [*filter(None, said), *(cause_numbers(found) if found is not None else ())]
+
+
+def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None) -> str:
+    return seam_width_words(row.band_width, row.feather_width, result.ground_sample_distance if result else pixel_m)
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
@@ -330,19 +327,19 @@ def _left_in_whole(row: WindowRecord) -> float:
     return 1.0 if row.sharpness is None else row.sharpness**2
 
 
-def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
+def _by_the_seam(row: WindowRecord, found: Explanation | None, width: str) -> list[str]:
     """Where how much was lost and by what, and what to do about it: two lines at most, so of seam and whole window
     only what took the more, or made the verdict, is told with its cause. What a seam did not take alone stands last,
     away from the seam's causes."""
     if row.verdict not in LOSSES:
-        return [_what_is_left(row, what_happened(row, found).along_the_seam)]
+        return [_what_is_left(row, what_happened(row, found, width).along_the_seam)]
     is_along, whole = is_lost_along_the_seam(row), 1 - _left_in_whole(row)
     is_whole = not is_along or _is_whole_soft(row, found)
     at_seam = [cause for cause in _causes_of(row) if _took_along_the_seam(cause, found)] * is_along
     in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and took_words(cause, 0.0)] * is_whole
     lost = 1 - (row.kept_1 or 0.0)
     if _is_told_by_the_seam(row, found):
-        said, causes = _lost_along(row, lost, is_whole), at_seam
+        said, causes = _lost_along(row, lost, is_whole, width), at_seam
         in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))] * is_whole if row.loss is not None else []
         clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(one) for one in in_whole[:1])
     else:
@@ -373,11 +370,11 @@ def _is_whole_soft(row: WindowRecord, found: Explanation | None) -> bool:
     return (_left_in_whole(row) < (1 - SHARPNESS_TOLERANCE) ** 2) if found is None else found.ground_left < 1
 
 
-def _lost_along(row: WindowRecord, lost: float, is_whole: bool) -> str:
+def _lost_along(row: WindowRecord, lost: float, is_whole: bool, width: str) -> str:
     """``is_whole``: there is more of the loss elsewhere, so that its area is told apart."""
-    text, width = tr("{lost} % of detail lost beside the seam"), ""
-    if row.band_width:
-        text, width = tr("{lost} % of detail lost in {width} m along the seam"), shown_number(row.band_width, 1)
+    text = tr("{lost} % of detail lost in {width} m along the seam") if width else tr(
+        "{lost} % of detail lost beside the seam"
+    )
     said = filled(text, lost=percent(lost), width=width)
     return said if is_whole or row.loss is None else f"{said} ({shown_area(row.loss)})"
 

@@ -15,6 +15,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ..toolkit.translation import filled, percent, shown_number, tr
 from .measure.judgement.causes import MIN_GAIN_RATIO, Cause
 from .measure.limits import MIN_MISREGISTRATION_PX
+from .measure.profile.seam_profile import WIDEST_FEATHER_PX
 
 if TYPE_CHECKING:
     import numpy as np
@@ -62,6 +63,24 @@ def verdict_sentence(verdict: str) -> str:
 def verdict_colour(verdict: str) -> str:
     """The colour of a verdict, that of ``not_comparable`` for an unknown one."""
     return VERDICTS[verdict if verdict in VERDICTS else "not_comparable"].colour
+
+
+_LEAST_WIDTH_M = 0.05  # less is 0.0 m
+_ENDLESS = 0.999  # of the widest feather: layers may keep a few digits only
+
+
+def seam_width_words(band_m: float | None, feather_m: float | None, pixel_m: float | None = None) -> str:
+    """How wide a seam took detail, metres; empty for a cut. It is the one width of a seam that is told anywhere.
+
+    A feather loses detail from end to end of its mixture, another loss in its band: the wider one. ``pixel_m``: the
+    mosaic's pixel size, by which a feather is known that does not end as far as one is looked for.
+    """
+    metres = max(band_m or 0.0, feather_m or 0.0)
+    if metres < _LEAST_WIDTH_M:
+        return ""
+    is_endless = pixel_m is not None and (feather_m or 0.0) > _ENDLESS * WIDEST_FEATHER_PX * pixel_m
+    width = shown_number(metres, 1)
+    return filled(tr("at least {width}"), width=width) if is_endless else width
 
 
 def observer_word(observer: str) -> str:

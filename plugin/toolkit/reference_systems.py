@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import lru_cache
 from threading import get_ident
-from typing import Any
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsCoordinateTransformContext, QgsMapLayer
 
@@ -27,11 +26,6 @@ def reference_system(wkt: str) -> QgsCoordinateReferenceSystem:
         return QgsCoordinateReferenceSystem()
     known = _of_this_thread(_code(wkt))
     return known if known.isValid() else _with_text(QgsCoordinateReferenceSystem.fromWkt, wkt)
-
-
-def set_map_system(canvas: Any, crs: QgsCoordinateReferenceSystem) -> None:
-    """Draw a ``QgsMapCanvas`` in the reference system of a layer."""
-    canvas.setDestinationCrs(known_system(crs))
 
 
 def known_system(crs: QgsCoordinateReferenceSystem) -> QgsCoordinateReferenceSystem:

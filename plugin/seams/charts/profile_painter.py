@@ -87,13 +87,16 @@ def bin_words(shown: ShownProfile, one: ProfileBin) -> list[str]:
 
 def summary_words(shown: ShownProfile) -> list[str]:
     """What is kept beside the seam, in full and in short."""
+    from ..words import seam_width_words  # needs numpy, which a chart does without
+
     profile = shown.profile
     if profile.kept[0] is None:
         return [""]
     values = {
         "kept": percent(profile.kept[0]), "low": percent(profile.low), "high": percent(profile.high),
-        "width": shown_number(profile.band_width_px * shown.pixel_m, 1),
-        "feather": shown_number((profile.feather_width_px or 0) * shown.pixel_m, 1),
+        "width": seam_width_words(
+            profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m
+        ),
     }  # fmt: skip
     words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
     if shown.ground_left < 1 and profile.is_of_the_ground:
@@ -104,12 +107,12 @@ def summary_words(shown: ShownProfile) -> list[str]:
             tr("Seam: {kept} % of the ground; ground: {left} % of the orthoimages"),
             tr("Seam {kept} %, ground {left} %"),
         ]
-    elif profile.band_width_px:
-        words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m"))
-        if profile.feather_width_px:
-            words.insert(
-                0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m")
-            )
+    elif profile.high < 1 and values["width"]:
+        words = [
+            tr("Beside the seam {kept} % kept ({low} to {high} %), in {width} m"),
+            tr("{kept} % kept ({low} to {high} %) in {width} m"), tr("{kept} % kept in {width} m"),
+            tr("{kept} % kept"),
+        ]
     return [filled(text, **values) for text in words]
 
 

@@ -1,4 +1,4 @@
-"""From the desk to a decision: the form of an algorithm, filled in with what the desk and its last scan have.
+"""From the desk to a decision: what the desk and the project's scans have for it, and the form of its algorithm.
 
 What it makes is signed, handed on or kept with the delivery: the form suggests files for it beside the project.
 """
@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from itertools import chain, count
 from pathlib import Path
 from typing import Any
@@ -37,43 +38,74 @@ _in_forms: dict[int, dict[str, str]] = {}
 """Suggestions by form, of forms that are open or whose runs go on."""
 
 
-def offered_form(project: QgsProject, inputs: Inputs) -> tuple[str, dict[str, Any]]:
-    """Which algorithm leads to a decision, and what its form begins with."""
-    worst = worst_layer(project, inputs.mosaic)
-    sources = {"SOURCES": list(inputs.sources), "SOURCE_INDEX": inputs.source_index or None}
-    mosaic = _mosaic_file(project, inputs)
-    if worst is None or not layer_path(worst):
-        return WHOLE_WAY, {
-            **{name.lower(): value for name, value in sources.items()}, "seamlines": inputs.seamlines or None,
-            **_suggested(WHOLE_WAY, project, mosaic, mosaic),
-        }  # fmt: skip
-    file = Path(layer_path(worst))
-    pictures = (
-        layer for layer in project.mapLayers().values()
-        if isinstance(layer, QgsRasterLayer) and layer.isValid() and is_picture(layer)
-    )  # fmt: skip
-    loss = next((layer for layer in pictures if Path(layer.source()).parent == file.parent), None)
-    return DECISION, {
-        "SEAMS": [f"{file}|layername={SEAMS.name}"], "MOSAIC": [inputs.mosaic], **sources,
-        "LOSS": [] if loss is None else [loss.id()], "WINDOWS": inputs.windows or None,
-        **_suggested(DECISION, project, mosaic, file),
-    }  # fmt: skip
+@dataclass(frozen=True)
+class DeliveredScan:
+    """The last scan of a mosaic of the project."""
+
+    words: str
+    """What its mosaic is called."""
+    mosaic: str
+    """Id of the mosaic's layer."""
+    seams: str
+    """Its pieces of seam, as QGIS opens them."""
+    loss: str
+    """Id of its picture of losses; empty where the project has none."""
 
 
-def open_form(project: QgsProject, inputs: Inputs) -> None:
+def delivered_scans(project: QgsProject, first: str) -> list[DeliveredScan]:
+    """Scans of the project's mosaics, that of the mosaic ``first`` first."""
+    found = []
+    rasters = [one for one in project.mapLayers().values() if isinstance(one, QgsRasterLayer) and one.isValid()]
+    for mosaic in sorted(rasters, key=lambda one: (one.id() != first, one.name())):
+        worst = worst_layer(project, mosaic.id())
+        if worst is not None and layer_path(worst):
+            file = Path(layer_path(worst))
+            loss = next((one for one in rasters if Path(one.source()).parent == file.parent and is_picture(one)), None)
+            seams = f"{file}|layername={SEAMS.name}"
+            found.append(DeliveredScan(mosaic.name(), mosaic.id(), seams, "" if loss is None else loss.id()))
+    return found
+
+
+def decision_values(inputs: Inputs, scans: Sequence[DeliveredScan]) -> dict[str, Any]:
+    """What a decision on scans begins with, but for its outputs."""
+    return {
+        "SEAMS": [scan.seams for scan in scans], "MOSAIC": [scan.mosaic for scan in scans],
+        "SOURCES": list(inputs.sources), "SOURCE_INDEX": inputs.source_index or None,
+        "LOSS": [scan.loss for scan in scans if scan.loss], "WINDOWS": inputs.windows or None,
+    }
+
+
+def offered_form(
+    project: QgsProject, inputs: Inputs, values: Mapping[str, Any] | None = None
+) -> tuple[str, dict[str, Any]]:
+    """Which algorithm leads to a decision, and what its form begins with; ``values``: those of a decision on scans."""
+    own = [scan for scan in delivered_scans(project, inputs.mosaic) if scan.mosaic == inputs.mosaic]
+    if values is None and own:
+        values = decision_values(inputs, own)
+    if values is not None:
+        return DECISION, {**values, **suggested_files(DECISION, project, inputs)}
+    return WHOLE_WAY, {
+        "sources": list(inputs.sources), "source_index": inputs.source_index or None,
+        "seamlines": inputs.seamlines or None, **suggested_files(WHOLE_WAY, project, inputs),
+    }
+
+
+def open_form(project: QgsProject, inputs: Inputs, values: Mapping[str, Any] | None = None) -> None:
     """Show it."""
-    form = made_form(project, inputs)
+    form = made_form(project, inputs, values)
     if form is not None:
         form.show()  # shown before, it does not lock QGIS
         form.exec()
         form.close()  # it goes once its run is over
 
 
-def made_form(project: QgsProject, inputs: Inputs) -> QgsProcessingAlgorithmDialogBase | None:
+def made_form(
+    project: QgsProject, inputs: Inputs, given: Mapping[str, Any] | None = None
+) -> QgsProcessingAlgorithmDialogBase | None:
     """The form, which gives what it makes new names once a run has used them. None without the algorithm."""
     import processing
 
-    name, values = offered_form(project, inputs)
+    name, values = offered_form(project, inputs, given)
     form = processing.createAlgorithmDialog(name, values)
     if form is None:
         return None
@@ -93,12 +125,14 @@ def made_form(project: QgsProject, inputs: Inputs) -> QgsProcessingAlgorithmDial
     return form
 
 
-def _suggested(name: str, project: QgsProject, mosaic: Path | None, scan: Path | None) -> dict[str, str]:
-    """Files for what the form makes, beside the project; where that has none, beside the ``scan``, else the mosaic.
+def suggested_files(name: str, project: QgsProject, inputs: Inputs) -> dict[str, str]:
+    """Files for what an algorithm makes, beside the project; where that has none, beside the scan, else the mosaic.
 
     All have one number, by which none of them takes the place of an earlier one.
     """
     algorithm = QgsApplication.processingRegistry().createAlgorithmById(name)
+    mosaic, worst = _mosaic_file(project, inputs), worst_layer(project, inputs.mosaic)
+    scan = Path(layer_path(worst)) if worst is not None and layer_path(worst) else None
     profile = Path(QgsApplication.qgisSettingsDirPath())  # where scans of projects without a file lie, and nobody looks
     beside = [one.parent for one in (scan, mosaic) if one is not None and one.parent != profile]
     places = [*([Path(project.homePath())] if project.homePath() else ()), *beside, Path.home()]

@@ -22,11 +22,11 @@ from qgis.PyQt.QtWidgets import (
 
 from ...imagery.errors import Message
 from ...toolkit.desk.tool_dock import ToolDock
-from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow
+from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
-from .accepting import open_form
+from .accept_page import AcceptPage
 from .charts.profile_panel import CurvesAndProfile
 from .desk_keys import DeskKeys
 from .dock_body import DockBody
@@ -35,6 +35,7 @@ from .inputs.inputs_panel import InputsPanel
 from .judging_desk import JudgingDesk
 from .judging_layout import JudgingLayout
 from .keys import JUDGING
+from .map.clicked_pieces import ClickedPieces
 from .map.flicker import Flicker
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
@@ -65,11 +66,16 @@ class InspectionDock(ToolDock):
         self._view = WindowView(self._canvas, self.session, lambda: self.judging.model.is_blind)
         self.zoom_to = self._view.show
         self.session.selectionChanged.connect(self._view.follow)
+        self._namer = single_shot(self, self._name_window)
+        self.session.selectionChanged.connect(self._namer.start)
+        self.session.windowsChanged.connect(self._namer.start)
         self.judging = JudgingDesk(self.session, self.windows, self, self._view.is_seen)
         self.judge = self.judging.bar
         self.curves = CurvesAndProfile(self.session)
         self.images = ImagesPanel(self.session, is_blind=lambda: self.judging.model.is_blind)
         self.lost = LostDetail(iface, self.session, self)
+        self.pieces = ClickedPieces(self._canvas, self.session, self, lambda: self.judging.model.is_blind)
+        self.judge.follow_pieces(self.pieces)
         self._selected = SelectedWindows(self._canvas, self.session)
         self.lost.follow_chart(self.curves.profile)
         self.reports = ReportWriter(self.session, self)
@@ -84,7 +90,7 @@ class InspectionDock(ToolDock):
         self.layout_of_judging.action.toggled.connect(self._begin_judging)
         self.layout_of_judging.action.toggled.connect(self.flicker.hide)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
-        self.scans.found.connect(lambda done: self._findings.show(done, self.scans.notes))
+        self.scans.found.connect(self._findings.show)
         self.steps = UndoActions(self.session, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
@@ -122,7 +128,7 @@ class InspectionDock(ToolDock):
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
             self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker, self._findings,
-            self.scans, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
+            self.scans, self.pieces, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
             self.curves, self.images,
         ):  # fmt: skip
             part.close()
@@ -196,8 +202,8 @@ class InspectionDock(ToolDock):
         )  # fmt: skip
         self.accept = self._action(
             "FileNew", tr("Accept..."),
-            tr("Accept or reject the delivery: by its last scan, or all the way from its files"),
-            lambda: open_form(QgsProject.instance(), self.session.inputs),
+            tr("Accept or reject the delivery by its scans, or all the way from its files"),
+            lambda: AcceptPage(QgsProject.instance(), self.session.inputs, self).show(),
         )  # fmt: skip
         self.inspect_selected = self._action(
             "Refresh", tr("Again"), tr("Inspect the selected windows again"),
@@ -274,8 +280,15 @@ class InspectionDock(ToolDock):
         self._tab_widget.setTabVisible(0, not is_blind)
         allow(self.lost.action, tr("What was found is hidden while you judge blind.") if is_blind else "")
         self.steps.keep_steps(is_blind)
-        if is_blind:
-            self._iface.statusBarIface().clearMessage()  # of QGIS, which says what the selected window is
+        self._name_window()
+
+    def _name_window(self) -> None:
+        """In the place of QGIS's words on what is selected, which are cut, and tell what was found."""
+        rows = [row for row in map(self.session.row, self.session.selected()) if row is not None]
+        if len(rows) == 1:
+            self._iface.statusBarIface().showMessage(filled(tr("Window {number}"), number=rows[0].window_id))
+        elif self.judging.model.is_blind:
+            self._iface.statusBarIface().clearMessage()
 
     def _progress_row(self) -> QWidget:
         """How far windows and scan are, and the button that stops them; in sight while there is something to stop."""

@@ -9,7 +9,7 @@ from .judge_bar import JudgeBar
 from .windows.windows_panel import WindowsPanel
 
 _HIGH_LINES = 44  # of text: from this height on there is room for more windows, and for a long sentence
-_FEWEST_ROWS, _MORE_ROWS = 3, 4  # of windows: in a lower dock, and there
+_FEWEST_ROWS = 6  # of windows: fewer show no neighbours of the one that is judged
 _SHARES = [2000, 3000]  # of the windows and the tabs; Qt fits them to the room there is
 
 
@@ -56,8 +56,7 @@ class DockBody(QWidget):
     def arrange(self, is_wide: bool) -> None:
         """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
         is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
-        rows = _MORE_ROWS if is_high else _FEWEST_ROWS
-        self._windows.table.set_fewest_rows(0 if is_wide else rows)
+        self._windows.table.set_fewest_rows(0 if is_wide else _FEWEST_ROWS)
         self._judge.set_high(is_high)
         orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
         if orientation == self._splitter.orientation():

@@ -24,18 +24,19 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
+from ...imagery.statistics import DECIDED, INVISIBLE, UNSURE, VISIBLE, Operator
 from ...toolkit.desk.widgets import ClippedLabel, rich_tip, single_shot
 from ...toolkit.translation import filled, tr
 from ..window_summary import window_sentence
+from ..words import CLAIMS
 from .judging import Judging, JudgingProgress
-from .judging_summary import counts_words, tool_words
 from .notes_row import NotesRow
 from .windows.window_columns import verdict_chip, window_tip, windows_sentence
 
 if TYPE_CHECKING:
     from ..measure.window.window_result import WindowResult
     from ..measure.window_records import WindowRecord
+    from .map.clicked_pieces import ClickedPiece, ClickedPieces
     from .session import Session
 
 
@@ -119,6 +120,10 @@ class JudgeBar(QWidget):
         self._why.setToolTip(rich_tip(tr("What the sentence rests on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
+        self._pieces: ClickedPieces | None = None
+        self._here = self._push_button(
+            tr("Judge here"), "", self._judge_here, tr("Makes a window on this piece of seam, and inspects it.")
+        )
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
             tr("The loss of detail can be seen at 2x magnification."),
@@ -180,6 +185,15 @@ class JudgeBar(QWidget):
             button.setVisible(False)
             self._steps.append(button)
 
+    def follow_pieces(self, pieces: ClickedPieces) -> None:
+        """Say what a scan found in the piece of seam that was clicked, and offer a window there."""
+        self._pieces = pieces
+        pieces.changed.connect(self.refresh)
+
+    def _judge_here(self) -> None:
+        if self._pieces is not None:
+            self._pieces.judge()
+
     def set_high(self, is_high: bool) -> None:
         """Whether there is room for most of a long sentence."""
         self._sentence.set_lines(*(_HIGH_LINES if is_high else _LINES))
@@ -214,15 +228,19 @@ class JudgeBar(QWidget):
         is_pending = one is not None and self._session.is_pending(one.fid)
         if one is not None and not is_pending and not judging.is_blind:
             result = self._session.result(one.fid)
-        state = selected, progress, judging.place, judging.count, judging.is_blind, judging.just_sure, is_pending
+        piece = self._pieces.current if self._pieces is not None else None
+        state = selected, piece, progress, judging.place, judging.count, judging.is_blind, judging.just_sure, is_pending
         if state == self._shown and result is self._shown_result:
             return
         self._shown, self._shown_result = state, result
-        self._say(selected, progress, is_pending, result)
+        self._say(selected, progress, is_pending, result, piece)
         words = progress.words()
         if (sure := self._judging.just_sure) is not None:  # a digit that did not go to the selected window
-            words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
-        self._progress.setText(words, rich_tip(progress.tip()))
+            words = [
+                filled(text, number=sure[0], percent=sure[1])
+                for text in (tr("Window {number}: {percent} % sure"), "{number}: {percent} %")
+            ]
+        self._progress.setText(words[0], rich_tip(progress.tip()), words[1:])
         self._arranger.start()
 
     def _follow_progress(self, _done: int, asked: int) -> None:
@@ -244,7 +262,8 @@ class JudgeBar(QWidget):
         self.refresh()  # the buttons show what was written, also when nothing could be
 
     def _say(
-        self, selected: Sequence[WindowRecord], progress: JudgingProgress, is_pending: bool, result: WindowResult | None
+        self, selected: Sequence[WindowRecord], progress: JudgingProgress, is_pending: bool,
+        result: WindowResult | None, piece: ClickedPiece | None,
     ) -> None:
         tip, shows_chip = "", False
         if selected and self._judging.is_blind:
@@ -260,6 +279,12 @@ class JudgeBar(QWidget):
             self._chip.setPixmap(verdict_chip(row.verdict, row.stale).pixmap(side, side))
         elif selected:
             sentence = windows_sentence(selected)
+        elif piece is not None:
+            grid = self._session.mosaic_grid()
+            pixel_m = None if grid is None else grid.ground_sample_distance
+            found = window_sentence(piece.found, pixel_m=pixel_m)
+            text = tr("By the scan, this piece of seam: {finding} The charts are of the window around it.")
+            sentence = filled(text, finding=found)
         elif progress.is_done:
             sentence = self._summary()
         else:
@@ -271,6 +296,7 @@ class JudgeBar(QWidget):
             self._next_steps.addWidget(button, *divmod(number, 2))
         self._chip.setVisible(shows_chip)
         self._why.setVisible(bool(tip))
+        self._here.setVisible(piece is not None and not selected)
         self._sentence.setText(sentence, tip)
         judging, position = self._judging, tr("{place} of {count}")
         place = str(judging.place + 1) if len(selected) == 1 and judging.place >= 0 else "-"
@@ -316,6 +342,7 @@ class JudgeBar(QWidget):
         words.addWidget(self._chip)
         words.addWidget(self._sentence, 1)
         words.addWidget(self._why)
+        words.addWidget(self._here)
         self._judging_row, self._moving, self._next_steps = QHBoxLayout(), QHBoxLayout(), QGridLayout()
         for button in (self._visible, self._invisible, self._unsure, self._next):
             self._judging_row.addWidget(button)
@@ -365,3 +392,26 @@ class JudgeBar(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda *_: slot())
         return button
+
+
+def counts_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
+    """How many were judged, and what was said of them."""
+    said = [getattr(row, operator.observer) for row in windows]
+    shares = {word: said.count(word) for word in (VISIBLE, INVISIBLE, UNSURE)}
+    text = tr("All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.")
+    return filled(text, visible=shares[VISIBLE], invisible=shares[INVISIBLE], unsure=shares[UNSURE])
+
+
+def tool_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
+    """How often the tool says so too; empty where both said something of none."""
+    pairs = [
+        (getattr(row, operator.observer) == VISIBLE, row.verdict == "significant") for row in windows
+        if getattr(row, operator.observer) in DECIDED and row.verdict in CLAIMS
+    ]  # fmt: skip
+    same, vain = sum(seen == found for seen, found in pairs), sum(found and not seen for seen, found in pairs)
+    text = tr("The tool agrees on {same} of {count}.")
+    if same < len(pairs):
+        text = tr("The tool agrees on {same} of {count}. Called significant and not seen: {vain}; seen and not called "
+                  "so: {missed}.")
+    missed = len(pairs) - same - vain
+    return filled(text, same=same, count=len(pairs), vain=vain, missed=missed) if pairs else ""

@@ -71,15 +71,17 @@ class JudgingProgress:
         """Whether all were looked at that can be."""
         return self.left == 0 < self.judged + self.unsure
 
-    def words(self) -> str:
-        """``21 to go: 38 of 59 judged``; where nothing is judged or to judge, as before an inspection, just that."""
-        if self.count and not self.judged + self.unsure + self.left:
-            return tr("nothing to judge yet")
-        text = tr("{left} to go: {judged} of {count} judged")
-        if self.unsure:
-            text = tr("{left} to go: {judged} of {count} judged, {unsure} not sure")
+    def words(self) -> list[str]:
+        """``21 to go: 38 of 59 judged``, then shorter; where nothing is judged or to judge, as before an inspection,
+        just that."""
         count = self.judged + self.unsure + self.left  # so that it adds up
-        return filled(text, judged=self.judged, count=count, unsure=self.unsure, left=self.left) if self.count else ""
+        if not count:
+            return [tr("nothing to judge yet") if self.count else ""]
+        text = tr("{left} to go: {judged} of {count} judged, {unsure} not sure") if self.unsure else tr(
+            "{left} to go: {judged} of {count} judged"
+        )
+        words = [text, tr("{judged} of {count} judged"), tr("{left} to go"), "{judged}/{count}"]
+        return [filled(one, judged=self.judged, count=count, unsure=self.unsure, left=self.left) for one in words]
 
     def tip(self) -> str:
         """What the other windows are."""

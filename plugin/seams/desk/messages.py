@@ -4,7 +4,7 @@ from __future__ import annotations
 from ...imagery.errors import INFO, WARNING, Message
 
 WINDOWS_KEPT_MEANWHILE = Message(
-    "Until the project is saved its windows are in {path}; they move beside the project then.", INFO
+    "Windows are in your profile until the project is saved, then beside it. Now they are in {path}.", INFO
 )
 WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO)
 WINDOWS_NOT_MOVED = Message(
@@ -15,6 +15,8 @@ WINDOWS_IN_BOXES = Message(
     "Windows that are no rectangles along the mosaic's axes are measured in the boxes around them: {count}.", INFO
 )
 WINDOWS_BACK = Message("The windows of this mosaic that the project did not know are back, from {path}.", INFO)
+DECISION_THERE_ALREADY = Message("{path} is there already: choose another folder, so that no document is replaced.")
+DECISION_NOT_SAVED = Message("The decision could not be saved in {folder} ({error}); choose another folder.")
 WINDOWS_TO_COPY = Message(
     "The windows in {name} are in no windows file, so what is measured and judged can't be kept with them. Copy them "
     "into one?"

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from functools import partial
+from html import escape
 from itertools import chain, count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,12 +21,14 @@ from qgis.core import (
     QgsRasterLayer,
     QgsVectorLayer,
 )
-from qgis.gui import QgsMessageBar
+from qgis.gui import QgsMessageBar, QgsMessageBarItem
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import QPushButton
 
 from ...imagery.errors import INFO, Message, SeamInspectorError
 from ...toolkit.background_tasks import BackgroundTasks, Cancelled, End, Job, Outcome
-from ...toolkit.desk.message_bar import BarQuestion, bar_level, write_log
+from ...toolkit.desk.message_bar import bar_level, write_log
 from ...toolkit.desk.widgets import single_shot
 from ...toolkit.layer_styles import load_style
 from ...toolkit.reference_systems import keep_system
@@ -64,7 +67,7 @@ class MosaicScans(QObject):
         self._background.failed.connect(self._tell)
         self._background.ended.connect(self._ended)
         self._is_closed = False
-        self.notes = 0
+        self._notes = 0
         """Warnings about the scan, all of which are in the log."""
         self.news: ScanNews | None = None
         """How far the scan is; None while there is none."""
@@ -103,7 +106,7 @@ class MosaicScans(QObject):
         name = self._session.mosaic_layer()
         title = filled(tr("Scan of {mosaic}"), mosaic=name.name() if name is not None else order.mosaic.ref.name)
         self._group.begin(title, self._session.inputs.mosaic, files)
-        self.news, self.notes = ScanNews(0.0, None), 0
+        self.news, self._notes = ScanNews(0.0, None), 0
         self._background.start(tr("Scan the mosaic"), scan_job(order, files), self._take, _KEY, steps=1)
         self.changed.emit()
 
@@ -179,25 +182,22 @@ class MosaicScans(QObject):
         for notice in notices:
             write_log([notice])
             if notice.level is not INFO:
-                self.notes += 1
-                if self.notes <= _NOTES_IN_BAR:
+                self._notes += 1
+                if self._notes <= _NOTES_IN_BAR:
                     self._tell(notice)
 
     def _tell(self, message: Message) -> None:
         self.told.emit(sentence(message), bar_level(message))
 
 
-def scan_sentence(done: ScanDone, notes: int = 0) -> str:
-    """What a scan found, and how many warnings are in the log."""
+def scan_sentence(done: ScanDone) -> str:
+    """What a scan found."""
     words = tr("Scanned: no seam was found.")
     if done.seam_metres:
-        words = tr("Scanned {metres} m of seams: no significant loss")
+        words = tr("No significant loss on {metres} m of seams.")
         if done.failed_metres:
-            words = tr("Scanned {metres} m of seams: significant loss on {failed} m")
-        words = filled(words,
-            metres=grouped_number(done.seam_metres), failed=grouped_number(done.failed_metres)
-        ) + "."
-    return f"{words} " + filled(tr("Notes in the log: {count}."), count=notes) if notes else words
+            words = tr("Significant loss on {failed} of {metres} m of seams.")
+    return filled(words, metres=grouped_number(done.seam_metres), failed=grouped_number(done.failed_metres))
 
 
 def file_stem(name: str) -> str:
@@ -421,19 +421,39 @@ def _table(path: Path, kind: ScanLayer, title: str) -> QgsVectorLayer:
     return layer
 
 
-class ScanMessage(BarQuestion):
-    """Says how much was lost, and offers the worst places."""
+class ScanMessage(QObject):
+    """Says how much was lost, and offers the worst places until they are taken, or the project closes."""
 
     def __init__(self, bar: QgsMessageBar, judge: Callable[[], None], parent: QObject) -> None:
-        super().__init__(bar, parent)
-        self._judge = judge
+        super().__init__(parent)
+        self._bar, self._judge = bar, judge
+        self._item: QgsMessageBarItem | None = None
+        QgsProject.instance().cleared.connect(self.dismiss)
 
-    def show(self, done: ScanDone, notes: int) -> None:
-        """Say it, and how many warnings are in the log."""
-        level = Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success
-        words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
-        self.ask(
-            scan_sentence(done, notes), level, filled(words, count=done.worst_count),
-            tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."),
-            self._judge if done.worst_count else None,
-        )  # fmt: skip
+    def show(self, done: ScanDone) -> None:
+        """Say it, in the place of what was said of a scan before."""
+        self.dismiss()
+        item = self._bar.createMessage(tr("Seam Inspector"), escape(scan_sentence(done), quote=False))
+        if done.worst_count:
+            words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
+            button = QPushButton(filled(words, count=done.worst_count), item)
+            button.setToolTip(tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."))
+            button.clicked.connect(self._go_on)
+            item.layout().addWidget(button)
+        self._item = item
+        self._bar.pushWidget(item, Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success, 0)
+
+    def close(self) -> None:
+        """Leave nothing in the bar and follow the project no more."""
+        QgsProject.instance().cleared.disconnect(self.dismiss)
+        self.dismiss()
+
+    def dismiss(self) -> None:
+        """Leave nothing in the bar."""
+        if self._item is not None and not sip.isdeleted(self._item):
+            self._bar.popWidget(self._item)
+        self._item = None
+
+    def _go_on(self) -> None:
+        self.dismiss()
+        self._judge()

@@ -10,30 +10,24 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.errors import Message, SeamInspectorError
-from ...imagery.grids import Grid, PixelWindow
+from ...imagery.grids import PixelWindow
 from ...imagery.statistics import FIRST, Operator
 from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.connections import Connections
-from ...toolkit.desk.message_bar import bar_level
-from ...toolkit.translation import sentence, tr
-from ..jobs import ScanOrder
-from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
-from ..measure.window.inspection import Block, WindowRequest
-from ..measure.window.live_window import LiveWindow
+from ...toolkit.translation import tr
+from ..measure.window.inspection import WindowRequest
 from ..measure.window.source_use import SourceUse
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
 from ..tables import window_layer
 from ..tables.window_layer import boxed_windows, style_if_plain
 from . import messages
-from .inputs.block_cache import BlockCache
-from .inputs.project_inputs import Inputs, InputsWatch, LayerPlaces, load_inputs, save_inputs
-from .map.live_windows import LiveWindows
-from .map.window_coverage import Coverage, SeamFinder, WindowCoverage
+from .inputs.project_inputs import Inputs
+from .session_inputs import SessionInputs
 from .window_home import WindowHome
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults
@@ -42,35 +36,14 @@ from .windows.window_watch import WindowWatch
 from .windows.windows_mosaic import WindowsMosaic
 
 
-class LossView(QObject):
-    """Whether the pictures of lost detail are shown, over the map and the images alike. Off at first."""
-
-    changed = pyqtSignal(bool)
-    """Shown or not from now on."""
-
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self.is_shown = False
-
-    def show(self, is_shown: bool) -> None:
-        """Show it, or hide it."""
-        if is_shown != self.is_shown:
-            self.is_shown = is_shown
-            self.changed.emit(is_shown)
-
-
-class Session(QObject):
+class Session(SessionInputs):
     """Inputs, windows, results. Everything that reads pixels runs in tasks; results come back by signals."""
 
-    inputsChanged = pyqtSignal()
-    coverageChanged = pyqtSignal()
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
     curvesArrived = pyqtSignal(int)
     resultArrived = pyqtSignal(int)
-    liveChanged = pyqtSignal()
     progressChanged = pyqtSignal(int, int)
-    messageRaised = pyqtSignal(str, int)
     mosaicDoubted = pyqtSignal(object)
     """The Message why the mosaic is not for the windows; ``take_windows`` and its like go on."""
     copyDoubted = pyqtSignal(object)
@@ -82,23 +55,14 @@ class Session(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._project = project = QgsProject.instance()
-        self.loss_view = LossView(self)
-        """Whether lost detail is painted over the map and the images."""
-        self._opening = BackgroundTasks(self)  # apart, since another window layer does not matter to it
+        project, block = self._project, self._block
         self._background = BackgroundTasks(self)
         self._watch = watch = WindowWatch(self)
-        self._block = block = BlockCache(project, self._opening, self)
-        self._seams = SeamFinder(block, self._opening)
-        self._coverage = WindowCoverage(self)
         self._home = home = WindowHome(project)
         self._steps = steps = WindowSteps(watch, self)
-        self._live = LiveWindows(block, self)
         self._mosaics = WindowsMosaic(block, watch, self)
         self._results = WindowResults(block, steps, watch, self._background, self, self._live.measure)
         self._new = NewWindows(home, block, watch, steps, self._background, self)
-        self._places = LayerPlaces(project)
-        self._layers = InputsWatch(project, self)
         self._searched: set[str] = set()  # mosaics whose windows were looked for
         self._connect_parts()
         self._connections = Connections(
@@ -116,24 +80,17 @@ class Session(QObject):
             (self._watch.windowsChanged, self.windowsChanged),
             (self._watch.selectionChanged, self.selectionChanged),
             (self._watch.replaced, self._windows_replaced),
-            (self._coverage.changed, self.coverageChanged),
-            (self._live.changed, self.liveChanged),
             (self._results.curvesArrived, self._live.stay_open),
             (self._results.curvesArrived, self.curvesArrived),
             (self._results.arrived, self.resultArrived),
             (self._results.progressChanged, self.progressChanged),
-            (self._block.opened, self._follow_block),
-            (self._layers.layersChanged, self._files_changed),
-            (self._layers.indexEdited, self._files_changed),
-            (self._layers.seamlinesEdited, self._seamlines_edited),
             (self._new.layerMade, self._take_layer),
             (self._mosaics.doubted, self.mosaicDoubted),
             (self._new.drawn, self._take_drawn),
             (self._new.scanned, self._take_scanned),
             (self._steps.stepped, self._follow_step),
             *((told, self._tell) for told in (
-                self._opening.failed, self._background.failed, self._live.failed, self._results.failed,
-                self._mosaics.told, self._new.told, self._steps.failed,
+                self._background.failed, self._results.failed, self._mosaics.told, self._new.told, self._steps.failed,
             )),
         ):  # fmt: skip
             signal.connect(slot)
@@ -141,45 +98,18 @@ class Session(QObject):
     def close(self) -> None:
         """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
         self._connections.close()
-        self._layers.close()
         self._new.abandon()
-        for part in (self._live, self._coverage, self._opening, self._background, self._results, self._watch):
+        super().close()
+        for part in (self._background, self._results, self._watch):
             part.close()
         self._home.let_go()
 
     # Inputs
 
-    @property
-    def inputs(self) -> Inputs:
-        """What is inspected and how."""
-        return self._block.inputs
-
     def set_inputs(self, inputs: Inputs) -> None:
-        """Change the inputs and remember them in the project. Inspected windows become stale when they matter."""
-        before = self.inputs
-        if before == inputs:
-            self._block.inputs = inputs  # the same, but chosen by whoever sets them now
-            return
-        if before.windows != inputs.windows:
+        if self.inputs.windows != inputs.windows:
             self._results.write()  # into the layer they are of
-        self._block.inputs = inputs
-        save_inputs(self._project, inputs)
-        self._layers_changed()
-
-    def mosaic_grid(self) -> Grid | None:
-        """The mosaic's pixel grid; None while there is no mosaic that windows can lie on, or it is being opened."""
-        block = self.block()
-        return block.mosaic.grid if block is not None else None
-
-    def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
-        """The nearest window of that size that can be judged, its middle on a seam; None where none is near."""
-        grid = self.mosaic_grid()
-        if grid is None:
-            return None
-        xmin, ymin, xmax, ymax = grid.window_extent(window)
-        reach, spacing = SEARCHED_SIDES * max(xmax - xmin, ymax - ymin), FEWEST_PX * grid.pixel_width
-        middle = (xmin + xmax) / 2, (ymin + ymax) / 2
-        return self._coverage.nearest(window, self._seams.index.points(*middle, reach, spacing) if on_seam else None)
+        super().set_inputs(inputs)
 
     def request(self, fid: int) -> WindowRequest | None:
         """A window as it is measured, and the sources over it; None while there is no block."""
@@ -187,43 +117,6 @@ class Session(QObject):
         if row is None or block is None or layer is None:
             return None
         return next(self._block.requests(block, layer, [row]))
-
-    @property
-    def live(self) -> LiveWindow | None:
-        """The window that is being drawn or moved, as far as it is known; ``liveChanged`` tells."""
-        return self._live.current
-
-    def block(self) -> Block | None:
-        """The mosaic and its sources; None while there are none, or they are being opened."""
-        return self._block.silent()
-
-    def problem(self) -> Message | None:
-        """Why there is no block; None when there is one."""
-        return self._block.problem()
-
-    def mosaic_layer(self) -> QgsRasterLayer | None:
-        """The mosaic, while it is there."""
-        return self._block.mosaic_layer()
-
-    def scan_order(self) -> ScanOrder:
-        """What a scan of the mosaic is made of. Raises SeamInspectorError when the inputs do not allow one."""
-        return self._block.scan_order()
-
-    def coverage(self, window: PixelWindow) -> Coverage:
-        """How many sources lie over a window, as far as is known."""
-        return self._coverage.at(window)
-
-    def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
-        """The nearest point of a seam within reach; None where there is none."""
-        return self._seams.nearest(x, y, reach)
-
-    def hover(self, window: PixelWindow, is_live: bool) -> None:
-        """The mouse is over this window; ``is_live``: its curves follow."""
-        self._live.hover(window, is_live)
-
-    def leave(self) -> None:
-        """The mouse is over no window any more."""
-        self._live.leave()
 
     # Windows
 
@@ -402,8 +295,8 @@ class Session(QObject):
     def _tell(self, message: Message) -> None:
         if message.template == messages.WINDOWS_TO_COPY.template:
             self.copyDoubted.emit(message)
-            return
-        self.messageRaised.emit(sentence(message), bar_level(message))
+        else:
+            super()._tell(message)
 
     @contextmanager
     def _raised(self) -> Iterator[None]:
@@ -416,19 +309,11 @@ class Session(QObject):
     # What the project tells
 
     def _load(self, *_: object) -> None:
-        self.loss_view.show(False)
-        self._live.leave()
-        self._live.let_go()
-        self._opening.abandon()
-        self._block.forget()
-        self._seams.forget()
         self._forget_windows()
         self._watch.state = None
         self._home.let_go()
         self._searched.clear()
-        self._block.inputs = load_inputs(self._project)
-        self._places.load()
-        self._layers_changed()
+        super()._load()
         self._home.tidy()
 
     def _find_windows(self) -> None:
@@ -452,18 +337,7 @@ class Session(QObject):
         with self._raised(), self._watch.unmoved():  # the windows are the same
             self._tell(messages.WINDOWS_MOVED(path=self._home.move(layer)))
 
-    def _layers_added(self, *_: object) -> None:
-        """One that was removed may be back, under another id."""
-        inputs = self._places.found_again(self.inputs)
-        if inputs != self.inputs:
-            self.set_inputs(inputs)
-        else:
-            self._layers_changed()
-
     def _layers_changed(self, *_: object) -> None:
-        self._places.note(self.inputs)
-        self._block.refresh()
-        self._layers.follow(self.inputs)
         layer = self._project.mapLayer(self.inputs.windows)
         if (layer if window_layer.holds_windows(layer) else None) is not self._watch.layer:
             self._forget_windows()
@@ -472,33 +346,20 @@ class Session(QObject):
                 style_if_plain(self._watch.layer)
                 if self._watch.path is not None:
                     self._home.hold(self._watch.path)
-        self._follow_block()
+        super()._layers_changed()
 
     def _follow_block(self) -> None:
-        """There may be another block, or none any more."""
-        self._seams.refresh()
         self._mosaics.check()
-        self._coverage.follow(self.block())
         self._watch.set_state(self._block.state())
-        self.inputsChanged.emit()
+        super()._follow_block()
         self._find_windows()
-
-    def _files_changed(self) -> None:
-        self._live.let_go()
-        self._block.refresh(anew=True)
-        self._coverage.follow(None)  # what lies in the files may be something else
-        self._follow_block()
-
-    def _seamlines_edited(self) -> None:
-        self._seams.refresh(anew=True)
 
     def _windows_replaced(self) -> None:
         self._forget_windows()
         self._layers_changed()
 
     def _forget_layers(self, ids: list[str]) -> None:
-        self._live.let_go()  # or their files could not be moved or deleted
-        self._layers.leave(ids)
+        super()._forget_layers(ids)
         if (layer := self._watch.layer) is not None and layer.id() in ids:
             self._forget_windows()
 

@@ -30,6 +30,7 @@ class WindowSections:
         self.notices: list[Message] = []
         """What could not be shown."""
         self._request = request
+        self._pixel_m = None if request.block is None else request.block.mosaic.ground_sample_distance
         self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)
 
     def sections(self, records: Sequence[WindowRecord]) -> Iterator[dict[str, object]]:
@@ -63,7 +64,6 @@ class WindowSections:
         curves = request.curves.get(window, ())
         has_curve = any(curve.detail[0] == curve.detail[0] for curve in curves if curve.role == "mosaic")
         same = [curve for curve in curves if len(curve.detail) == len(curves[0].detail)] if has_curve else []
-        pixel_m = None if request.block is None else request.block.mosaic.ground_sample_distance
         levels, ratios = _ratios(record)
         return {
             "number": window,
@@ -73,7 +73,7 @@ class WindowSections:
             "levels": levels,
             "ratios": ratios,
             "problem": problem,
-            "profile": profile_picture(record, request.profiles.get(window, ()), pixel_m, request.min_kept),
+            "profile": profile_picture(record, request.profiles.get(window, ()), self._pixel_m, request.min_kept),
             "chart": curves_svg(same, request.max_ratio) if same else "",
             "legend": curve_legend(same) if same else (),
             "clips": clips.pictures,
@@ -83,7 +83,8 @@ class WindowSections:
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
-        yield " ".join([window_sentence(record), *window_why(record)])
+        pixel_m = self._pixel_m
+        yield " ".join([window_sentence(record, pixel_m=pixel_m), *window_why(record, pixel_m=pixel_m)])
         facts = []
         if record.cause and record.cause != "none":
             words = tr("Found: {cause}.")

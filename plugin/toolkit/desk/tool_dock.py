@@ -6,8 +6,8 @@ from __future__ import annotations
 
 from html import escape
 
-from qgis.core import Qgis
-from qgis.gui import QgisInterface, QgsDockWidget, QgsMapCanvas, QgsMapTool
+from qgis.core import Qgis, QgsProject
+from qgis.gui import QgisInterface, QgsDockWidget, QgsMapCanvas, QgsMapTool, QgsMessageBarItem
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QIcon, QKeyEvent
@@ -15,6 +15,7 @@ from qgis.PyQt.QtWidgets import QAction, QApplication
 
 from ..resources import icon_path
 from ..translation import tr
+from .message_bar import brief_words
 
 
 class DrawingTool(QgsMapTool):
@@ -82,6 +83,8 @@ class ToolDock(QgsDockWidget):
         self.setObjectName(name)
         self._iface = iface
         self._canvas = iface.mapCanvas()
+        self._told: list[QgsMessageBarItem] = []  # that may be in the message bar yet
+        QgsProject.instance().cleared.connect(self._take_back)
 
     @property
     def standard_width(self) -> int:
@@ -95,6 +98,7 @@ class ToolDock(QgsDockWidget):
 
     def close_desk(self) -> None:
         """Leave nothing behind: map tool, canvas items, connections, tasks."""
+        QgsProject.instance().cleared.disconnect(self._take_back)
         self.visibilityChanged.disconnect(self._clear_map)
         self._canvas.mapToolSet.disconnect(self._tool_set)
         self._leave_tool()
@@ -139,7 +143,21 @@ class ToolDock(QgsDockWidget):
 
     def _show_message(self, text: str, level: int) -> None:
         """Plain words: what others called their layers is no markup, as which the bar takes all it is given."""
-        self._show_markup(escape(text, quote=False), level)
+        brief, rest = brief_words(text)
+        self._show_markup(escape(brief, quote=False), level, rest)
 
-    def _show_markup(self, text: str, level: int) -> None:
-        self._iface.messageBar().pushMessage(tr("Seam Inspector"), text, Qgis.MessageLevel(level), _MESSAGE_SECONDS)
+    def _show_markup(self, text: str, level: int, more: str = "") -> None:
+        """``more``: the rest of it, behind a button."""
+        bar, title, shown = self._iface.messageBar(), tr("Seam Inspector"), Qgis.MessageLevel(level)
+        if more:
+            bar.pushMessage(title, text, more, shown, _MESSAGE_SECONDS)
+        else:
+            bar.pushMessage(title, text, shown, _MESSAGE_SECONDS)
+        self._told = [one for one in (*self._told, bar.currentItem()) if one is not None and not sip.isdeleted(one)]
+
+    def _take_back(self) -> None:
+        """What was told of the project that is closed."""
+        while self._told:
+            item = self._told.pop()
+            if not sip.isdeleted(item):
+                self._iface.messageBar().popWidget(item)

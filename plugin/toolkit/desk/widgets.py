@@ -7,7 +7,8 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from qgis.gui import QgsCollapsibleGroupBoxBasic
+from qgis.core import QgsCoordinateReferenceSystem
+from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsMapCanvas
 from qgis.PyQt import QtGui, QtWidgets
 from qgis.PyQt.QtCore import QEvent, QObject, QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QMouseEvent, QPaintEvent, QResizeEvent, QShowEvent
@@ -28,6 +29,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..painting import painting
+from ..reference_systems import known_system
 from ..translation import tr
 from .theme import readable_palette
 
@@ -48,6 +50,11 @@ def check_chosen_file(path: Path) -> None:
         from ..algorithms.outputs import check_beside_layers
 
         check_beside_layers(path)
+
+
+def set_map_system(canvas: QgsMapCanvas, crs: QgsCoordinateReferenceSystem) -> None:
+    """Draw a map in the reference system of a layer; no other way is one that this thread has."""
+    canvas.setDestinationCrs(known_system(crs))
 
 
 _TIP = "seam_inspector_tip"
@@ -83,6 +90,7 @@ def plain_tip(text: str) -> str:
     return rich_tip(first, *lines) if "<" in text or "&" in text else text
 
 
+_CUT = "…"
 _WRAPPED = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter) | int(Qt.TextFlag.TextWordWrap)
 
 
@@ -96,18 +104,23 @@ class ClippedLabel(QWidget):
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._fewest = self._most = self._lines = lines
-        self._text = ""
+        self._text, self._shorter = "", tuple[str, ...]()
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
         """All of the text."""
         return self._text
 
-    def setText(self, text: str, tip: str = "") -> None:
-        """Say something else; ``tip``: more than that, as rich text, for the tooltip."""
+    def shown_text(self) -> str:
+        """What of it, or which shorter text, there is room for."""
+        return self._fitting(self.fontMetrics())
+
+    def setText(self, text: str, tip: str = "", shorter: Sequence[str] = ()) -> None:
+        """Say something else; ``tip``: more than that, as rich text, for the tooltip; ``shorter``: the same in fewer
+        words, for where there is no room."""
         self.setToolTip(tip or (rich_tip(text) if text else ""))
-        if text != self._text:
-            self._text = text
+        if (text, *shorter) != (self._text, *self._shorter):
+            self._text, self._shorter = text, tuple(shorter)
             self.setAccessibleName(text)
             self._fit()
             self.update()
@@ -126,7 +139,7 @@ class ClippedLabel(QWidget):
         if lines != self._lines:
             self._lines = lines
             self.updateGeometry()
-        is_cut = not self._fits(metrics, self._text, lines)
+        is_cut = self._fitting(metrics).endswith(_CUT)
         self.setCursor(Qt.CursorShape.PointingHandCursor if is_cut else Qt.CursorShape.ArrowCursor)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -153,20 +166,21 @@ class ClippedLabel(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         with painting(self) as painter:
             painter.setPen(readable_palette(self).color(self.foregroundRole()))
-            painter.drawText(self.contentsRect(), _WRAPPED, with_units(self._fitting(self.fontMetrics())))
+            painter.drawText(self.contentsRect(), _WRAPPED, with_units(self.shown_text()))
 
     def _fitting(self, metrics: QFontMetrics) -> str:
         """The text as far as there are lines for it."""
-        if self._fits(metrics, self._text, self._lines):
-            return self._text
-        shortest, longest = 0, len(self._text)
+        for text in (self._text, *self._shorter):
+            if self._fits(metrics, text, self._lines):
+                return text
+        shortest, longest = 0, len(text)
         while longest - shortest > 1:
             middle = (shortest + longest) // 2
-            if self._fits(metrics, self._text[:middle].rstrip() + "…", self._lines):
+            if self._fits(metrics, text[:middle].rstrip() + _CUT, self._lines):
                 shortest = middle
             else:
                 longest = middle
-        return self._text[:shortest].rstrip() + "…"
+        return text[:shortest].rstrip() + _CUT
 
     def _fits(self, metrics: QFontMetrics, text: str, lines: int) -> bool:
         width = self.contentsRect().width()

@@ -1,6 +1,7 @@
 """What is said about a window: verdict, what it was taken by, and causes, with numbers where they are at hand."""
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -9,6 +10,7 @@ from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams import words as seam_words
+from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, summary_words
 from seam_inspector.plugin.seams.measure.compared_image import Change
 from seam_inspector.plugin.seams.measure.judgement.causes import (
     Cause,
@@ -345,7 +347,7 @@ def test_kept_is_told_where_the_verdict_was_taken_by_it(values: dict[str, Any], 
 def test_what_is_known_is_told_where_it_is_too_little_for_a_verdict(qgis_app: QgsApplication) -> None:
     unsure = seam_row("not_comparable", reason="Take a larger window.", causes="feathering; balanced")
     assert window_sentence(unsure) == "Take a larger window."
-    assert window_why(unsure)[1:] == ["Images are feathered.", SHARP, "Besides: balanced."]
+    assert window_why(unsure)[1:] == ["Images are feathered over 2.0 m.", SHARP, "Besides: balanced."]
     assert unsure.is_compared
     assert not replace(unsure, explained=None).is_compared
 
@@ -383,7 +385,7 @@ def test_what_the_whole_window_lost_is_told_apart_with_its_share(qgis_app: QgsAp
                 off_pixel=0.31, sharpness=0.85)  # fmt: skip
     assert said == (
         f"Significant loss. {STRIP}: 2.0 px misfit, feathered. Register images. {LIES} It is 1.4 times what an eye "
-        "just sees at 2x. Images 2.0 px apart are feathered over 1.5 m, and the misfit took most. In the whole window "
+        "just sees at 2x. Images 2.0 px apart are feathered over 2.0 m, and the misfit took most. In the whole window "
         "72 % of the finest detail is left (sharpness 85 %): resampling took 15 %, clipping took 3.0 %, the seam took "
         "10 %. Besides: balanced."
     )
@@ -406,6 +408,21 @@ def test_a_blur_along_the_seam_is_no_blur_of_the_window(qgis_app: QgsApplication
         f"Significant loss. {STRIP}: blurred. Leave out that filter. {LIES} In the whole window 81 % of the finest "
         "detail is left (sharpness 90 %): blur took 19 %."
     )
+
+
+@pytest.mark.parametrize(
+    ("band", "feather", "width"),
+    [(1.9, 1.7, "1.9 m"), (22.4, 32.0, "at least 32.0 m"), (22.4, 31.9, "31.9 m"), (5.0, 0.1, "5.0 m")],
+)
+def test_a_seam_has_one_width(qgis_app: QgsApplication, band: float, feather: float, width: str) -> None:
+    """In the sentence, in what it rests on, in a report, which has no result, and below the profile."""
+    row = seam_row(band_width=band, feather_width=feather)
+    profile = replace(PROFILE, band_width_px=10 * band, feather_width_px=10 * feather)
+    told = [
+        window_sentence(row, pixel_m=0.1), window_why(row, pixel_m=0.1)[1],
+        *summary_words(ShownProfile(profile, 0.1, 0.7))[:-1],
+    ]  # fmt: skip
+    assert [words for words in told if not re.search(rf" (in|over) {re.escape(width)}\b", words)] == []
 
 
 def test_what_is_blamed_and_what_mixing_takes_agree(qgis_app: QgsApplication) -> None:
@@ -434,7 +451,7 @@ def test_what_only_the_mixture_tells_is_said_to_be_that(
     qgis_app: QgsApplication, by_energy: float | None, added: float, reason: str
 ) -> None:
     mixed = replace(PROFILE, measure=Measure.MIXTURE, by_energy=by_energy, by_mixture=0.56, added_beside=added)
-    said = f"{LIES} Images are feathered. This follows from the mixture of the images, {reason}. {SHARP}"
+    said = f"{LIES} Images are feathered over 2.0 m. This follows from the mixture of the images, {reason}. {SHARP}"
     assert said in told("feathering", mixed)
     assert "mixture" not in told("feathering")
 

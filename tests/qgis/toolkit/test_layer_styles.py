@@ -82,7 +82,7 @@ def test_a_map_tip_says_all_that_was_found(qgis_app: QgsApplication) -> None:
     layer = windows()
     load_style(layer, "windows")
     assert tip(layer, **FOUND) == (
-        "<b>Window 7</b>: significant loss<br>kept along the seam: 43 % (30\u201356 %), feathered over 1.5 m"
+        "<b>Window 7</b>: significant loss<br>kept along the seam: 43 % (30\u201356 %), in a width of 1.5 m"
         "<br>visibility at 2x (JND): 1.4<br>images apart in the mosaic (px): 2.0"
         "<br>feathering; blur<br>observer: not sure"
     )
@@ -95,7 +95,7 @@ def test_a_map_tip_is_in_the_users_language(shouted: None) -> None:
     layer = windows()
     load_style(layer, "windows")
     assert tip(layer, **FOUND) == (
-        "<b>WINDOW 7</b>: SIGNIFICANT LOSS<br>KEPT ALONG THE SEAM: 43 % (30\u201356 %), FEATHERED OVER 1.5 m"
+        "<b>WINDOW 7</b>: SIGNIFICANT LOSS<br>KEPT ALONG THE SEAM: 43 % (30\u201356 %), IN A WIDTH OF 1.5 m"
         "<br>VISIBILITY AT 2X (JND): 1.4<br>IMAGES APART IN THE MOSAIC (PX): 2.0"
         "<br>FEATHERING; BLUR<br>OBSERVER: NOT SURE"
     )

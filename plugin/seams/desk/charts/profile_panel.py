@@ -191,9 +191,7 @@ class ProfilePanel(ChartPanel):
             words = bin_words(shown, one) if one is not None else summary_words(shown)
             if (live := self._session.live) is not None:  # nothing is said while its profile is still to come
                 words = [tr("Live: ") + text for text in words] if live.profile is not None else [""]
-        metrics, room = self._status.fontMetrics(), self._status.contentsRect().width()
-        fitting = (text for text in words if metrics.horizontalAdvance(text) <= room)
-        self._status.setText(next(fitting, words[-1]), words[0])
+        self._status.setText(words[0], shorter=words[1:])
 
 
 class CurvesAndProfile(QWidget):

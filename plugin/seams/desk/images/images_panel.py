@@ -22,8 +22,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....toolkit.desk.widgets import ClippedLabel, single_shot
-from ....toolkit.reference_systems import set_map_system
+from ....toolkit.desk.widgets import ClippedLabel, set_map_system, single_shot
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.mosaic_copies import covered_share
 from ...words import LOSS_OPACITY, loss_rgba

@@ -4,9 +4,10 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from threading import Lock
 from typing import Any
 
 from qgis.core import (
@@ -40,7 +41,7 @@ from ...measure.blocks.scan_settings import ScanSettings
 from ...measure.seam_cells import Cell
 from ...measure.seamlines.seam_features import SeamFeature
 from ...measure.source_images import Source
-from ...measure.window.inspection import Block, make_block, window_request
+from ...measure.window.inspection import Block, make_block, window_request, without_copies
 from ...measure.window.window_request import InspectionSettings, WindowRequest
 from ...measure.window_records import WindowRecord
 from ...tables import input_layers, window_layer
@@ -52,13 +53,20 @@ class BlockCache(QObject):
     """Knows the inputs. The mosaic's header and the source index are opened in the background, each once."""
 
     opened = pyqtSignal()
-    """The mosaic was opened, or could not be."""
+    """The mosaic was opened, or could not be; or copies of it were found among its sources."""
+    told = pyqtSignal(object)
+    """A Message on copies of the mosaic among its sources."""
+    _compared = pyqtSignal(object)
+    """A ComparedBlock, from whatever thread."""
 
     def __init__(self, project: QgsProject, background: BackgroundTasks, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._project = project
         self._background = background
         self._background.ended.connect(self._ended)
+        self._compared.connect(self._take_compared)
+        self._comparing = Lock()
+        self._last_compared: ComparedBlock | None = None
         self.inputs = Inputs()
         self._turn = 0  # counts what was opened, so that only the last one is taken
         self._seen: dict[str, tuple[str, str]] = {}
@@ -142,7 +150,27 @@ class BlockCache(QObject):
         if self._made is None or self._made[0] != key:
             sources = layer_sources(self._project, self.inputs, opened.mosaic)
             self._made = key, make_block(opened.mosaic, [], [*sources, *opened.indexed], opened.cells)[0]
-        return self._made[1]
+        known = self._last_compared
+        return known.kept if known is not None and known.block is self._made[1] else self._made[1]
+
+    def without_copies(self, block: Block) -> Block:
+        """A block without copies of the mosaic among its sources, which hide all that was lost. In any thread but the
+        interface's: it reads pixels, once for each block, and others wait for it."""
+        with self._comparing:
+            known = self._last_compared
+            if known is None or not (block is known.block or block is known.kept):
+                kept, notices = without_copies(block)
+                self._last_compared = known = ComparedBlock(block, kept, tuple(notices))
+                self._compared.emit(known)
+        return known.kept
+
+    def _take_compared(self, compared: ComparedBlock) -> None:
+        if self._made is not None and self._made[1] is compared.block:
+            for notice in compared.notices:
+                self.told.emit(notice)
+            if compared.kept != compared.block:
+                self._block = None
+                self.opened.emit()
 
     def required(self) -> Block:
         """The block. Raises SettingsError when there is none, or not yet."""
@@ -274,14 +302,18 @@ class BlockCache(QObject):
             raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
         return shapes
 
-    def requests(self, block: Block, layer: QgsVectorLayer, rows: Sequence[WindowRecord]) -> Iterator[WindowRequest]:
-        """The requests for windows, to be made in any thread, as there may be thousands."""
+    def requests(
+        self, block: Block, layer: QgsVectorLayer, rows: Sequence[WindowRecord], compared: bool = False
+    ) -> Iterator[WindowRequest]:
+        """The requests for windows, to be made in any thread, as there may be thousands; ``compared``: in another one
+        than the interface's, where copies of the mosaic are looked for first."""
         crs, transform, shapes = layers.mosaic_crs(block.mosaic), None, {}
         with contextlib.suppress(WindowError):  # each window tells
             transform = transformation(layer.crs(), crs, self._project.transformContext())
         if layer.crs() != crs:  # the box of a polygon that is not upright there is too large
             shapes = window_layer.read_shapes(layer, [row.fid for row in rows])
-        return _requests(block, list(rows), shapes, transform, self.settings())
+        made_of = partial(self.without_copies if compared else lambda given: given, block)
+        return _requests(made_of, list(rows), shapes, transform, self.settings())
 
 
 def _from(folder: str, path: str) -> str:
@@ -293,13 +325,14 @@ def _from(folder: str, path: str) -> str:
 
 
 def _requests(
-    block: Block,
+    made_of: Callable[[], Block],
     rows: list[WindowRecord],
     shapes: dict[int, QgsGeometry],
     transform: QgsCoordinateTransform | None,
     settings: InspectionSettings,
 ) -> Iterator[WindowRequest]:
     """A generator, so that nothing is done before it is asked."""
+    block = made_of()
     for row in rows:
         why = toolkit_messages.WINDOW_EMPTY()
         if row.extent is not None:
@@ -329,6 +362,17 @@ def _is_transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) ->
     except QgsCsException:
         return False
     return True
+
+
+@dataclass(frozen=True)
+class ComparedBlock:
+    """A block whose sources were compared with its mosaic."""
+
+    block: Block
+    kept: Block
+    """Without copies of the mosaic."""
+    notices: tuple[Message, ...]
+    """Which are left out, and which may be some."""
 
 
 @dataclass(frozen=True)

@@ -292,8 +292,8 @@ class InputsPanel(QWidget):
         add_field(self._grid, 3, tr("Seam&lines"), self.seamlines)
         add_field(self._grid, 4, tr("&Windows"), self.windows)
         add_field(self._grid, 5, tr("Window si&de"), self.side, self.side_px)
-        self._grid.addWidget(self.side_note, 6, 1, 1, 2)
-        self._grid.addWidget(self.more, 7, 0, 1, 3)
+        self._grid.addWidget(self.more, 6, 0, 1, 3)
+        self._grid.addWidget(self.side_note, 7, 0, 1, 3)  # below all fields, so that none of them jumps
         self._grid.setRowStretch(8, 1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

@@ -16,8 +16,9 @@ from ....imagery.documents import json_document
 from ....toolkit.translation import filled, tr
 from ...measure.judgement.causes import Cause
 from ...window_summary import shown_area
-from ...words import VERDICTS, cause_word, observer_word, verdict_word
+from ...words import CLAIMS, VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import CAUSE, OBSERVERS, PAPER, TableColumn
+from .windows_model import WindowsModel
 
 _KEY = "SeamInspector/window_columns"
 
@@ -80,16 +81,7 @@ def _menu_title(column: TableColumn) -> str:
 
 
 _GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio")
-
-
-class Widths(NamedTuple):
-    """Widths of a column, px."""
-
-    least: int
-    """With words cut short."""
-    natural: int
-    """With all of them."""
-    airy: int
+"""After reasons, the ratios beyond level 1 and the paper's flag; verdict, loss, observer and cause stay longest."""
 
 
 class ColumnChoosing(NamedTuple):
@@ -99,60 +91,54 @@ class ColumnChoosing(NamedTuple):
     """Sections."""
     short: bool
     """Whether headings are."""
-    widths: list[Widths]
-    """Widths of all sections."""
+    widths: list[int]
+    """Widths of all sections, px, with all of their words."""
 
 
 class ColumnMeter:
     """Measures columns in the font and style of a table as they are now."""
 
-    def __init__(
-        self, table: QTableView, sorted_by: TableColumn | None, has_stale: bool, most_lost: float = 0.0
-    ) -> None:
-        """``most_lost``: the largest loss in the table, m²: that number is never cut."""
-        self._table, self._sorted_by, self._has_stale = table, sorted_by, has_stale
-        self._most_lost = shown_area(most_lost)
+    def __init__(self, table: QTableView, windows: WindowsModel) -> None:
+        self._table, self._sorted_by, self._has_stale = table, windows.sorted_by, windows.has_stale
+        self._verdicts = windows.verdicts or frozenset(VERDICTS)
+        self._most_lost = shown_area(windows.most_lost)  # a number that is never cut
         self._metrics = QFontMetrics(table.font())
 
-    def widths(self, columns: Sequence[TableColumn], short: bool) -> list[Widths]:
+    def widths(self, columns: Sequence[TableColumn], short: bool) -> list[int]:
         """With short headings or whole ones."""
-        return [self._widths(column, short) for column in columns]
+        return [self._width(column, short) for column in columns]
 
-    def _widths(self, column: TableColumn, short: bool) -> Widths:
-        table, metrics = self._table, self._metrics
-        style, em = table.style(), metrics.horizontalAdvance("m")
-        margins = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, table) + 1) + em // 2
+    @property
+    def least_cause(self) -> int:
+        """With causes cut short, of which the first letters tell."""
+        return self._heading(CAUSE.title(), self._sorted_by == CAUSE)
+
+    def _width(self, column: TableColumn, short: bool) -> int:
+        em = self._metrics.horizontalAdvance("m")
         title = self._heading(column.title(short), column == self._sorted_by)
         if column.short_heading and not short:
             title += em  # themes cut it before others, as its cells are narrow; the short one takes its place then
-        chip = table.iconSize().width() + em // 2
-
-        def width(*texts: str) -> int:
-            return max(map(metrics.horizontalAdvance, texts)) + margins
-
-        if column.name in ("reason", "causes"):
-            return Widths(20 * em, 20 * em, 20 * em)
-        if column.name in ("remark", "remark_2"):
-            return Widths(8 * em, 10 * em, 12 * em)
+        shown = [one for one in self._verdicts if one in CLAIMS or not short] or self._verdicts
+        words = [verdict_word(verdict) for verdict in shown]  # in short, what there is no verdict by is cut
+        claims = [verdict_word(one) for one in CLAIMS if one in self._verdicts]
+        changed = [filled(tr("{verdict}, changed"), verdict=word) for word in claims]
+        observers = [observer_word(word) for word in OBSERVERS]
+        samples = {
+            "reason": ["m" * 20], "causes": ["m" * 20], "remark": ["m" * 10], "remark_2": ["m" * 10],
+            "verdict": [*words, *(changed if self._has_stale else [])],
+            "cause": [cause_word(cause.value) for cause in Cause], "paper_verdict": [*map(verdict_word, VERDICTS)],
+            "observer": observers, "observer_2": observers,
+            "window_id": ["000"], "sources": ["00"], "loss": ["888 m²", self._most_lost],
+        }  # fmt: skip
+        width = self._with_margins(*samples.get(column.name, ["0.00"]))
         if column.name == "verdict":
-            words = [verdict_word(verdict) for verdict in VERDICTS]
-            changed = [filled(tr("{verdict}, changed"), verdict=word) for word in words[:3]]
-            natural, airy = chip + width(*words), chip + width(*changed)
-            least = natural = airy if self._has_stale else natural
-        else:
-            verdicts, observers = map(verdict_word, VERDICTS), [observer_word(word) for word in OBSERVERS]
-            samples = {
-                "cause": [cause_word(cause.value) for cause in Cause], "paper_verdict": list(verdicts),
-                "observer": observers, "observer_2": observers,
-                "window_id": ["000"], "sources": ["00"], "loss": ["888 m²", self._most_lost],
-            }  # fmt: skip
-            natural = width(*samples.get(column.name, ["0.00"]))
-            least, airy = natural, natural + em
-        if column.name == "cause":
-            least = width(cause_word(Cause.FEATHERING.value))
-        if column.name == "loss":
-            airy = max(natural, width("88,888 m²"))
-        return Widths(max(least, title), max(natural, title), max(airy, title) + em)
+            width += self._table.iconSize().width() + em // 2
+        return max(width, title)
+
+    def _with_margins(self, *texts: str) -> int:
+        margin = self._table.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self._table)
+        widest = max(map(self._metrics.horizontalAdvance, texts))
+        return int(widest + 2 * (margin + 1) + self._metrics.horizontalAdvance("m") // 2)
 
     def _heading(self, title: str, is_sorted: bool) -> int:
         """That shows all of a heading, with what the style or a theme's style sheet puts around it."""
@@ -172,55 +158,40 @@ class ColumnMeter:
 
 
 def choose_columns(columns: Sequence[TableColumn], meter: ColumnMeter, room: int) -> ColumnChoosing:
-    """Those there is room for.
-
-    Reasons give way first, then the ratios beyond level 1 and the paper's flag, then the causes.
-    """
+    """Those there is room for. Causes are cut short, and go last, so that a verdict's word is never cut."""
     reason, cause = next(place for place, one in enumerate(columns) if one.name == "reason"), columns.index(CAUSE)
     off = set(range(reason + 1, len(columns)))  # for the operator to choose
     coarser = {section for section, column in enumerate(columns) if column.level > 1 or column == PAPER}
     long, brief = meter.widths(columns, short=False), meter.widths(columns, short=True)
 
-    def needed(widths: list[Widths], without: set[int]) -> int:
-        return sum(one.natural for section, one in enumerate(widths) if section not in without)
+    def needed(widths: list[int], without: set[int]) -> int:
+        return sum(one for section, one in enumerate(widths) if section not in without)
 
-    if room >= sum(one.airy for section, one in enumerate(long) if section not in off):
-        return ColumnChoosing(off, False, long)
-    for hidden in ({reason, *off}, {reason, *off, *coarser}):
+    hidden = set(off)
+    named = ({place for place, one in enumerate(columns) if one.name == name} for name in _GIVING_WAY)
+    for group in (set[int](), {reason}, coarser, *named):
+        hidden |= group
         for widths, short, size in (
-            (long, False, long[cause].natural), (brief, True, brief[cause].natural), (brief, True, brief[cause].least)
-        ):
+            (long, False, long[cause]), (brief, True, brief[cause]), (brief, True, meter.least_cause)
+        )[: 3 if reason in hidden else 1]:
             if room >= needed(widths, {*hidden, cause}) + size:
                 return ColumnChoosing(hidden, short, widths)
-    hidden = {reason, cause, *off}
-    if room < needed(brief, hidden):
-        hidden |= coarser
-    for name in _GIVING_WAY:
-        if room < needed(brief, hidden):  # so that a verdict's word is never cut
-            hidden |= {place for place, one in enumerate(columns) if one.name == name}
+    hidden.add(cause)
     short = room < needed(long, hidden)
     return ColumnChoosing(hidden, short, brief if short else long)
 
 
 def shared_room(columns: Sequence[TableColumn], chosen: ColumnChoosing, room: int) -> dict[int, int]:
-    """The width of each section that is shown; reasons take what is left."""
-    shown = [
-        section for section, column in enumerate(columns) if section not in chosen.hidden and column.name != "reason"
-    ]
-    cause = columns.index(CAUSE)
-    least, natural, airy = (sum(sizes) for sizes in zip(*(chosen.widths[section] for section in shown)))
-    found = {}
-    for section in shown:
-        one = chosen.widths[section]
-        size: float
-        if room < natural and cause in shown:  # that alone gives way
-            size = one.natural if section != cause else room - natural + one.natural
-        elif room < least:  # the verdict's word ends in an ellipsis; its chip is still seen
-            size = one.least - (least - room) * (columns[section].name == "verdict")
-        elif room < natural:
-            size = one.least + (room - least) / (natural - least) * (one.natural - one.least)
-        else:
-            share = min(1.0, (room - natural) / max(airy - natural, 1))
-            size = one.natural + share * (one.airy - one.natural)
-        found[section] = int(size)
+    """The width of each section that is shown: the cause, or else the verdict, whose chip is seen yet, takes what is
+    lacking; reasons, or all, what is left."""
+    found = {section: width for section, width in enumerate(chosen.widths) if section not in chosen.hidden}
+    names = {columns[section].name: section for section in found}
+    spare = room - sum(found.values())
+    if spare < 0:
+        found[names.get("cause", names["verdict"])] += spare
+    elif "reason" in names:
+        found[names["reason"]] += spare
+    else:
+        for section in found:
+            found[section] += spare // len(found)
     return found

@@ -42,9 +42,9 @@ def along_the_seam(row: WindowRecord) -> tuple[float, float, int]:
     return seam, row.station or 0.0, row.window_id
 
 
-def worst_first(row: WindowRecord) -> tuple[int, float] | None:
-    """Sort key: the verdict, then how much detail is missing."""
-    return None if row.verdict not in _WORST else (_WORST.index(row.verdict), -(row.loss or 0.0))
+def worst_first(row: WindowRecord) -> tuple[float, int] | None:
+    """Sort key: how much detail is missing, along the seam or all over, then the verdict."""
+    return None if row.verdict not in _WORST else (-(row.loss or 0.0), _WORST.index(row.verdict))
 
 
 def least_sure_first(row: WindowRecord, min_kept: float) -> float | None:
@@ -78,7 +78,7 @@ ORDERS = (
     ),
     WindowOrder(
         "worst", QT_TR_NOOP("worst first"),
-        QT_TR_NOOP("Significant losses first; within a verdict the greatest loss."),
+        QT_TR_NOOP("The greatest loss first, along the seam or all over the window."),
         worst_first, tells_verdict=True,
     ),
     WindowOrder(

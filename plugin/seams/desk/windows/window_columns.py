@@ -213,6 +213,7 @@ _LAST = (
         "observer", QT_TR_NOOP("observer"),
         QT_TR_NOOP("Whether the operator saw the loss of detail at 2x magnification."),
         lambda row: observer_word(row.observer), lambda row: OBSERVERS.get(row.observer),
+        short_heading=QT_TR_NOOP("obs."),
     ),
     TableColumn(
         "reason", QT_TR_NOOP("reason"),

@@ -81,10 +81,11 @@ class WindowResults(QObject):
         if row is None:
             return None
         found = self._results.pop(window_id, None)
+        if found is not None and window_id not in self._unwritten and not _is_of(found, row):
+            found = None
         if found is None and row.verdict and self._watch.path is not None:
             found = window_file.load_result(self._watch.path, window_id)
-        if found is not None and window_id not in self._unwritten and not _is_of(found, row):
-            return None
+            found = found if found is not None and _is_of(found, row) else None
         if found is not None:
             self._hold(window_id, found)
         return found
@@ -125,7 +126,7 @@ class WindowResults(QObject):
         for number in asked:
             for kept in (self._results, self._uses, self._clips):
                 kept.pop(number, None)
-        job = jobs.inspection_job(self._block.requests(block, layer, rows), len(rows), self._measure)
+        job = jobs.inspection_job(self._block.requests(block, layer, rows, compared=True), len(rows), self._measure)
         self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
 
     def _note_step(self, rows: Sequence[WindowRecord]) -> None:
@@ -138,6 +139,8 @@ class WindowResults(QObject):
             row.window_id: self._watch.fingerprints[row.window_id]
             for row in rows if row.window_id in self._watch.fingerprints
         }  # fmt: skip
+        if self._watch.path is not None:
+            step.records = window_file.load_records(self._watch.path, step.marks_before)
         self._inspections.update(dict.fromkeys(step.before, step))
         self._steps.note(step, words_of(rows, tr("inspecting window {number}"), tr("inspecting {count} windows")))
 

@@ -14,6 +14,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery.errors import SeamInspectorError
 from ....toolkit.desk.widgets import QUndoCommand, QUndoStack
 from ....toolkit.translation import filled
+from ...measure.window.window_tables import result_of
 from ...measure.window_records import WindowRecord
 from ...tables import window_file, window_layer
 from ...tables.window_layer import WindowChange
@@ -31,6 +32,8 @@ class ValuesStep:
         self.marks_before: dict[int, str] = {}
         self.marks_after: dict[int, str] = {}
         """Fingerprints, where the values are measured."""
+        self.records: dict[int, bytes] = {}
+        """Results that the values had which are not in the layer now, where they are measured."""
         self.is_undone = False
 
     def apply(self, watch: WindowWatch, layer: QgsVectorLayer, is_undone: bool, words: str) -> list[int]:
@@ -40,7 +43,11 @@ class ValuesStep:
         rows = {number: row for number in values if (row := watch.numbered(number)) is not None}
         window_layer.write(layer, WindowChange({row.fid: values[number] for number, row in rows.items()}), words)
         if marks and watch.path is not None:
-            window_file.store(watch.path, [window_file.StoredResult(*mark) for mark in marks.items()])
+            records, self.records = self.records, window_file.load_records(watch.path, marks)
+            window_file.store(watch.path, [
+                window_file.StoredResult(number, mark, result_of(records[number]) if number in records else None)
+                for number, mark in marks.items()
+            ])
             watch.note_fingerprints(marks)
         return list(rows)
 

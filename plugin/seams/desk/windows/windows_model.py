@@ -48,6 +48,8 @@ class WindowsModel(QAbstractTableModel):
         self._italic.setItalic(True)
         self.has_stale = False
         """Whether a window is to be inspected again."""
+        self.verdicts: frozenset[str] = frozenset()
+        """Those that windows have."""
         self.most_lost = 0.0
         """The largest loss of a window, m²."""
         self._fids: list[int] = []
@@ -91,6 +93,7 @@ class WindowsModel(QAbstractTableModel):
         """Take these, with as little stir as can be: selection and persistent indexes stay with their windows."""
         windows, taken = list(windows), self._taken
         self._taken, self.has_stale = windows, True in [row.stale for row in windows]
+        self.verdicts = frozenset({row.verdict for row in windows})
         self.most_lost = max([row.loss for row in windows if row.loss is not None], default=0.0)
         if self._took_in_place(taken, windows):
             return

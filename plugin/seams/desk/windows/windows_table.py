@@ -36,7 +36,7 @@ class WindowsTable(QTableView):
         self.hint = ""
         """What is said in the middle of an empty table."""
         self._windows = windows
-        self._has_stale, self._most_lost = False, 0.0
+        self._fitted: tuple[object, ...] = ()  # the words that columns have room for
         self._choice = load_choice()
         self._blind: frozenset[str] | None = None  # columns that tell nothing; None: all may be seen
         self.setModel(windows)
@@ -118,13 +118,13 @@ class WindowsTable(QTableView):
         side = metrics.ascent()
         self.setIconSize(QSize(side, side))
         self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
-        self._has_stale, self._most_lost = self._windows.has_stale, self._windows.most_lost
+        self._fitted = self._words()
         room, columns, wanted = self.viewport().width(), self._windows.columns, self._chosen()
-        meter = ColumnMeter(self, self._windows.sorted_by, self._has_stale, self._most_lost)
+        meter = ColumnMeter(self, self._windows)
         if wanted is not None:
             hidden = {section for section, column in enumerate(columns) if column.field not in wanted}
             chosen = ColumnChoosing(hidden, False, meter.widths(columns, short=False))
-            sizes = {section: one.natural for section, one in enumerate(chosen.widths) if section not in hidden}
+            sizes = {section: one for section, one in enumerate(chosen.widths) if section not in hidden}
         else:
             chosen = choose_columns(columns, meter, room)
             sizes = shared_room(columns, chosen, room)
@@ -136,8 +136,11 @@ class WindowsTable(QTableView):
 
     def _fit_words(self, *_: object) -> None:
         """A verdict's words, or a loss, may be longer than they were."""
-        if (self._has_stale, self._most_lost) != (self._windows.has_stale, self._windows.most_lost):
+        if self._fitted != self._words():
             self.fit()
+
+    def _words(self) -> tuple[object, ...]:
+        return self._windows.has_stale, self._windows.most_lost, self._windows.verdicts
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -12,8 +12,11 @@ from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.gui import QgisInterface, QgsProcessingAlgorithmDialogBase
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QTimer
+from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.atomic_files import replacing
+from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.seams.desk import accepting
+from seam_inspector.plugin.seams.desk.accept_page import AcceptPage
 from seam_inspector.plugin.seams.desk.accepting import DECISION, WHOLE_WAY, made_form, offered_form, open_form
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 
@@ -247,3 +250,70 @@ def test_a_file_that_is_being_written_has_its_name(delivery: Delivery, tmp_path:
     with replacing(tmp_path / "project" / "ortho_5_quality.xml"):
         assert Path(delivery.offered()[1]["REPORT"]).name == "ortho_5_report_2.html"
     assert Path(delivery.offered()[1]["REPORT"]).name == "ortho_5_report.html"
+
+
+# The page
+
+
+@pytest.fixture
+def page(delivery: Delivery, tmp_path: Path) -> Iterator[AcceptPage]:
+    delivery.scan(tmp_path / "scans")
+    delivery.save(tmp_path / "project")
+    dock = QWidget()
+    made = AcceptPage(delivery.project, Inputs(mosaic=delivery.mosaic.id()), dock)
+    made.show()
+    yield made
+    dock.deleteLater()
+    settle()
+
+
+def decided(page: AcceptPage) -> str:
+    """What the page says once it has decided."""
+    page.decide()
+    wait_until(lambda: page.decider.isEnabled(), "for the decision")
+    return page.verdict.text()
+
+
+@pytest.mark.slow
+def test_the_page_decides_by_its_limits_and_saves_what_it_made(page: AcceptPage, tmp_path: Path) -> None:
+    assert page.values()["MAX_SHARE"] == 2.0
+    page.head["CONTRACT"].setText("ZP-12/2026")
+    assert decided(page) == "Rejected"
+    assert page.reason.text().startswith("25")
+    assert not list((tmp_path / "project").glob("ortho*"))
+    page.show_failures()
+    page.save(tmp_path / "project")
+    saved = {path.name for path in (tmp_path / "project").glob("ortho*")}
+    assert saved == {"ortho_5_report.html", "ortho_5_defects.gpkg", "ortho_5_defects_pictures", "ortho_5_quality.xml"}
+    assert "ZP-12/2026" in (tmp_path / "project" / "ortho_5_report.html").read_text()
+    (failures,) = QgsProject.instance().mapLayersByName("Failures")
+    assert Path(failures.source()).parent == tmp_path / "project"
+    assert failures.featureCount() == 1
+    with pytest.raises(SettingsError, match="choose another folder"):
+        page.save(tmp_path / "project")
+
+
+@pytest.mark.slow
+def test_other_limits_decide_anew_and_replace_no_document(page: AcceptPage, tmp_path: Path) -> None:
+    decided(page)
+    page.save(tmp_path / "project")
+    before = (tmp_path / "project" / "ortho_5_report.html").read_bytes()
+    page.limits["MAX_SHARE"].setValue(100)
+    assert decided(page) != "Rejected"
+    page.save(tmp_path / "project")
+    assert (tmp_path / "project" / "ortho_5_report_2.html").is_file()
+    assert (tmp_path / "project" / "ortho_5_report.html").read_bytes() == before
+
+
+def test_the_page_goes_with_its_project(page: AcceptPage, delivery: Delivery) -> None:
+    delivery.project.clear()
+    settle()
+    assert sip.isdeleted(page)
+
+
+def test_without_a_scan_nothing_can_be_decided(delivery: Delivery) -> None:
+    dock = QWidget()
+    page = AcceptPage(delivery.project, Inputs(mosaic=delivery.mosaic.id()), dock)
+    assert not page.decider.isEnabled()
+    dock.deleteLater()
+    settle()

@@ -209,10 +209,5 @@ def test_the_time_left_is_told_no_more_precisely_than_it_is_known(seconds: float
 def test_what_a_scan_found_is_told_shortly() -> None:
     files = ScanFiles(Path("a"), Path("b"), Path("c"))
     assert scan_sentence(ScanDone(files, 0.0, 0.0, None, 0)) == "Scanned: no seam was found."
-    assert scan_sentence(ScanDone(files, 265.4, 12.0, 0.469, 9)) == (
-        "Scanned 265 m of seams: significant loss on 12 m."
-    )
-    assert scan_sentence(ScanDone(files, 265.4, 0.0, 0.974, 9)) == (
-        "Scanned 265 m of seams: no significant loss."
-    )
-    assert scan_sentence(ScanDone(files, 0.0, 0.0, None, 0), 3).endswith("no seam was found. Notes in the log: 3.")
+    assert scan_sentence(ScanDone(files, 265.4, 12.0, 0.469, 9)) == "Significant loss on 12 of 265 m of seams."
+    assert scan_sentence(ScanDone(files, 265.4, 0.0, 0.974, 9)) == "No significant loss on 265 m of seams."

@@ -9,6 +9,7 @@ import pytest
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProject, QgsVectorLayer
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtWidgets import QPushButton
+from seam_inspector.plugin.seams.desk.accept_page import AcceptPage
 from seam_inspector.plugin.seams.desk.dock import InspectionDock
 
 from tests.qgis.plugin_lives import action_of, assert_leaves_nothing
@@ -151,19 +152,13 @@ def test_a_closed_project_takes_the_offer_along(
     assert judge_buttons(qgis_iface) == []
 
 
-def test_accept_opens_the_decision_on_the_scan(
-    plugin: Any, scan_scene: ScanScene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    import processing
-
+def test_accept_opens_the_decision_on_the_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
     dock = opened(plugin, scan_scene, tmp_path)
     scan(dock)
-    asked: list[tuple[str, dict[str, Any]]] = []
-    monkeypatch.setattr(processing, "createAlgorithmDialog", lambda *form: asked.append(form))
     dock.accept.trigger()
-    ((name, values),) = asked
-    assert name == "seaminspector:acceptmosaic"
-    job = QgsApplication.processingRegistry().createAlgorithmById(name)
+    (page,) = dock.findChildren(AcceptPage)
+    values = page.values()
+    job = QgsApplication.processingRegistry().createAlgorithmById("seaminspector:acceptmosaic")
     assert set(values) <= {one.name() for one in job.parameterDefinitions()}
     context = QgsProcessingContext()
     context.setProject(QgsProject.instance())
@@ -171,3 +166,4 @@ def test_accept_opens_the_decision_on_the_scan(
     assert values["LOSS"]
     (seams,) = values["SEAMS"]
     assert QgsVectorLayer(seams, "seams", "ogr").featureCount() > 0
+    page.close()

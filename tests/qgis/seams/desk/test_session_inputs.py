@@ -19,6 +19,8 @@ from seam_inspector.plugin.seams.desk.inputs import block_cache as block_files
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
 from seam_inspector.plugin.seams.desk.session import Session
+from seam_inspector.plugin.seams.measure.inputs import messages
+from seam_inspector.plugin.toolkit.translation import sentence
 
 from tests.numbers.synthetic import write_raster
 from tests.patience import PATIENCE_S
@@ -44,6 +46,23 @@ def test_the_inputs_come_back_with_the_project(desk: Desk, tmp_path: Path) -> No
     desk.wait_for_opening()
     assert desk.session.mosaic_grid() is not None
     assert [row.verdict for row in desk.session.windows()] == ["significant"]
+
+
+def test_a_copy_of_the_mosaic_hides_no_loss_from_a_window(desk: Desk, tmp_path: Path) -> None:
+    """As it hides none from a scan."""
+    copy = tmp_path / "overview.vrt"
+    gdal.Translate(str(copy), desk.mosaic.source())
+    layer = desk.raster(copy)
+    desk.set(desk.inputs(sources=(*(one.id() for one in desk.sources), layer.id())))
+    fid = desk.add()
+    assert [row.verdict for row in desk.session.windows()] == ["significant"]
+    assert desk.session.row(fid).sources == 2
+    assert [text for text in desk.messages if copy.name in text] == [
+        sentence(messages.COPY_AMONG_SOURCES(name=copy.name))
+    ]
+    assert [source.ref.name for source in desk.session.block().sources] == ["west.tif", "east.tif"]
+    desk.add(SHARP_WINDOW)
+    assert len([text for text in desk.messages if copy.name in text]) == 1
 
 
 def test_vanished_layers_do_no_harm(desk: Desk) -> None:

@@ -50,18 +50,20 @@ def test_a_new_number_is_none_that_was_removed(desk: Desk) -> None:
 def test_an_inspection_is_undone_with_what_it_measured(desk: Desk) -> None:
     fid = desk.add()
     desk.session.set_inputs(replace(desk.session.inputs, wavelet="db4"))
-    before = desk.rows()[1]
+    before, shown = desk.rows()[1], desk.session.result(fid)
+    assert shown is not None
     desk.session.inspect([fid])
     desk.wait()
     after = desk.rows()[1]
     assert desk.steps()[1:] == ["inspecting window 1"]
     desk.undo()
     assert (desk.rows()[1].ratios, desk.rows()[1].stale) == (before.ratios, True)
-    assert desk.session.result(fid) is None  # that is of other values
+    assert desk.session.result(fid).clips == shown.clips  # the chart of these values, too
     desk.redo()
     assert (desk.rows()[1].ratios, desk.rows()[1].stale) == (after.ratios, False)
-    assert desk.session.result(fid) is not None
+    assert desk.session.result(fid).clips != shown.clips
     desk.undo()
+    assert desk.session.result(fid).clips == shown.clips
     desk.session.set_inputs(replace(desk.session.inputs, wavelet="coif3"))
     assert not desk.rows()[1].stale
 

@@ -6,9 +6,8 @@ from dataclasses import replace
 import pytest
 from qgis.PyQt.QtWidgets import QAction
 from seam_inspector.plugin.imagery.statistics import FIRST, SECOND
-from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar, counts_words, tool_words
 from seam_inspector.plugin.seams.desk.judging import Judging
-from seam_inspector.plugin.seams.desk.judging_summary import counts_words, tool_words
 from seam_inspector.plugin.seams.desk.windows.filter_boxes import least_sure_first
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 

@@ -9,7 +9,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsP
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
-from seam_inspector.plugin.seams.desk.session import LossView
+from seam_inspector.plugin.seams.desk.session_inputs import LossView
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture

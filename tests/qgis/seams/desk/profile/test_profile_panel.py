@@ -95,7 +95,8 @@ def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -
     assert points[0] == pytest.approx((placed.axes.left(), placed.y_of(0.4)))
     assert [y for _, y in points[1:]] == pytest.approx([placed.y_of(0.4), placed.y_of(0.1), placed.y_of(0.1)])
     assert bin_words(shown, shown.bins(1)[0])[0].endswith(", 40 % other image")
-    assert summary_words(shown)[0].endswith(f"feather of {15 * PIXEL:.1f} m")
+    wider = max(15, mixed.band_width_px) * PIXEL
+    assert all(words.endswith(f"in {wider:.1f} m") for words in summary_words(shown)[:-1])
     drawn = panel.chart.grab().toImage()
     panel.show_profile(PROFILE, PIXEL, 0.7)
     assert panel.chart.grab().toImage() != drawn
@@ -125,7 +126,7 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
     assert panel._status.text().startswith("Beside the seam 56 % kept (51 to 62 %)")
     panel.resize(180, 320)
     settle()
-    assert panel._status.text() == "56 % kept (51 to 62 %)"
+    assert panel._status.shown_text() == "56 % kept (51 to 62 %) in 2.0 m"
 
 
 def test_the_maps_distance_is_marked(panel: ProfilePanel) -> None:

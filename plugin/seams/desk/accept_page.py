@@ -1,0 +1,308 @@
+"""From a scan to a signed decision, on one page: what is decided on and by which limits, then the verdict.
+
+What is decided lies in a temporary folder until it is saved, so that trying other limits replaces no document.
+"""
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingAlgorithm,
+    QgsProcessingAlgRunnerTask,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingUtils,
+    QgsProject,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import Qt, QUrl
+from qgis.PyQt.QtGui import QColor, QDesktopServices, QFont, QPalette
+from qgis.PyQt.QtWidgets import (
+    QDialog,
+    QDoubleSpinBox,
+    QFileDialog,
+    QFormLayout,
+    QGroupBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...imagery.errors import SettingsError
+from ...imagery.messages import system_reason
+from ...toolkit.background_tasks import hush_end
+from ...toolkit.desk.theme import readable_palette
+from ...toolkit.desk.widgets import plain_tip
+from ...toolkit.layer_styles import load_style
+from ...toolkit.translation import filled, sentence, tr
+from ..words import verdict_colour
+from . import messages
+from .accepting import DECISION, decision_values, delivered_scans, open_form, suggested_files
+from .inputs.project_inputs import Inputs
+
+_HEAD = ("TITLE", "CONTRACT", "PRODUCER", "CLIENT")
+_LIMITS = ("MAX_SHARE", "MAX_RUN", "MIN_MEASURED")
+"""Parameters of the algorithm, which has their words and what was given last."""
+_COLOURS = {"accepted": "preserved", "rejected": "significant", "undecided": "not_comparable"}  # those of verdicts
+_LARGE = 2.0  # times the font
+
+
+class AcceptPage(QDialog):
+    """Decides in the background; goes with its dock."""
+
+    def __init__(self, project: QgsProject, inputs: Inputs, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(tr("Accept or reject a delivery"))
+        self._project, self._inputs = project, inputs
+        self._algorithm: QgsProcessingAlgorithm = (
+            QgsApplication.processingRegistry().createAlgorithmById(DECISION)
+        )
+        self._scans = delivered_scans(project, inputs.mosaic)
+        self._task: DecisionTask | None = None
+        self.files: dict[str, Path] = {}
+        """What the last decision made, by the outputs' names."""
+        self._lay_out()
+        self._show_state()
+        project.cleared.connect(self.close)
+
+    def values(self) -> dict[str, Any]:
+        """The algorithm's parameters as the page has them, without outputs."""
+        chosen = [scan for row, scan in enumerate(self._scans) if self._is_chosen(row)]
+        said = {name: field.text().strip() for name, field in self.head.items()}
+        limits = {name: box.value() for name, box in self.limits.items()}
+        return {**decision_values(self._inputs, chosen), **said, **limits}
+
+    def decide(self, *_: object) -> None:
+        """In the background, into a folder of its own."""
+        folder = Path(tempfile.mkdtemp(dir=QgsProcessingUtils.tempFolder()))
+        beside = suggested_files(DECISION, self._project, self._inputs)
+        self._made = {name: folder / Path(file).name for name, file in beside.items()}
+        self._home = Path(next(iter(beside.values()), str(Path.home()))).parent
+        values = {**self.values(), **{name: str(file) for name, file in self._made.items()}}
+        context, self._feedback = QgsProcessingContext(), _FailureHeard()
+        context.setProject(self._project)
+        self._feedback.progressChanged.connect(self._show_progress)
+        is_sound, why = self._algorithm.checkParameterValues(values, context)
+        if not is_sound:
+            self._say("", why)
+            return
+        self._task = DecisionTask(self._algorithm, values, context, self._feedback)
+        self._task.executed.connect(self._decided)
+        self._say("", "")
+        self._show_state()
+        QgsApplication.taskManager().addTask(self._task)
+
+    def save(self, folder: Path) -> None:
+        """Copy what was decided into a folder, in which none of it may be. Raises SettingsError."""
+        pictures = {file.with_name(f"{file.stem}_pictures") for file in self.files.values()}
+        there = [file for file in (*self.files.values(), *pictures) if file.exists()]
+        if taken := next((folder / one.name for one in there if (folder / one.name).exists()), None):
+            raise SettingsError(messages.DECISION_THERE_ALREADY(path=taken))
+        try:
+            for one in there:
+                (shutil.copytree if one.is_dir() else shutil.copyfile)(one, folder / one.name)
+        except OSError as error:
+            raise SettingsError(messages.DECISION_NOT_SAVED(folder=folder, error=system_reason(error))) from None
+        shown = self._shown_failures()
+        self.files = {name: folder / file.name for name, file in self.files.items()}
+        if shown is not None:  # its file is gone with QGIS
+            shown.setDataSource(str(self.files["DEFECTS"]), shown.name(), "ogr")
+        self._saved.setText(filled(tr("Saved in {folder}."), folder=folder))
+
+    def show_failures(self, *_: object) -> None:
+        """On the map, once."""
+        if self._shown_failures() is None:
+            layer = QgsVectorLayer(str(self.files["DEFECTS"]), tr("Failures"), "ogr")
+            if layer.isValid():
+                load_style(layer, "defects")
+                self._project.addMapLayer(layer)
+
+    def done(self, result: int) -> None:
+        """Stop what is under way."""
+        if self._task is not None:
+            self._feedback.cancel()
+        super().done(result)
+
+    def _show_progress(self, share: float) -> None:
+        self._progress.setValue(int(share))
+
+    # What was decided
+
+    def _decided(self, is_successful: bool, results: Mapping[str, Any]) -> None:
+        hush_end()
+        self._task = None
+        self.files = {name: file for name, file in self._made.items() if is_successful and file.is_file()}
+        if is_successful:
+            self._say(str(results["DECISION"]), f"{results['REASONS']}.")
+            self._saved.setText(tr("Not saved yet."))
+        elif not self._feedback.isCanceled():
+            self._say("", self._feedback.error)
+        self._show_state()
+
+    def _say(self, outcome: str, why: str) -> None:
+        """The verdict, large, and its reason."""
+        words = {"accepted": tr("Accepted"), "rejected": tr("Rejected"), "undecided": tr("Undecided")}
+        self.verdict.setText(words.get(outcome, outcome))
+        self.verdict.setVisible(bool(outcome))
+        palette = readable_palette(self)
+        if outcome in _COLOURS:
+            palette.setColor(QPalette.ColorRole.WindowText, QColor(verdict_colour(_COLOURS[outcome])))
+        self.verdict.setPalette(palette)
+        self.reason.setText(why)
+        self.reason.setVisible(bool(why))
+        self._saved.setText("")
+
+    def _shown_failures(self) -> QgsVectorLayer | None:
+        source = str(self.files.get("DEFECTS", ""))
+        found = (layer for layer in self._project.mapLayers().values() if source and layer.source() == source)
+        return next((layer for layer in found if isinstance(layer, QgsVectorLayer)), None)
+
+    def _show_state(self, *_: object) -> None:
+        is_busy = self._task is not None
+        has_scan = any(map(self._is_chosen, range(len(self._scans))))
+        self.decider.setEnabled(has_scan and not is_busy)
+        self._progress.setVisible(is_busy)
+        for button, name in ((self._report, "REPORT"), (self._failures, "DEFECTS"), (self.saver, "REPORT")):
+            button.setVisible(bool(self.files))
+            button.setEnabled(name in self.files and not is_busy)
+        layout = self.layout()
+        layout.activate()
+        self.resize(self.width(), max(self.height(), layout.totalHeightForWidth(self.width())))  # Qt squeezes fields
+
+    def _is_chosen(self, row: int) -> bool:
+        return bool(self._list.item(row).checkState() == Qt.CheckState.Checked)
+
+    # What the operator presses
+
+    def _open_report(self, *_: object) -> None:
+        QDesktopServices.openUrl(QUrl.fromLocalFile(str(self.files["REPORT"])))
+
+    def _ask_for_folder(self, *_: object) -> None:
+        folder = QFileDialog.getExistingDirectory(self, tr("Save the decision"), str(self._home))
+        if folder:
+            try:
+                self.save(Path(folder))
+            except SettingsError as error:
+                self._saved.setText(sentence(error.message))
+
+    def _open_form(self, *_: object) -> None:
+        open_form(self._project, self._inputs, self.values() if self._scans else None)
+
+    # Widgets
+
+    def _lay_out(self) -> None:
+        self.head = {name: QLineEdit(self) for name in _HEAD}
+        self.limits = {name: QDoubleSpinBox(self) for name in _LIMITS}
+        head, limits = QFormLayout(), QFormLayout()
+        for form, fields in ((head, self.head), (limits, self.limits)):
+            for name, field in fields.items():
+                definition = self._algorithm.parameterDefinition(name)
+                field.setToolTip(plain_tip(definition.help()))
+                form.addRow(definition.description(), field)
+                given = definition.guiDefaultValueOverride() or definition.defaultValue()
+                if isinstance(field, QLineEdit):
+                    field.setText(str(given or ""))
+                else:
+                    field.setRange(0, 100 if name != "MAX_RUN" else 1e6)
+                    field.setDecimals(1)
+                    field.setValue(float(given))
+        self._list = QListWidget(self)
+        self._list.setMaximumHeight(5 * self.fontMetrics().height())
+        for scan in self._scans:
+            entry = QListWidgetItem(scan.words, self._list)
+            entry.setToolTip(plain_tip(scan.seams))
+            is_own = scan.mosaic == self._inputs.mosaic
+            entry.setCheckState(Qt.CheckState.Checked if is_own else Qt.CheckState.Unchecked)
+        self._list.itemChanged.connect(self._show_state)
+        decided_on = QVBoxLayout()
+        decided_on.addWidget(self._list)
+        if not self._scans:
+            hint = QLabel(tr("No mosaic is scanned yet: scan it, or go all the way from the files by all settings."))
+            hint.setWordWrap(True)
+            decided_on.addWidget(hint)
+        layout = QVBoxLayout(self)
+        for title, part in (
+            (tr("Delivery"), head), (tr("Limits"), limits), (tr("Scans and their sheets"), decided_on)
+        ):
+            box = QGroupBox(title, self)
+            box.setLayout(part)
+            layout.addWidget(box)
+        self.decider = self._button(tr("Decide"), tr("Decides in the background, by these limits."), self.decide)
+        self.decider.setDefault(True)
+        self._progress = QProgressBar(self)
+        more = self._button(
+            tr("All settings ..."), tr("Sampling plans, rules from a file, who judges, and all outputs."),
+            self._open_form,
+        )
+        layout.addLayout(_row(self.decider, self._progress, more))
+        self.verdict, self.reason, self._saved = QLabel(self), QLabel(self), QLabel(self)
+        large = QFont(self.font())
+        large.setPointSizeF(_LARGE * large.pointSizeF())
+        large.setBold(True)
+        self.verdict.setFont(large)
+        for label in (self.verdict, self.reason, self._saved):
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            label.setWordWrap(True)
+            layout.addWidget(label)
+        self.reason.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._report = self._button(tr("Open report"), tr("The page to sign, in the browser."), self._open_report)
+        self._failures = self._button(
+            tr("Failures on the map"), tr("A line for each failure without a break."), self.show_failures
+        )
+        self.saver = self._button(
+            tr("Save as ..."), tr("Report, failures with their pictures and quality record, into a folder."),
+            self._ask_for_folder,
+        )
+        layout.addLayout(_row(self._report, self._failures, self.saver))
+        layout.addStretch()
+        self._say("", "")
+        self.resize(46 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
+
+    def _button(self, text: str, tip: str, slot: Any) -> QPushButton:
+        button = QPushButton(text, self)
+        button.setToolTip(tip)
+        button.setAutoDefault(False)
+        button.clicked.connect(slot)
+        return button
+
+
+class DecisionTask(QgsProcessingAlgRunnerTask):
+    """Holds what it uses to its end, whether or not the page is there."""
+
+    def __init__(
+        self, algorithm: QgsProcessingAlgorithm, values: Mapping[str, Any], context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+    ) -> None:
+        super().__init__(algorithm, dict(values), context, feedback)
+        self._held = context, feedback
+
+
+class _FailureHeard(QgsProcessingFeedback):
+    """Keeps why a run failed."""
+
+    def __init__(self) -> None:
+        super().__init__(False)
+        self.error = ""
+
+    def reportError(self, error: str, fatalError: bool = False) -> None:
+        self.error = error
+        super().reportError(error, fatalError)
+
+
+def _row(*widgets: QWidget) -> QHBoxLayout:
+    row = QHBoxLayout()
+    for widget in widgets:
+        row.addWidget(widget)
+    return row

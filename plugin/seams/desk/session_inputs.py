@@ -1,0 +1,189 @@
+"""The inputs of a session: which mosaic and sources are inspected and how, and what lies under the mouse."""
+from __future__ import annotations
+
+from qgis.core import QgsProject, QgsRasterLayer
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ...imagery.errors import Message
+from ...imagery.grids import Grid, PixelWindow
+from ...toolkit.background_tasks import BackgroundTasks
+from ...toolkit.desk.message_bar import bar_level
+from ...toolkit.translation import sentence
+from ..jobs import ScanOrder
+from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
+from ..measure.window.inspection import Block
+from ..measure.window.live_window import LiveWindow
+from .inputs.block_cache import BlockCache
+from .inputs.project_inputs import Inputs, InputsWatch, LayerPlaces, load_inputs, save_inputs
+from .map.live_windows import LiveWindows
+from .map.window_coverage import Coverage, SeamFinder, WindowCoverage
+
+
+class LossView(QObject):
+    """Whether the pictures of lost detail are shown, over the map and the images alike. Off at first."""
+
+    changed = pyqtSignal(bool)
+    """Shown or not from now on."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.is_shown = False
+
+    def show(self, is_shown: bool) -> None:
+        """Show it, or hide it."""
+        if is_shown != self.is_shown:
+            self.is_shown = is_shown
+            self.changed.emit(is_shown)
+
+
+class SessionInputs(QObject):
+    """Follows the project's layers. Everything that reads pixels runs in tasks."""
+
+    inputsChanged = pyqtSignal()
+    coverageChanged = pyqtSignal()
+    liveChanged = pyqtSignal()
+    messageRaised = pyqtSignal(str, int)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._project = project = QgsProject.instance()
+        self.loss_view = LossView(self)
+        """Whether lost detail is painted over the map and the images."""
+        self._opening = BackgroundTasks(self)  # apart, since another window layer does not matter to it
+        self._block = block = BlockCache(project, self._opening, self)
+        self._seams = SeamFinder(block, self._opening)
+        self._coverage = WindowCoverage(self)
+        self._live = LiveWindows(block, self)
+        self._places = LayerPlaces(project)
+        self._layers = InputsWatch(project, self)
+        for signal, slot in (
+            (self._coverage.changed, self.coverageChanged),
+            (self._live.changed, self.liveChanged),
+            (block.opened, self._follow_block),
+            (self._layers.layersChanged, self._files_changed),
+            (self._layers.indexEdited, self._files_changed),
+            (self._layers.seamlinesEdited, self._seamlines_edited),
+            *((told, self._tell) for told in (self._opening.failed, self._live.failed, block.told)),
+        ):  # fmt: skip
+            signal.connect(slot)
+
+    def close(self) -> None:
+        """Stop all work, and let go of the layers; once is enough."""
+        self._layers.close()
+        for part in (self._live, self._coverage, self._opening):
+            part.close()
+
+    @property
+    def inputs(self) -> Inputs:
+        """What is inspected and how."""
+        return self._block.inputs
+
+    def set_inputs(self, inputs: Inputs) -> None:
+        """Change the inputs and remember them in the project. Inspected windows become stale when they matter."""
+        if self.inputs == inputs:
+            self._block.inputs = inputs  # the same, but chosen by whoever sets them now
+            return
+        self._block.inputs = inputs
+        save_inputs(self._project, inputs)
+        self._layers_changed()
+
+    def mosaic_grid(self) -> Grid | None:
+        """The mosaic's pixel grid; None while there is no mosaic that windows can lie on, or it is being opened."""
+        block = self.block()
+        return block.mosaic.grid if block is not None else None
+
+    def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
+        """The nearest window of that size that can be judged, its middle on a seam; None where none is near."""
+        grid = self.mosaic_grid()
+        if grid is None:
+            return None
+        xmin, ymin, xmax, ymax = grid.window_extent(window)
+        reach, spacing = SEARCHED_SIDES * max(xmax - xmin, ymax - ymin), FEWEST_PX * grid.pixel_width
+        middle = (xmin + xmax) / 2, (ymin + ymax) / 2
+        return self._coverage.nearest(window, self._seams.index.points(*middle, reach, spacing) if on_seam else None)
+
+    @property
+    def live(self) -> LiveWindow | None:
+        """The window that is being drawn or moved, as far as it is known; ``liveChanged`` tells."""
+        return self._live.current
+
+    def block(self) -> Block | None:
+        """The mosaic and its sources; None while there are none, or they are being opened."""
+        return self._block.silent()
+
+    def problem(self) -> Message | None:
+        """Why there is no block; None when there is one."""
+        return self._block.problem()
+
+    def mosaic_layer(self) -> QgsRasterLayer | None:
+        """The mosaic, while it is there."""
+        return self._block.mosaic_layer()
+
+    def scan_order(self) -> ScanOrder:
+        """What a scan of the mosaic is made of. Raises SeamInspectorError when the inputs do not allow one."""
+        return self._block.scan_order()
+
+    def coverage(self, window: PixelWindow) -> Coverage:
+        """How many sources lie over a window, as far as is known."""
+        return self._coverage.at(window)
+
+    def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
+        """The nearest point of a seam within reach; None where there is none."""
+        return self._seams.nearest(x, y, reach)
+
+    def hover(self, window: PixelWindow, is_live: bool) -> None:
+        """The mouse is over this window; ``is_live``: its curves follow."""
+        self._live.hover(window, is_live)
+
+    def leave(self) -> None:
+        """The mouse is over no window any more."""
+        self._live.leave()
+
+    def _tell(self, message: Message) -> None:
+        self.messageRaised.emit(sentence(message), bar_level(message))
+
+    # What the project tells
+
+    def _load(self, *_: object) -> None:
+        self.loss_view.show(False)
+        self._live.leave()
+        self._live.let_go()
+        self._opening.abandon()
+        self._block.forget()
+        self._seams.forget()
+        self._block.inputs = load_inputs(self._project)
+        self._places.load()
+        self._layers_changed()
+
+    def _layers_added(self, *_: object) -> None:
+        """One that was removed may be back, under another id."""
+        inputs = self._places.found_again(self.inputs)
+        if inputs != self.inputs:
+            self.set_inputs(inputs)
+        else:
+            self._layers_changed()
+
+    def _layers_changed(self, *_: object) -> None:
+        self._places.note(self.inputs)
+        self._block.refresh()
+        self._layers.follow(self.inputs)
+        self._follow_block()
+
+    def _follow_block(self) -> None:
+        """There may be another block, or none any more."""
+        self._seams.refresh()
+        self._coverage.follow(self.block())
+        self.inputsChanged.emit()
+
+    def _files_changed(self) -> None:
+        self._live.let_go()
+        self._block.refresh(anew=True)
+        self._coverage.follow(None)  # what lies in the files may be something else
+        self._follow_block()
+
+    def _seamlines_edited(self) -> None:
+        self._seams.refresh(anew=True)
+
+    def _forget_layers(self, ids: list[str]) -> None:
+        self._live.let_go()  # or their files could not be moved or deleted
+        self._layers.leave(ids)

@@ -1,0 +1,97 @@
+"""A click on a piece of a scanned seam says what was found there, and a window is made of it."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from qgis.core import QgsPointXY, QgsRectangle, QgsVectorLayer
+from qgis.gui import QgsMapCanvas, QgsMapToolPan
+from qgis.PyQt.QtCore import QPoint, Qt
+from qgis.PyQt.QtTest import QTest
+from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging import Judging
+from seam_inspector.plugin.seams.desk.map.clicked_pieces import ClickedPieces
+
+from tests.qgis.acceptance.seam_scenes import file, sealed
+from tests.qgis.scenes import at, layer, line
+from tests.qgis.seams.desk.session_desk import Desk, settle, wait_until
+
+KEPT = 0.31
+
+
+class Map:
+    """The desk's map with a scanned seam down its middle, and the bar below the list of windows."""
+
+    def __init__(self, desk: Desk, canvas: QgsMapCanvas, folder: Path) -> None:
+        self.desk, self.canvas = desk, canvas
+        desk.set(desk.inputs())
+        made = sealed(layer(
+            "LineString", [line((256, 0), (256, 256))], kept_1=("double", [KEPT]), kept_low=("double", [KEPT - 0.05]),
+            kept_high=("double", [KEPT + 0.05]), band_width=("double", [2.0]), verdict=("string", ["significant"]),
+        ))  # fmt: skip
+        made.setName("seams")
+        self.seams = QgsVectorLayer(f"{file(made, folder / 'seams.gpkg')}|layername=seams", "Seams", "ogr")
+        self.seams.setCustomProperty("seam_inspector/mosaic", desk.mosaic.id())
+        desk.project.addMapLayer(self.seams)
+        canvas.resize(400, 300)
+        canvas.setDestinationCrs(desk.mosaic.crs())
+        canvas.setLayers([self.seams, desk.mosaic])
+        canvas.setExtent(desk.mosaic.extent())
+        self.tool = QgsMapToolPan(canvas)
+        canvas.setMapTool(self.tool)
+        self.is_blind = False
+        self.pieces = ClickedPieces(canvas, desk.session, canvas, lambda: self.is_blind)
+        self.judging = Judging(desk.session)
+        self.bar = JudgeBar(desk.session, self.judging)
+        self.bar.follow_pieces(self.pieces)
+
+    def click(self, column: float, row: float) -> None:
+        place = self.canvas.getCoordinateTransform().transform(QgsPointXY(*at(column, row)))
+        pixel = QPoint(round(place.x()), round(place.y()))
+        QTest.mouseClick(self.canvas.viewport(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, pixel)
+        settle()
+
+    def close(self) -> None:
+        self.pieces.close()
+        self.judging.close()
+        self.canvas.unsetMapTool(self.tool)
+        self.bar.deleteLater()
+
+
+@pytest.fixture
+def shown(desk: Desk, qgis_canvas: QgsMapCanvas, tmp_path: Path) -> Iterator[Map]:
+    made = Map(desk, qgis_canvas, tmp_path / "scan")
+    yield made
+    made.close()
+    settle()
+
+
+def test_a_click_on_a_piece_says_what_was_found_and_offers_a_window(shown: Map) -> None:
+    session = shown.desk.session
+    shown.click(256, 128)
+    assert "69 % of detail lost in 2.0 m along the seam" in shown.bar.sentence()
+    wait_until(lambda: session.live is not None, "for the charts")
+    assert shown.pieces.judge()
+    shown.desk.wait()
+    (row,) = session.windows()
+    assert row.verdict
+    assert session.selected() == [row.fid]
+    assert shown.pieces.current is None
+    assert QgsRectangle(*row.extent).contains(QgsPointXY(*at(256, 128)))
+
+
+def test_elsewhere_blind_or_with_another_tool_a_click_is_the_tools(shown: Map) -> None:
+    shown.click(256, 128)
+    shown.canvas.setExtent(shown.desk.mosaic.extent())  # the pan tool goes where it clicks
+    shown.click(100, 128)
+    assert shown.pieces.current is None
+    assert "By the scan" not in shown.bar.sentence()
+    shown.canvas.setExtent(shown.desk.mosaic.extent())
+    shown.is_blind = True
+    shown.click(256, 128)
+    assert shown.pieces.current is None
+    shown.is_blind = False
+    shown.canvas.unsetMapTool(shown.tool)
+    shown.click(256, 128)
+    assert shown.pieces.current is None
