@@ -35,6 +35,7 @@ from ...imagery.seam_totals import (
     RowTotals,
     SeamTotals,
     possible_kept,
+    profile_of,
 )
 from . import messages
 from .delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order
@@ -127,7 +128,7 @@ class LayerDoubts:
         found = DeliveredPiece(
             0, sheet, seam_id, station, length, kept, low, high, width, verdict, _text(row.get("reason")), line, left,
             right, left_date, right_date, has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
-            visibility=_number(row.get("visibility")),
+            visibility=_number(row.get("visibility")), profile=profile_of(_text(row.get("profile"))),
         )  # fmt: skip
         self.pieces += 1
         self.metres += length

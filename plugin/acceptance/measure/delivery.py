@@ -11,6 +11,7 @@ import numpy as np
 
 from ...imagery.grids import Extent
 from ...imagery.lines import vertex_stations
+from ...imagery.seam_totals import KeptBeside
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +53,8 @@ class DeliveredPiece:
     """What ``seam_id`` numbers the seams of, where that is not the sheet: a scan of many sheets."""
     visibility: float | None = None
     """The loss in just noticeable differences of contrast at 2x; None where the scan says nothing of it."""
+    profile: tuple[KeptBeside, ...] = ()
+    """The judged strip, then what is kept step by step from the seam; empty where the layer does not say."""
     has_detail: bool = True
     """False on ground that has nothing to lose, as the scan says."""
 
