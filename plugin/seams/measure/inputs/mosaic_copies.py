@@ -39,7 +39,7 @@ LEAST_UNLIKE = 0.25  # Brighton: all orthoimages lack more somewhere, by 0.96 an
 ROUNDING = 0.0005  # is lacking where values were scaled
 # Share of an image's detail that 3 x 3 px of the others explain. Brighton and PackO, lossless or JPEG 75: of a mosaic
 # blurred by 0.7 to 3 px, or a mean, 0.85 in nine places of ten, of an orthoimage less than 0.25 in one of ten.
-LEAST_EXPLAINED = 0.8
+LEAST_EXPLAINED = 0.9
 MOST_ELSEWHERE = 0.15  # of the places, that a thing of others may be unlike them, as where one of them is not given
 FEWEST_EXPLAINED = 8  # places
 MOST_OTHERS = 6  # images that explain one at a place, those most alike
