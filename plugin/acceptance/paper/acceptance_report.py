@@ -117,12 +117,9 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
 class _Listing:
     """Rows of which a cell names a file, or something else."""
 
-    folder: str
-    """That all files of a long list lie in, said once; empty where they lie in several."""
-    rows: list[list[str]]
-    """Files without that folder."""
-    columns: int
-    """How many of it stand beside each other."""
+    folder: str  # that all files of a long list lie in, said once; empty where they lie in several
+    rows: list[list[str]]  # files without that folder
+    columns: int  # how many of it stand beside each other
 
     @classmethod
     def of(cls, rows: Iterable[Sequence[str]], at: int = 0) -> _Listing:
