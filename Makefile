@@ -24,7 +24,7 @@ export PYTHONPATH := $(CURDIR)/build/plugins
 ifndef SIDE_BY_SIDE_TARGETS
 .NOTPARALLEL:
 endif
-.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-compressed-scans benchmark-programs benchmark-calibration fuzz soak translate package icon clean
+.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-compressed-scans benchmark-deliveries benchmark-programs benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -137,6 +137,9 @@ benchmark-compressed: link ## Measure how truly compressed deliveries are judged
 benchmark-compressed-scans: link ## Measure how truly scans judge compressed deliveries, some twenty minutes: HALF="held back", IMAGERY=block
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.compressed_scans \
 		$(if $(HALF),--half "$(HALF)") $(if $(IMAGERY),--imagery $(IMAGERY))
+
+benchmark-deliveries: link ## Decide on twelve deliveries whose truth is planted, some ten minutes: ONLY=block for a try; real data by SEAM_INSPECTOR_DATA
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.deliveries $(if $(ONLY),--only "$(ONLY)")
 
 benchmark-programs: link ## Measure what OTB, SAGA, GDAL, GRASS, enblend, rasterio and OpenCV keep along seams, after installing them: WINDOWS=1 IMAGERY=brighton SIDE=256 ONLY=OTB for a try; real data by SEAM_INSPECTOR_DATA
 	@tools/install_programs.sh

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal, gdal_array, ogr, osr
-from scipy.ndimage import distance_transform_edt, gaussian_filter
+from scipy.ndimage import distance_transform_edt, gaussian_filter, label
 from scipy.spatial import cKDTree
 from seam_inspector import ScanResult, ScanSettings, open_block, scan
 from seam_inspector.plugin.imagery.seam_totals import PieceState
@@ -72,7 +72,10 @@ class PlantedBlock:
     """That of the hard cut."""
 
     @classmethod
-    def of(cls, imagery: Imagery, sources: Sequence[np.ndarray], widths_px: Sequence[float], seed: int) -> PlantedBlock:
+    def of(
+        cls, imagery: Imagery, sources: Sequence[np.ndarray], widths_px: Sequence[float], seed: int, least_px: int = 0
+    ) -> PlantedBlock:
+        """``least_px``: pixels of the smallest part that is cut from a source."""
         masks = [source.any(axis=0) for source in sources]
         rng = np.random.default_rng(seed)
         inside = [distance_transform_edt(np.pad(mask, 1))[1:-1, 1:-1] for mask in masks]
@@ -80,6 +83,7 @@ class PlantedBlock:
         depth = [np.where(mask, one + CROOKED_PX * bend / bend.std(), -np.inf)
                  for one, bend, mask in zip(inside, bends, masks)]
         labels = np.where(np.any(masks, axis=0), np.argmax(depth, axis=0), -1)
+        labels = _without_islands(labels, least_px) if least_px else labels
         rows, columns = (np.arange(size) // PLANT_PX for size in labels.shape)
         turn = (rows[:, np.newaxis] + 2 * columns) % len(widths_px)
         cut = hard_cut(sources, labels)
@@ -135,6 +139,16 @@ class PlantedBlock:
         layer.CreateField(ogr.FieldDefn("source", ogr.OFTInteger))
         gdal.Polygonize(labels.GetRasterBand(1), mask.GetRasterBand(1), layer, 0)
         return path
+
+
+def _without_islands(labels: np.ndarray, least_px: int) -> np.ndarray:
+    """Parts of fewer pixels go to what lies nearest."""
+    small = np.zeros(labels.shape, bool)
+    for number in range(labels.max() + 1):
+        parts, _ = label(labels == number)
+        small |= (np.bincount(parts.ravel()) < least_px)[parts] & (parts > 0)
+    nearest = distance_transform_edt(small | (labels < 0), return_distances=False, return_indices=True)
+    return np.where(small, labels[tuple(nearest)], labels)
 
 
 def _system() -> osr.SpatialReference:

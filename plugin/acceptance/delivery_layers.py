@@ -80,18 +80,14 @@ _LINE = QgsWkbTypes.GeometryType.LineGeometry
 class SeamLayer:
     """A layer of seams that may be read in any thread."""
 
-    sheet: str
-    """Its name; each layer has one of its own."""
-    address: str
-    """What it was read from, in words for people."""
+    sheet: str  # its name; each layer has one of its own
+    address: str  # what it was read from, in words for people
     source: QgsVectorLayerFeatureSource
     crs: QgsCoordinateReferenceSystem
     fields: tuple[str, ...]
-    scan: Mapping[str, str]
-    """What its scan wrote beside its rows: totals, settings, files and their seal."""
+    scan: Mapping[str, str]  # what its scan wrote beside its rows: totals, settings, files and their seal
 
-    folder: str = ""
-    """That its file lies in; empty for one in memory."""
+    folder: str = ""  # that its file lies in; empty for one in memory
 
 
 def seam_layers(

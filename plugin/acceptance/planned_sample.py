@@ -21,7 +21,7 @@ from ..imagery.lines import find_seams, read_geometry
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
-from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, sealed_notes
+from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, profile_text, sealed_notes
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system, transformation
@@ -151,8 +151,7 @@ def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: floa
 class SampledItem:
     """A piece that was drawn."""
 
-    order: int
-    """Place in the order of drawing, from 1."""
+    order: int  # place in the order of drawing, from 1
     piece: DeliveredPiece
     lot_size: int
 
@@ -177,6 +176,8 @@ PIECE_COLUMNS: tuple[Column[SampledItem], ...] = (
     Column("kept_low", "real", lambda one: one.piece.kept_low),
     Column("kept_high", "real", lambda one: one.piece.kept_high),
     Column("band_width", "real", lambda one: one.piece.band_width_m),
+    Column("visibility", "real", lambda one: one.piece.visibility),
+    Column("profile", "text", lambda one: profile_text(one.piece.profile) or None),
     Column("verdict", "text", lambda one: one.piece.verdict or None),
     Column("reason", "text", lambda one: one.piece.reason or None),
 )

@@ -87,6 +87,28 @@ def failing_chance(kept: float | None, low: float | None, high: float | None, le
     return NormalDist().cdf(math.log(least / kept) / error)
 
 
+@dataclass(frozen=True)
+class KeptBeside:
+    """What a piece kept on both sides of its seam, at some distance from it."""
+
+    near_m: float
+    far_m: float
+    kept: float
+
+
+def profile_text(strips: Iterable[KeptBeside]) -> str:
+    """The field ``profile``: the judged strip, then what is kept step by step from the seam."""
+    return "; ".join(f"{one.near_m:.3g} {one.far_m:.3g} {one.kept:.3f}" for one in strips)
+
+
+def profile_of(text: str) -> tuple[KeptBeside, ...]:
+    """The strips of a field ``profile``; none where it is no such text."""
+    try:
+        return tuple(KeptBeside(*map(float, one.split())) for one in text.split(";") if text)
+    except (TypeError, ValueError):
+        return ()
+
+
 SYSTEM = "system"
 """Key, among what stands beside rows, of the reference system of their lines, as WKT."""
 MOSAIC_FILES, SOURCE_FILES = "mosaic_files", "source_files"
@@ -96,7 +118,7 @@ METRES = "metres"
 _SEAL = "digest"
 _SEALED = (
     "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "band_width", "visibility",
-    "verdict", "left_source", "right_source", "left_date", "right_date", "sheet", "sample", "lot_size",
+    "profile", "verdict", "left_source", "right_source", "left_date", "right_date", "sheet", "sample", "lot_size",
 )  # fmt: skip
 """All fields that a decision reads, but words for people."""
 

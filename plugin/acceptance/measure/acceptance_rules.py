@@ -36,24 +36,18 @@ class SamplingRule:
     aql: str
     """Acceptance quality limit as the standard writes it: nonconforming pieces per hundred; empty for an isolated
     lot."""
-    inspection_level: str
-    """``S-1``..``S-4``, ``I``, ``II`` or ``III``."""
-    source: str
-    """Where the plan comes from."""
-    lq: str = ""
-    """Limiting quality of an isolated lot as the standard writes it: nonconforming pieces per hundred."""
+    inspection_level: str  # S-1..S-4, I, II or III
+    source: str  # where the plan comes from
+    lq: str = ""  # limiting quality of an isolated lot as the standard writes it: nonconforming pieces per hundred
 
 
 @dataclass(frozen=True)
 class AcceptanceRule:
     """One figure of the delivery and its limit."""
 
-    check: str
-    """``failed_share``, ``longest_failure`` or ``measured_share``."""
-    limit: float
-    """A fraction of 1, or metres; a value that is exactly it passes."""
-    source: str
-    """Where it comes from."""
+    check: str  # failed_share, longest_failure or measured_share
+    limit: float  # a fraction of 1, or metres; a value that is exactly it passes
+    source: str  # where it comes from
 
     @property
     def is_least(self) -> bool:

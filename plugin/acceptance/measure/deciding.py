@@ -179,7 +179,7 @@ def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) ->
         if least is not None and layer.unexplained > 1 - least:
             reason = messages.MOSAIC_LACKS(name=layer.name, share=layer.unexplained, limit=1 - least)
             yield reason, messages.WOULD_GIVE_ORTHOIMAGES()
-    for reason in unseen_seams(delivery, whole, rules):
+    for reason in [*unseen_seams(delivery, whole, rules)][:1]:
         yield reason, messages.WOULD_GIVE_SEAMS()
 
 
@@ -236,8 +236,7 @@ class _Ruling:
 
     figures: MetreFigures
     pieces: Sequence[DecidedPiece]
-    longest: Sequence[DecidedPiece]
-    """Those of its longest failure, or all."""
+    longest: Sequence[DecidedPiece]  # those of its longest failure, or all
     rules: AcceptanceRules
 
     def outcomes(self) -> list[RuleOutcome]:

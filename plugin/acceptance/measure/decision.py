@@ -145,12 +145,9 @@ class PlanOutcome:
 
     plan: SamplingPlan
     characteristic: OperatingCharacteristic
-    seed: int | None
-    """Seed of the drawing; None where the sample came with the layer, or is the whole lot."""
-    inspected: int
-    """Items of the sample that were measured."""
-    nonconforming: int
-    """Inspected items that failed."""
+    seed: int | None  # seed of the drawing; None where the sample came with the layer, or is the whole lot
+    inspected: int  # items of the sample that were measured
+    nonconforming: int  # inspected items that failed
 
 
 @dataclass(frozen=True, eq=False)
@@ -229,8 +226,7 @@ class Defect:
     """A failure without a break, with its pieces."""
 
     run: FailureRun
-    pieces: tuple[DecidedPiece, ...]
-    """In the order in which they follow each other."""
+    pieces: tuple[DecidedPiece, ...]  # in the order in which they follow each other
 
     @property
     def worst(self) -> DecidedPiece:

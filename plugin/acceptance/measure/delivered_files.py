@@ -40,12 +40,9 @@ class OrderedForm:
     pixel_m: float | None = None
     wkt: str = ""
     bands: int | None = None
-    data_type: str = ""
-    """numpy's name, such as ``uint8``."""
-    pattern: str = ""
-    """Pattern of the file's name, with ``*`` and ``?``; empty: any."""
-    most_missing: float = 0.0
-    """Share of an outline that may have no data, 0 to 1."""
+    data_type: str = ""  # numpy's name, such as uint8
+    pattern: str = ""  # pattern of the file's name, with * and ?; empty: any
+    most_missing: float = 0.0  # share of an outline that may have no data, 0 to 1
 
 
 @dataclass(frozen=True)
@@ -53,12 +50,9 @@ class OrderedSheet:
     """A sheet of the order, or a file that nobody ordered."""
 
     name: str
-    path: str
-    """Path of its file; empty where there is none."""
-    outline: bytes | None
-    """WKB of what it has to cover; None: all that its file covers."""
-    wkt: str = ""
-    """Reference system of the outline."""
+    path: str  # path of its file; empty where there is none
+    outline: bytes | None  # WKB of what it has to cover; None: all that its file covers
+    wkt: str = ""  # reference system of the outline
     is_ordered: bool = True
 
 
@@ -67,14 +61,10 @@ class CheckedSheet:
     """What was found at a sheet."""
 
     sheet: OrderedSheet
-    raster: Raster | None
-    """None where there is no file that can be read."""
-    missing: float | None
-    """Share of the outline without data, 0 to 1; None where that can't be told."""
-    findings: tuple[Message, ...]
-    """All that is not as it was ordered."""
-    state: SheetState = SheetState.SHOWN
-    """What it is to the mosaic of all sheets."""
+    raster: Raster | None  # None where there is no file that can be read
+    missing: float | None  # share of the outline without data, 0 to 1; None where that can't be told
+    findings: tuple[Message, ...]  # all that is not as it was ordered
+    state: SheetState = SheetState.SHOWN  # what it is to the mosaic of all sheets
 
 
 def checked_sheets(

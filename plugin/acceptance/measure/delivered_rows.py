@@ -33,6 +33,7 @@ from ...imagery.seam_totals import (
     RowTotals,
     SeamTotals,
     possible_kept,
+    profile_of,
 )
 from . import messages
 from .delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order, metres_in_unit
@@ -53,30 +54,21 @@ class LayerDoubts:
     """What is doubtful in one layer, gathered piece by piece."""
 
     sheet: str
-    rows: int = 0
-    """That were looked at."""
-    pieces: int = 0
-    """That they made."""
-    metres: float = 0.0
-    """Metres of these pieces."""
+    rows: int = 0  # that were looked at
+    pieces: int = 0  # that they made
+    metres: float = 0.0  # metres of these pieces
     without_line: int = 0
-    without_line_m: float = 0.0
-    """What the field says of these, metres."""
+    without_line_m: float = 0.0  # what the field says of these, metres
     kept: list[float] = field(default_factory=list)
     claimed: list[float] = field(default_factory=list)
     """Shares kept by pieces with a verdict: where the scan has none, its interval is too wide, any number may stand."""
-    words: list[str] = field(default_factory=list)
-    """That stand where numbers should."""
+    words: list[str] = field(default_factory=list)  # that stand where numbers should
     lengths: list[tuple[float, float]] = field(default_factory=list)
     """In the field and along the line, metres, where they differ."""
-    along: dict[str, list[tuple[float, float]]] = field(default_factory=dict)
-    """Stations and lengths by seam, metres."""
-    totals: RowTotals = field(default_factory=RowTotals)
-    """Totals of all rows, as their scan counted them."""
-    extent: Extent | None = None
-    """Extent of the first line, as its layer has it."""
-    failed_m: float = 0.0
-    """Metres that fail as the scan fails them, by what the rows say of what is kept."""
+    along: dict[str, list[tuple[float, float]]] = field(default_factory=dict)  # stations and lengths by seam, metres
+    totals: RowTotals = field(default_factory=RowTotals)  # totals of all rows, as their scan counted them
+    extent: Extent | None = None  # extent of the first line, as its layer has it
+    failed_m: float = 0.0  # metres that fail as the scan fails them, by what the rows say of what is kept
 
     def see_kept(self, written: str, kept: float | None, verdict: str = "") -> float | None:
         """What counts of a piece's ``kept_1``, as it is ``written`` and as a number: nothing that is no share."""
@@ -125,7 +117,7 @@ class LayerDoubts:
         found = DeliveredPiece(
             0, sheet, seam_id, station, length, kept, low, high, width, verdict, _text(row.get("reason")), line, left,
             right, left_date, right_date, has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
-            visibility=_number(row.get("visibility")),
+            visibility=_number(row.get("visibility")), profile=profile_of(_text(row.get("profile"))),
         )  # fmt: skip
         self.pieces += 1
         self.metres += length

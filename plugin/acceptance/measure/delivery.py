@@ -14,6 +14,7 @@ from ...imagery.errors import SettingsError
 from ...imagery.grids import Extent, middle_of
 from ...imagery.lines import vertex_stations
 from ...imagery.reference_systems import metres_per_unit
+from ...imagery.seam_totals import KeptBeside
 from . import messages
 
 
@@ -21,43 +22,30 @@ from . import messages
 class DeliveredPiece:
     """A piece of seam as the scan measured it."""
 
-    number: int
-    """Its place among all pieces of the delivery, from 0."""
-    sheet: str
-    """The layer it comes from, or the sheet in which its middle lies."""
-    seam_id: str
-    """Which seam of its sheet; empty where the layer does not say."""
-    station_m: float | None
-    """Along its seam, where it begins."""
+    number: int  # its place among all pieces of the delivery, from 0
+    sheet: str  # the layer it comes from, or the sheet in which its middle lies
+    seam_id: str  # which seam of its sheet; empty where the layer does not say
+    station_m: float | None  # along its seam, where it begins
     length_m: float
-    kept_1: float | None
-    """Share of the finest detail that the mosaic kept; None where nothing could be measured."""
-    kept_low: float | None
-    """Lower end of the 95 % interval of ``kept_1``."""
-    kept_high: float | None
-    """Upper end."""
-    band_width_m: float | None
-    """Full width of the band in which less than 0.9 is kept."""
-    verdict: str
-    """The scan's word; empty where there is none."""
-    reason: str
-    """Why the scan has no verdict."""
-    vertices: np.ndarray
-    """(n, 2) x and y in the delivery's reference system."""
-    left_source: str = ""
-    """The orthoimage on the left hand."""
+    kept_1: float | None  # share of the finest detail that the mosaic kept; None where nothing could be measured
+    kept_low: float | None  # lower end of the 95 % interval of kept_1
+    kept_high: float | None  # upper end
+    band_width_m: float | None  # full width of the band in which less than 0.9 is kept
+    verdict: str  # the scan's word; empty where there is none
+    reason: str  # why the scan has no verdict
+    vertices: np.ndarray  # (n, 2) x and y in the delivery's reference system
+    left_source: str = ""  # the orthoimage on the left hand
     right_source: str = ""
-    left_date: str = ""
-    """When the orthoimage on the left hand was taken, as the layer has it."""
+    left_date: str = ""  # when the orthoimage on the left hand was taken, as the layer has it
     right_date: str = ""
     sample_number: int | None = None
     """Place in the order in which its sample was drawn, from 1; None where the layer is no sample."""
-    scan: str = ""
-    """What ``seam_id`` numbers the seams of, where that is not the sheet: a scan of many sheets."""
+    scan: str = ""  # what seam_id numbers the seams of, where that is not the sheet: a scan of many sheets
     visibility: float | None = None
     """The loss in just noticeable differences of contrast at 2x; None where the scan says nothing of it."""
-    has_detail: bool = True
-    """False on ground that has nothing to lose, as the scan says."""
+    profile: tuple[KeptBeside, ...] = ()
+    """The judged strip, then what is kept step by step from the seam; empty where the layer does not say."""
+    has_detail: bool = True  # False on ground that has nothing to lose, as the scan says
 
     @property
     def seam(self) -> tuple[str, str]:
@@ -115,17 +103,12 @@ class SeenWindow:
     """A window that was inspected, and judged perhaps."""
 
     window_id: str
-    extent: Extent
-    """In the delivery's reference system."""
-    cause: str = ""
-    """The strongest one."""
-    causes: str = ""
-    """All of them, strongest first, joined by ``; ``."""
-    verdict: str = ""
-    """The tool's."""
+    extent: Extent  # in the delivery's reference system
+    cause: str = ""  # the strongest one
+    causes: str = ""  # all of them, strongest first, joined by semicolons
+    verdict: str = ""  # the tool's
     kept_1: float | None = None
-    observer: str = ""
-    """What the first operator saw: ``visible``, ``invisible``, ``unsure`` or nothing."""
+    observer: str = ""  # what the first operator saw: visible, invisible, unsure or nothing
     observer_2: str = ""
     remark: str = ""
     remark_2: str = ""
@@ -156,12 +139,9 @@ class SheetOutline:
     """Where a sheet lies, of which there may be no seam."""
 
     name: str
-    rings: tuple[np.ndarray, ...]
-    """(n, 2) x and y each, in the delivery's reference system."""
-    findings: tuple[str, ...] = ()
-    """What 'Check a delivery' found wrong with its file, in words."""
-    state: SheetState = SheetState.SHOWN
-    """What the same check says of its part in the mosaic of all sheets."""
+    rings: tuple[np.ndarray, ...]  # (n, 2) x and y each, in the delivery's reference system
+    findings: tuple[str, ...] = ()  # what 'Check a delivery' found wrong with its file, in words
+    state: SheetState = SheetState.SHOWN  # what the same check says of its part in the mosaic of all sheets
 
 
 class Seal(Enum):
@@ -183,18 +163,12 @@ class DeliveredLayer:
     """A layer that pieces were read from."""
 
     name: str
-    seal: Seal
-    """Anything but a whole one, where it is asked for, and nothing is accepted."""
-    lacking_m: float
-    """Metres that the scan had, or that lie between stations, and the layer does not have."""
-    settings: Mapping[str, str]
-    """How its seams were measured, as far as the layer says."""
-    digest: str = ""
-    """SHA-256 of its rows, as ``RowTotals`` has it."""
-    hidden_m: float = 0.0
-    """Metres that the scan failed, and that its rows don't fail any more."""
-    is_blank: bool = False
-    """Whether it has no piece of seam, and not as a scan that found none left it."""
+    seal: Seal  # anything but a whole one, where it is asked for, and nothing is accepted
+    lacking_m: float  # metres that the scan had, or that lie between stations, and the layer does not have
+    settings: Mapping[str, str]  # how its seams were measured, as far as the layer says
+    digest: str = ""  # SHA-256 of its rows, as RowTotals has it
+    hidden_m: float = 0.0  # metres that the scan failed, and that its rows don't fail any more
+    is_blank: bool = False  # whether it has no piece of seam, and not as a scan that found none left it
 
     @property
     def unexplained(self) -> float:
@@ -222,20 +196,13 @@ class DeliveredLayer:
 class FileDoubts:
     """Names of files, and of layers that are of others, by what is wrong with them."""
 
-    not_scanned: tuple[str, ...] = ()
-    """Given as mosaic or orthoimage, and none of those that were scanned."""
-    changed: tuple[str, ...] = ()
-    """Changed since they were scanned."""
-    gone: tuple[str, ...] = ()
-    """Files of the mosaic that are not found any more."""
-    gone_sources: tuple[str, ...] = ()
-    """Orthoimages that are not found any more."""
-    same: int = 0
-    """How many are as they were."""
-    layers_of_others: tuple[str, ...] = ()
-    """Layers of mosaics that are not given, where any is."""
-    mosaics: int = 0
-    """How many the layers are of, where none is given."""
+    not_scanned: tuple[str, ...] = ()  # given as mosaic or orthoimage, and none of those that were scanned
+    changed: tuple[str, ...] = ()  # changed since they were scanned
+    gone: tuple[str, ...] = ()  # files of the mosaic that are not found any more
+    gone_sources: tuple[str, ...] = ()  # orthoimages that are not found any more
+    same: int = 0  # how many are as they were
+    layers_of_others: tuple[str, ...] = ()  # layers of mosaics that are not given, where any is
+    mosaics: int = 0  # how many the layers are of, where none is given
 
 
 @dataclass(frozen=True)

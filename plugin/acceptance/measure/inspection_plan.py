@@ -70,8 +70,7 @@ class SampledLot:
 
     outcome: PlanOutcome
     rule_outcome: RuleOutcome
-    pieces: set[int]
-    """Numbers of the pieces of the sample."""
+    pieces: set[int]  # numbers of the pieces of the sample
     notices: tuple[Message, ...]
 
 

@@ -118,7 +118,8 @@ FILES_GONE = Message("files of the scanned mosaic are not found any more: {count
 SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
 SEAMS_HIDDEN = Message("rows of {name} were changed so that {metres:.0f} m which its scan failed pass", INFO)
 SOURCES_ARE_MOSAIC = Message(
-    "orthoimages are the mosaic wherever they were compared, so that they hide every loss that it has: {names}", INFO
+    "images are given as orthoimages that are the mosaic, or were made of others, so that they hide what it lost: "
+    "{names}", INFO
 )
 SEAMS_UNSEEN = Message(
     "parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no "
@@ -233,8 +234,7 @@ WOULD_SEE_SHEETS = Message(
 )
 WOULD_LEAVE_OUT = Message("What would decide it: layers without what was scanned twice.", WARNING)
 WOULD_GIVE_ORIGINALS = Message(
-    "What would decide it: a scan with the whole orthoimages as they were rectified, in the place of those that are "
-    "the mosaic.", WARNING
+    "What would decide it: a scan with the whole orthoimages as they were rectified, and no others.", WARNING
 )
 # the layers that are decided on
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)

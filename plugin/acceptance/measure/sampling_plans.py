@@ -20,13 +20,11 @@ from . import messages
 class SamplingPlan:
     """How many items of a lot are inspected, and how many of these may be nonconforming."""
 
-    lot_size: int
-    """Items: pieces of seam."""
+    lot_size: int  # items: pieces of seam
     sample_size: int
     acceptance_number: int
     """Ac: the lot is accepted up to so many nonconforming items in the sample, and rejected with more."""
-    aql: float | None
-    """Acceptance quality limit: nonconforming items per hundred; None for one of an isolated lot."""
+    aql: float | None  # acceptance quality limit: nonconforming items per hundred; None for one of an isolated lot
     inspection_level: str
     code_letter: str
     """Letter of the table's row that the plan was taken from, arrows followed; empty where there are no letters."""
@@ -51,8 +49,7 @@ class OperatingCharacteristic:
     good_quality: float
     """The share of nonconforming items that the AQL allows; of an isolated lot the largest one that is rejected with
     5 % at most, or that of one item."""
-    producers_risk: float
-    """Probability that a lot as good as that is rejected."""
+    producers_risk: float  # probability that a lot as good as that is rejected
     limiting_quality: float
     """The smallest share of nonconforming items at which a lot is accepted with 10 % at most (LQ, LTPD); of an isolated
     lot that of its plan, in whole items."""

@@ -24,11 +24,9 @@ finds of them in samples, differ by less."""
 class SeenPlace:
     """A part of the ground."""
 
-    x: float
-    """Its middle, ``x`` and ``y``, in the reference system of its layer."""
+    x: float  # its middle, x and y, in the reference system of its layer
     y: float
-    width_m: float | None = None
-    """From west to east; None where the scan does not say."""
+    width_m: float | None = None  # from west to east; None where the scan does not say
     height_m: float | None = None
 
     def __str__(self) -> str:
@@ -41,24 +39,17 @@ class SeenPlace:
 class SeenGround:
     """What one scan says, or all scans of a delivery."""
 
-    seams: frozenset[str]
-    """``given``, ``found``; empty where nothing says."""
-    is_known: bool
-    """Whether it was looked at what the ground follows."""
-    unchanged_m: float = 0.0
-    """Metres of given seams along which the mosaic does not change its orthoimage."""
+    seams: frozenset[str]  # given, found; empty where nothing says
+    is_known: bool  # whether it was looked at what the ground follows
+    unchanged_m: float = 0.0  # metres of given seams along which the mosaic does not change its orthoimage
     unseen_m: float = 0.0
     """Metres of border between two orthoimages of which no seam tells, in places as long as a piece."""
     longest_unseen_m: float = 0.0
-    hidden_m: float = 0.0
-    """Those of them along which no orthoimage explains the mosaic."""
+    hidden_m: float = 0.0  # those of them along which no orthoimage explains the mosaic
     longest_hidden_m: float = 0.0
-    unexplained: float = 0.0
-    """Share of the ground with texture that follows no orthoimage; the largest of the scans."""
-    nodata: float = 0.0
-    """Share of the mosaic within its outline that has no pixels; the largest of the scans."""
-    looked_at: float = 1.0
-    """Share of the mosaic that was looked at; the smallest of the scans."""
+    unexplained: float = 0.0  # share of the ground with texture that follows no orthoimage; the largest of the scans
+    nodata: float = 0.0  # share of the mosaic within its outline that has no pixels; the largest of the scans
+    looked_at: float = 1.0  # share of the mosaic that was looked at; the smallest of the scans
     unseen_at: tuple[SeenPlace, ...] = ()
     hidden_at: tuple[SeenPlace, ...] = ()
     unexplained_at: tuple[SeenPlace, ...] = ()
@@ -107,7 +98,7 @@ class SeenGround:
 
 
 def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) -> Iterator[Message]:
-    """Why seams that are in no figure may be what decides."""
+    """Why seams that are in no figure may be what decides, what weighs most first."""
     ground = SeenGround.of_delivery(delivery)
     apart, every = ground.unseen_m + ground.unchanged_m, whole.total_m + ground.unseen_m
     if apart > MOST_APART * every:

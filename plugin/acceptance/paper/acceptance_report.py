@@ -19,7 +19,7 @@ from ...toolkit.translation import band_title, filled, formatted, sentence, show
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, PlanOutcome
 from ..measure.seen_ground import SeenGround
-from .charts import STATE_COLOURS, pale, seams_figure
+from .charts import STATE_COLOURS, pale, profile_figure, seams_figure
 from .defect_files import DefectPicture
 from .inspection_record import InspectionRecord, file_name
 from .paper_head import iso_date
@@ -100,7 +100,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         unknown=[*_unknown_rows(decision)],
         unknown_count=len(decision.unknown_runs),
         has={name for name in ("words", "images", "band", "visibility") if any(one[name] for one in texts)},
-        pictures=[*_pictures(texts, pictures)],
+        pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
         plan=None if decision.plan is None else _plan_facts(decision.plan),
         layers=_Listing.of(record.seams[:MOST_LAYERS], 1),
         layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
@@ -117,12 +117,9 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
 class _Listing:
     """Rows of which a cell names a file, or something else."""
 
-    folder: str
-    """That all files of a long list lie in, said once; empty where they lie in several."""
-    rows: list[list[str]]
-    """Files without that folder."""
-    columns: int
-    """How many of it stand beside each other."""
+    folder: str  # that all files of a long list lie in, said once; empty where they lie in several
+    rows: list[list[str]]  # files without that folder
+    columns: int  # how many of it stand beside each other
 
     @classmethod
     def of(cls, rows: Iterable[Sequence[str]], at: int = 0) -> _Listing:
@@ -386,15 +383,18 @@ def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
 
 
 def _pictures(
-    texts: Sequence[Mapping[str, Any]], pictures: Mapping[int, DefectPicture]
+    texts: Sequence[Mapping[str, Any]], defects: Sequence[Defect], pictures: Mapping[int, DefectPicture],
+    least_kept: float,
 ) -> Iterator[dict[str, Any]]:
-    """The failures that are shown: where each lies, and its worst piece pixel by pixel."""
+    """The failures that are shown: where each lies, its worst piece pixel by pixel, and what that kept."""
     titles = {MOSAIC_PANEL: tr("The mosaic"), CUT_PANEL: tr("Its orthoimages, cut hard")}
-    for text in texts:
+    for text, defect in zip(texts, defects):
+        piece = defect.worst.piece
         if (picture := pictures.get(text["number"])) is not None:
             dates, across = dict(text["images"]), metres(picture.side_m)
             yield {
                 "text": text,
+                "profile": svg_text(profile_figure(piece, least_kept)) if piece.profile else "",
                 "around": encoded(picture.around, "JPEG"),
                 "columns": picture.around.shape[1],
                 "shown": filled(tr("{across} across") if picture.is_whole else tr("a part of it, {across} across"),

@@ -25,7 +25,7 @@ from ...toolkit.charts.round_ticks import round_below
 from ...toolkit.picture_stretch import cut_range
 from ...toolkit.translation import filled, formatted, tr
 from ..measure.decision import Decision, Defect
-from ..measure.delivery import extent_of
+from ..measure.delivery import DeliveredPiece, extent_of
 from .words import SHEET_COLOURS
 
 _SIZE = (6.2, 3.4)  # inches
@@ -54,6 +54,32 @@ def kept_figure(decision: Decision) -> Figure:
     axes.grid(True, color=PAPER.grid, linewidth=0.8)
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(frameon=False, fontsize=8)
+    return figure
+
+
+_PROFILE_SIZE = (2.2, 1.75)  # inches: beside the pictures of a failure
+
+
+def profile_figure(piece: DeliveredPiece, least_kept: float) -> Figure:
+    """What a piece kept by distance from its seam, as its scan wrote it: the judged strip, the curve, the limit."""
+    strip, *steps = piece.profile
+    figure = new_figure(*_PROFILE_SIZE)
+    axes = figure.add_subplot()
+    axes.axvspan(0, strip.far_m, color=PAPER.grid, linewidth=0)
+    axes.axhline(least_kept, color=PAPER.limit, linewidth=1)
+    axes.plot(*np.array([(x, one.kept) for one in steps for x in (one.near_m, one.far_m)]).reshape(-1, 2).T,
+              color=PAPER.sources[0], linewidth=1.2)
+    axes.plot([0, strip.far_m], [strip.kept] * 2, color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
+    farthest = max((one.far_m for one in steps), default=strip.far_m)
+    axes.set_xscale("function", functions=(lambda x: np.sqrt(np.maximum(x, 0)), np.square))  # narrow steps matter most
+    axes.set_xlim(0, farthest)
+    axes.set_xticks([strip.far_m, farthest / 4, farthest])
+    axes.xaxis.set_major_formatter(lambda x, _: formatted(x, ".2g"))
+    axes.minorticks_off()
+    axes.set_ylim(0, max(_MOST_KEPT, *(one.kept for one in piece.profile)))
+    axes.set_xlabel(tr("distance from the seam (m)"), fontsize=6.5)
+    axes.tick_params(labelsize=6.5)
+    axes.spines[["top", "right"]].set_visible(False)
     return figure
 
 

@@ -80,10 +80,8 @@ class DefectPicture:
 
     around: np.ndarray
     """(rows, columns, 3) uint8: where it lies, with dashes along it and a frame around what the panels show."""
-    side_m: float
-    """What that shows across."""
-    is_whole: bool
-    """Whether all of the failure is on it."""
+    side_m: float  # what that shows across
+    is_whole: bool  # whether all of the failure is on it
     panels: tuple[ProofPanel, ...]
     """The mosaic first; alone where nobody has orthoimages. The seam is marked where it enters and leaves."""
 

@@ -32,14 +32,10 @@ _LISTS = ("mosaic", "sources")  # of the settings: paths as JSON
 class ListedImage:
     """An orthoimage that the delivery was made from."""
 
-    name: str
-    """Name of its file, or as the seams call it."""
-    path: str
-    """Empty where nobody gave it."""
-    date: str
-    """When it was taken, where the seams say so."""
-    size: int | None
-    """Bytes; None where there is no such file."""
+    name: str  # name of its file, or as the seams call it
+    path: str  # empty where nobody gave it
+    date: str  # when it was taken, where the seams say so
+    size: int | None  # bytes; None where there is no such file
 
 
 def listed_images(decision: Decision, paths: Iterable[str]) -> tuple[ListedImage, ...]:
@@ -77,30 +73,20 @@ class InspectionRecord:
     """A decision with what it was made of."""
 
     decision: Decision
-    seams: tuple[tuple[str, str], ...] = ()
-    """Sheets and what their layers of seams were read from."""
-    windows: str = ""
-    """What the layer of inspected windows was read from; empty without."""
-    rules: str = ""
-    """The file of rules; empty for ready ones."""
-    mosaics: tuple[Raster, ...] = ()
-    """What the pictures of failures are cut from."""
-    loss: Raster | None = None
-    """The picture of losses of the scan."""
+    seams: tuple[tuple[str, str], ...] = ()  # sheets and what their layers of seams were read from
+    windows: str = ""  # what the layer of inspected windows was read from; empty without
+    rules: str = ""  # the file of rules; empty for ready ones
+    mosaics: tuple[Raster, ...] = ()  # what the pictures of failures are cut from
+    loss: Raster | None = None  # the picture of losses of the scan
     scan: Mapping[str, str] = field(default_factory=dict)
     """How the seams were measured: ``scan_settings`` of the picture of losses."""
-    loss_bands: tuple[str, ...] = ()
-    """What the picture of losses holds: ``described_bands`` of it."""
+    loss_bands: tuple[str, ...] = ()  # what the picture of losses holds: described_bands of it
     head: PaperHead = field(default_factory=PaperHead)
     """Head of the paper: which delivery it is of, under which contract."""
-    images: tuple[ListedImage, ...] = ()
-    """The orthoimages, by name."""
-    digests: tuple[Digest, ...] = ()
-    """Digests of what was decided on; none where they were not wanted."""
-    radiometry: tuple[RatedImage, ...] = ()
-    """The images whose radiometry was checked; none where it was not."""
-    report: str = ""
-    """The page that is written beside the XML; empty for none."""
+    images: tuple[ListedImage, ...] = ()  # the orthoimages, by name
+    digests: tuple[Digest, ...] = ()  # digests of what was decided on; none where they were not wanted
+    radiometry: tuple[RatedImage, ...] = ()  # the images whose radiometry was checked; none where it was not
+    report: str = ""  # the page that is written beside the XML; empty for none
     made_at: datetime = field(default_factory=lambda: datetime.now(timezone.utc).replace(microsecond=0))
 
     @property
@@ -148,12 +134,9 @@ _AT_ONCE = 1 << 22  # bytes
 class Digest:
     """What was digested, and what came of it."""
 
-    path: str
-    """Path of a file; what it is, in words, where there is none."""
-    size: int | None
-    """Bytes; None of what is no file."""
-    sha256: str
-    """Hexadecimal, 64 digits."""
+    path: str  # path of a file; what it is, in words, where there is none
+    size: int | None  # bytes; None of what is no file
+    sha256: str  # hexadecimal, 64 digits
 
 
 def mosaic_files(refs: Iterable[RasterRef]) -> list[str]:
@@ -203,8 +186,7 @@ class RatedImage:
 
     name: str
     outcome: AcceptanceOutcome
-    failed_by: tuple[str, ...]
-    """Where the limits come from that it does not keep, each once."""
+    failed_by: tuple[str, ...]  # where the limits come from that it does not keep, each once
 
 
 def rated_images(run: Run) -> tuple[RatedImage, ...]:

@@ -57,14 +57,10 @@ class ReadFiles:
     """What a decision was made of, as far as it lies in files."""
 
     mosaics: tuple[RasterRef, ...]
-    losses: tuple[ScannedLoss, ...]
-    """The pictures of losses."""
-    seams: tuple[tuple[str, str], ...]
-    """Sheets and where their layers were read from, in words for people."""
-    windows: str
-    """Where the windows were read from, in words for people; empty without."""
-    rules: str
-    """The file of rules; empty without."""
+    losses: tuple[ScannedLoss, ...]  # the pictures of losses
+    seams: tuple[tuple[str, str], ...]  # sheets and where their layers were read from, in words for people
+    windows: str  # where the windows were read from, in words for people; empty without
+    rules: str  # the file of rules; empty without
 
 
 def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> dict[str, Any]:
@@ -218,10 +214,8 @@ class _DecidedSheet:
     """A row."""
 
     figures: MetreFigures
-    outcome: AcceptanceOutcome | None
-    """None without seams, or where the delivery was decided on by a sample."""
-    findings: tuple[str, ...]
-    """What is wrong with its file; none where that was not looked at."""
+    outcome: AcceptanceOutcome | None  # None without seams, or where the delivery was decided on by a sample
+    findings: tuple[str, ...]  # what is wrong with its file; none where that was not looked at
 
 
 def _word(one: _DecidedSheet) -> str | None:

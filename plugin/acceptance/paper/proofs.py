@@ -25,10 +25,8 @@ MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL = "mosaic", "cut", "image"
 class ProofPanel:
     """One of the pictures of a place."""
 
-    kind: str
-    """``mosaic``, ``cut`` (the composite: the same orthoimages cut hard) or ``image`` (an orthoimage)."""
-    name: str
-    """Name of the orthoimage's file; empty for the others."""
+    kind: str  # mosaic, cut (the composite: the same orthoimages cut hard) or image (an orthoimage)
+    name: str  # name of the orthoimage's file; empty for the others
     pixels: np.ndarray
     """(rows, columns, 3) uint8, a pixel of the mosaic each; all panels of a place are stretched alike."""
 

@@ -48,10 +48,8 @@ class Evaluation:
 
     kind: str
     description: str
-    reference: str = ""
-    """The document that it follows; empty for none."""
-    sample: tuple[str, str, str] | None = None
-    """Scheme, lot and ratio of sampling, in words."""
+    reference: str = ""  # the document that it follows; empty for none
+    sample: tuple[str, str, str] | None = None  # scheme, lot and ratio of sampling, in words
 
 
 @dataclass(frozen=True)
@@ -60,10 +58,8 @@ class Quantity:
 
     values: tuple[float, ...]
     unit: str
-    meaning: str = ""
-    """Meaning of the values where they are several."""
-    sheet: str = ""
-    """That it is of; empty for all."""
+    meaning: str = ""  # meaning of the values where they are several
+    sheet: str = ""  # that it is of; empty for all
 
 
 @dataclass(frozen=True)
@@ -80,17 +76,14 @@ class QualityElement:
     """One report of the document."""
 
     kind: str
-    code: str
-    """Code of the measure; the element is known by it within the document."""
+    code: str  # code of the measure; the element is known by it within the document
     name: str
     description: str
     evaluation: Evaluation
     quantities: tuple[Quantity, ...] = ()
     conformance: Conformance | None = None
-    has_coverage: bool = False
-    """Whether the picture of losses is a result of it."""
-    about: str = ""
-    """The code of the element that it tells the quality of; for metaquality."""
+    has_coverage: bool = False  # whether the picture of losses is a result of it
+    about: str = ""  # the code of the element that it tells the quality of; for metaquality
 
 
 def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:

@@ -75,7 +75,7 @@ def test_ground_that_no_orthoimage_explains_leaves_it_open_by_its_area(seams: st
 def test_an_orthoimage_that_may_be_a_copy_leaves_it_open() -> None:
     found = decided(said(may_be_copies="extra.tif"))
     assert found.outcome is AcceptanceOutcome.UNDECIDED
-    assert "orthoimages are the mosaic wherever they were compared" in str(found.why)
+    assert "they hide what it lost: extra.tif" in str(found.why)
     assert "the whole orthoimages as they were rectified" in str(found.sentences[1])
 
 

@@ -90,7 +90,7 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     assert [one.replace("\u00a0", " ") for one in page.captions[1:]] == ["200.1 m across", "The mosaic"] * 2
     words = " ".join(page.words.split())
     assert f"Failure 1: {decision.longest_failure_m:.1f} m, least kept 45 % (40 - 51)" in words
-    assert "Kept by its pieces, one after the other: 45 %, 45 %" in words
+    assert "kept by its pieces, one after the other: 45 %, 45 %" in words
     assert "mosaic.tif" in page.words
 
 

@@ -75,8 +75,8 @@ def test_fields_and_numbers(scanned: Run) -> None:
     assert scanned.log.warnings == scanned.log.errors == []
     assert scanned.layer("SEAMS").fields().names() == [
         "seam_id", "station", "left_source", "right_source", "left_date", "right_date", "length", "level", "state",
-        "kept_1", "kept_2", "kept_3", "kept_low", "kept_high", "band_width", "feather_width", "visibility", "verdict",
-        "reason",
+        "kept_1", "kept_2", "kept_3", "kept_low", "kept_high", "band_width", "feather_width", "visibility", "profile",
+        "verdict", "reason",
     ]
     assert scanned.layer("CELLS").fields().names() == ["source"]
     assert scanned.layer("WORST").fields().names() == ["window_id", "seam_id", "station"]

@@ -1,17 +1,19 @@
 """Copies of a mosaic among its sources: they would explain all of it, and hide every loss.
 
 A copy has pixels wherever the mosaic has, is like it in every place, and other sources are like it too, each in some
-places. No true orthoimage is all of that; what is some of it takes part, and is told.
+places. No true orthoimage is all of that; what is some of it takes part, and is told. So is an image that others
+explain wherever it lies, with less detail than they have: a blurred mosaic, or a mean of orthoimages.
 """
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ....imagery.clips import read_clip
 from ....imagery.errors import Message, RasterError
@@ -35,6 +37,13 @@ MOST_MISSING = 0.05  # of a patch, where the mosaic has pixels and a copy has no
 MOST_LACKING = 0.08
 LEAST_UNLIKE = 0.25  # Brighton: all orthoimages lack more somewhere, by 0.96 and more
 ROUNDING = 0.0005  # is lacking where values were scaled
+# Share of an image's detail that 3 x 3 px of the others explain. Brighton and PackO, lossless or JPEG 75: of a mosaic
+# blurred by 0.7 to 3 px, or a mean, 0.85 in nine places of ten, of an orthoimage less than 0.25 in one of ten.
+LEAST_EXPLAINED = 0.9
+MOST_ELSEWHERE = 0.15  # of the places, that a thing of others may be unlike them, as where one of them is not given
+FEWEST_EXPLAINED = 8  # places
+MOST_OTHERS = 6  # images that explain one at a place, those most alike
+LEAST_SHARP = 0.95  # of the others' fine detail by their coarser: an image that is given twice hides nothing
 LEAST_SHOWN = 0.5  # of the places, by other images. Brighton: 0.7 and more of a mosaic, 0.2 of a single orthoimage
 
 
@@ -47,6 +56,8 @@ class Likeness(Enum):
     """The mosaic wherever they were compared: one of its orthoimages, or a copy of it or of a part of it."""
     LIKE = "like"
     """Nearly so."""
+    OF_OTHERS = "of others"
+    """Explained by other sources wherever it lies, with less detail."""
 
 
 def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
@@ -62,6 +73,7 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
         *(messages.COPY_AMONG_SOURCES(name=source.ref.name) for source in named[Likeness.COPY]),
         *(messages.MAY_BE_COPY(name=source.ref.name) for source in named[Likeness.EQUAL]),
         *(messages.MAY_BE_ALTERED_COPY(name=source.ref.name) for source in named[Likeness.LIKE]),
+        *(messages.MADE_OF_OTHERS(name=source.ref.name) for source in named[Likeness.OF_OTHERS]),
     ]
 
 
@@ -84,6 +96,14 @@ def likenesses(mosaic: Raster, sources: Sequence[Source]) -> list[Likeness]:
                     found[n] = Likeness.COPY
                 elif is_whole or is_shown:
                     found[n] = Likeness.EQUAL if comparison.is_alike(n, ROUNDING) else Likeness.LIKE
+            others = {n for n in range(len(sources)) if n not in copies and found[n] is not Likeness.COPY}
+            while soft := [
+                (sharpness, n) for n in candidates if n in others
+                and (sharpness := comparison.sharpness(n, others - {n})) is not None and sharpness < LEAST_SHARP
+            ]:
+                softest = min(soft)[1]
+                others.remove(softest)  # which does not explain what it was made of
+                found[softest] = Likeness.OF_OTHERS
     for n in copies:
         found[n] = Likeness.COPY
     return found
@@ -110,6 +130,33 @@ class _Patch:
         return np.concatenate([across[where[:, 1:] & where[:, :-1]], down[where[1:] & where[:-1]]])
 
 
+def _explained(patch: _Patch, others: Sequence[_Patch]) -> float:
+    """Share of the detail of a patch that the neighbourhoods of 3 x 3 px in others explain; nan where too few pixels
+    are in all of them."""
+    inner = (slice(1, -1),) * 2
+    near = [sliding_window_view(one.values, (3, 3)).reshape(*one.values[inner].shape, 9) for one in others]
+    both = patch.valid[inner] & np.all(
+        [sliding_window_view(one.valid, (3, 3)).all(axis=(2, 3)) for one in others], axis=0
+    )
+    detail = _Patch(patch.values[inner], both).differences(both)
+    if both.mean() < LEAST_SHARED or not detail.any() or not np.isfinite(detail).all():
+        return np.nan
+    taps = np.stack([
+        _Patch(plane, both).differences(both) for planes in near for plane in np.moveaxis(planes, 2, 0)
+    ], axis=1)  # fmt: skip
+    if not np.isfinite(taps).all():
+        return np.nan
+    left = detail - taps @ np.linalg.lstsq(taps, detail, rcond=None)[0]
+    pixels = len(detail) / 2  # which have two differences each
+    return float(1 - (left @ left) / (detail @ detail) * pixels / max(pixels - taps.shape[1], 1))
+
+
+def _energy(patch: _Patch) -> float:
+    """Energy of a patch's detail, of a pixel."""
+    detail = patch.differences(patch.valid)
+    return float(np.mean(detail**2)) if len(detail) else 0.0
+
+
 def _lacking(mosaic: _Patch, source: _Patch) -> float:
     """Share of the detail of the mosaic that a source does not show; nan where too few pixels are in both."""
     both = mosaic.valid & source.valid
@@ -126,6 +173,7 @@ class _Comparison:
     def __init__(self, mosaic: Raster, sources: Sequence[Source], pool: RasterPool) -> None:
         self._mosaic, self._sources, self._pool = mosaic, sources, pool
         self._known: dict[tuple[int, int], tuple[float, float]] = {}
+        self._patches: dict[tuple[int, int], tuple[_Patch, _Patch] | None] = {}
         patches = []
         for window in _windows(mosaic):
             with suppress(RasterError):
@@ -159,6 +207,40 @@ class _Comparison:
             any(self._compared(n, k)[0] <= MOST_LACKING and self._is_another(n) for n in self._over[k]) for k in places
         )
         return shown >= LEAST_SHOWN * len(places)
+
+    def sharpness(self, number: int, others: Collection[int]) -> float | None:
+        """Fine detail of a source that others explain nearly wherever it lies, as a share of that of those most like
+        it; None for one that shows what they don't."""
+        places = [k for k, over in enumerate(self._over) if number in over and over & {*others}]
+        detail, missed = [], 0
+        for k in places:
+            own = self._seen(number, k)
+            seen = [one for n in sorted(self._over[k] & {*others}) if (one := self._seen(n, k)) is not None]
+            if own is None:
+                continue
+            lacking = [_lacking(own[1], coarse) for _, coarse in seen]
+            near = [seen[n] for n in np.argsort(lacking).tolist() if not np.isnan(lacking[n])]
+            if not near:
+                continue
+            explained = _explained(own[1], [coarse for _, coarse in near[:MOST_OTHERS]])
+            missed += explained < LEAST_EXPLAINED
+            if missed > MOST_ELSEWHERE * len(places):
+                return None
+            if not np.isnan(explained):
+                detail.append([_energy(one) for one in (*own, *near[0])])
+        if len(detail) < FEWEST_EXPLAINED or missed > MOST_ELSEWHERE * len(detail):
+            return None
+        fine, coarse, their_fine, their_coarse = np.sum(detail, axis=0).tolist()
+        return fine * their_coarse / (coarse * their_fine) if coarse * their_fine else None
+
+    def _seen(self, number: int, k: int) -> tuple[_Patch, _Patch] | None:
+        """A source at a place and its averages there; None where it can't be read."""
+        if (number, k) not in self._patches:
+            self._patches[number, k] = None
+            with suppress(RasterError):  # the scan says so where it needs it
+                patch = self._read(self._sources[number].ref, self._places[k][0])
+                self._patches[number, k] = patch, patch.averaged(AVERAGED_PX)
+        return self._patches[number, k]
 
     def _is_another(self, number: int) -> bool:
         """Whether a source is another image of the ground somewhere, or may be; what was made of the mosaic is not."""

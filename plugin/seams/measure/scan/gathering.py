@@ -198,6 +198,7 @@ class Gathering:
         whole, brightest = list(pieces), 0.0
         unchanged: list[int] = []
         strips: list[StripProfile] = [NOTHING] * len(pieces)
+        profiles = [""] * len(pieces)
         grey, grain = np.full((2, len(pieces)), np.nan)
         requests = (self._pieces(pieces, index, numbers) for numbers in groups)
         measured: Iterator[MeasuredPieces] = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
@@ -205,13 +206,13 @@ class Gathering:
             grey[one.numbers], grain[one.numbers] = one.grey, one.grain
             brightest = max(brightest, one.brightest)
             for place, number in enumerate(one.numbers.tolist()):
-                strips[number] = one.found[place]
+                strips[number], profiles[number] = one.found[place], one.profiles[place]
                 if one.beside is not None:
                     whole[number] = sided(pieces[number], one.beside[place].tolist(), self._request.named[0])
             unchanged += one.numbers[one.unchanged].tolist()
         white = white_grey(self._request.mosaic, brightest)
         grains = [None if np.isnan(one) else one / white for one in grain.tolist()]
-        return list(map(PieceFigures, whole, strips, visibilities(strips, grey, white), grains)), unchanged
+        return list(map(PieceFigures, whole, strips, visibilities(strips, grey, white), grains, profiles)), unchanged
 
     def _groups(self, pieces: Sequence[SeamPiece]) -> list[np.ndarray]:
         """Numbers of the pieces that are measured together, by where their middles lie, row by row."""

@@ -10,13 +10,14 @@ import numpy as np
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
 from ....imagery.record_store import RecordFiles
+from ....imagery.seam_totals import KeptBeside, profile_text
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, BlockGrid, BlockKey
 from ..blocks.scan_block import CELLS
 from ..judgement.visibility import visibility
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..profile.ground import FAR_PX, LevelGround
-from ..profile.seam_profile import strip_bins
+from ..profile.seam_profile import STRIP_PX, SeamProfile, strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
 from ..seamlines.label_borders import NONE
 from ..seamlines.piece_index import PieceIndex
@@ -56,6 +57,8 @@ class MeasuredPieces:
     numbers: np.ndarray
     found: Sequence[StripProfile]
     """Without the bins of their profiles."""
+    profiles: Sequence[str]
+    """What is kept of the finest detail by distance from each, as ``profile_text`` writes it; empty for nothing."""
     grey: np.ndarray
     """(pieces,) mean of the mosaic in the strip, NaN where it is not known."""
     brightest: float
@@ -90,15 +93,26 @@ def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey
-    found = [one if one.profile is None else replace(one, profile=replace(one.profile, bins=()))
-             for one in without_even(sums.profiles(), grain, grey)]
+    found = without_even(sums.profiles(), grain, grey)
+    profiles = [_profile_text(one.profile, grid.ground_sample_distance) for one in found]
+    found = [one if one.profile is None else replace(one, profile=replace(one.profile, bins=())) for one in found]
     labels = partial(_labels_at, request) if request.looks_beside else None
     beside = sources_beside(request.pieces, labels, grid, LABEL_PX) if labels is not None else None
     unchanged = np.zeros(len(request.pieces), bool)
     if labels is not None and beside is not None:
         aside = sources_beside(request.pieces, labels, grid, LABEL_PX, (MOST_ASIDE_PX - 8, MOST_ASIDE_PX))
         unchanged = (beside[:, 0] != NONE) & (np.hstack([beside, aside]) == beside[:, :1]).all(axis=1)
-    return MeasuredPieces(request.numbers, found, grey, brightest, grain, beside, unchanged)
+    return MeasuredPieces(request.numbers, found, profiles, grey, brightest, grain, beside, unchanged)
+
+
+def _profile_text(profile: SeamProfile | None, pixel_m: float) -> str:
+    if profile is None or profile.kept[0] is None:
+        return ""
+    bins = [one for one in profile.bins if one.level == 1 and one.far_px <= EDGES_PX[MIXED_BINS]]
+    return profile_text((
+        KeptBeside(0, STRIP_PX * pixel_m, profile.kept[0]),
+        *(KeptBeside(one.near_px * pixel_m, one.far_px * pixel_m, one.kept) for one in bins),
+    ))
 
 
 def without_even(found: Sequence[StripProfile], grain: np.ndarray, grey: np.ndarray) -> list[StripProfile]:

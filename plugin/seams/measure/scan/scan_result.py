@@ -65,6 +65,9 @@ class JudgedPiece:
     """When the source on the right hand was taken, likewise."""
     state: PieceState = PieceState.NOT_MEASURED
     """What it counts as, where ``STANDARD_LEAST_KEPT`` has to be kept."""
+    profile: str = ""
+    """What is kept of the finest detail by distance from the seam, by the sums that ``kept`` is of: the field of SEAMS,
+    as ``profile_text`` writes it; empty without orthoimages."""
     is_stretch: bool = False
     """Whether it is what several pieces keep together, and no piece that adds up."""
 
@@ -84,6 +87,8 @@ class PieceFigures:
     """Of its loss, JND."""
     grain: float | None = None
     """Largest rms of its sources' finest detail, as a share of white; None where that is not known."""
+    profile: str = ""
+    """As ``JudgedPiece`` has it."""
 
 
 def judge_piece(
@@ -109,7 +114,7 @@ def judge_piece(
             feather = None if profile.feather_width_px is None else profile.feather_width_px * ground_sample_distance
             return JudgedPiece(
                 piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, figures.visibility,
-                feather, state=state,
+                feather, state=state, profile=figures.profile,
             )
     if is_even:
         why, state = messages.PIECE_WITHOUT_DETAIL(), PieceState.NO_DETAIL
@@ -283,6 +288,7 @@ SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
     Column("band_width", "real", lambda one: one.band_width_m),
     Column("feather_width", "real", lambda one: one.feather_width_m),
     Column("visibility", "real", lambda one: one.visibility),
+    Column("profile", "text", lambda one: one.profile or None),
     Column("verdict", "text", lambda one: one.verdict.value),
     Column("reason", "text", lambda one: one.reason),
 )
