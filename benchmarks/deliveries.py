@@ -19,19 +19,19 @@ import numpy as np
 from osgeo import gdal, ogr
 from scipy.ndimage import gaussian_filter
 from seam_inspector import (
-    AcceptanceOutcome,
     Decision,
     ScanResult,
     ScanSettings,
-    decide,
     limit_rules,
-    make_delivery,
     open_block,
     scan,
-    seam_rows,
 )
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.measure.delivered_files import OrderedForm, OrderedSheet, checked_sheets
+from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
 from seam_inspector.plugin.acceptance.measure.delivery import Delivery, SheetOutline
+from seam_inspector.plugin.seams.measure.scan.scan_result import seam_rows
 
 from .compressed import LOSSLESS, WAVELET, Codec
 from .compressed_scans import FAILED, SCANNED_PX, PlantedBlock, ScanOutcome
