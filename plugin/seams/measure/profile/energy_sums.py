@@ -119,7 +119,7 @@ class EnergySums:
         kept = _kept(mosaic_energy, by_kept)
         with np.errstate(divide="ignore", invalid="ignore"):
             by_response = np.nan_to_num(np.log(kept * by_kept[_ALL] / mosaic_energy), nan=0.0, posinf=0.0, neginf=0.0)
-        error = np.hypot(error / _slope(kept, by_kept), RESPONSE_ERROR * by_response)
+        error = np.hypot(error / np.maximum(_slope(kept, by_kept), 1e-6), RESPONSE_ERROR * by_response)
         return Kept.of(kept, error, np.broadcast_to(blocks - 1, error.shape))
 
     def _add_noise(self, near: CellTable, ground: LevelGround, expected: np.ndarray, piece: np.ndarray) -> None:
@@ -145,9 +145,9 @@ def _kept(mosaic_energy: np.ndarray, by_kept: np.ndarray) -> np.ndarray:
 
 
 def _slope(kept: np.ndarray, by_kept: np.ndarray) -> np.ndarray:
-    """Change of an energy with what is kept, both as shares: 1 without noise."""
+    """Change of an energy with what is kept, both as shares: 1 without noise, 0 where that hides all."""
     at = np.clip(np.searchsorted(TRIED, np.nan_to_num(kept, nan=1.0)), 1, len(TRIED) - 1)
     below, above = np.take_along_axis(by_kept, np.stack([at - 1, at]), 0)
     with np.errstate(divide="ignore", invalid="ignore"):
         slope = np.log(above / below) / np.log(TRIED[at] / TRIED[at - 1])
-    return np.asarray(np.clip(np.nan_to_num(slope, nan=1.0), LEAST_SLOPE, 1))
+    return np.where(slope < LEAST_SLOPE, 0, np.clip(np.nan_to_num(slope, nan=1.0), 0, 1))

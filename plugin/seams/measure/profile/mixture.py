@@ -67,6 +67,8 @@ class Mixtures:
     """(n, levels, SLOTS): energy that neither source nor the edge explains, DN squared."""
     carried: np.ndarray
     """(n, SLOTS): weights of both sources together: less than on the ground where something else is in their place."""
+    known: np.ndarray
+    """(n, SLOTS) bool: bins in which the share is known."""
 
 
 def raw_shares(products: np.ndarray) -> np.ndarray:
@@ -94,7 +96,7 @@ def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
     variance = _unsure_by_left_over(products, left_over, carried)
     shares, spread = _over_levels(_shares(products, weights), spread, variance)
     mixed, unsure, blended = fit_ramps(shares, spread, _most_floor(products[:, 0], left_over[:, 0]))
-    return Mixtures(mixed, unsure, blended, 1 - sharp[:, :1], of_edge, left_over, carried[:, 0])
+    return Mixtures(mixed, unsure, blended, 1 - sharp[:, :1], of_edge, left_over, carried[:, 0], np.isfinite(spread))
 
 
 def _unsure_by_left_over(products: np.ndarray, left_over: np.ndarray, carried: np.ndarray) -> np.ndarray:
@@ -298,7 +300,7 @@ class MixedStrips:
         mixed, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
         self.before_in_strip = _ratio(mixed * source, plain * shown, 1.0)
         """(levels, count): such a multiple of the strip."""
-        enough = self._both_sides(self._area)[strip_bins(0)].sum(axis=0) >= MIN_BESIDE_PX
+        enough = self._both_sides(self._area * fitted.known)[strip_bins(0)].sum(axis=0) >= MIN_BESIDE_PX
         self.levels = np.where(enough, _ratio(mixed, plain), np.nan)
         """kept_r (levels, count), NaN where nothing can be told."""
         self.kept = self._kept(left_out, other + fitted.blended[:, np.newaxis] * np.nan_to_num(deviations))

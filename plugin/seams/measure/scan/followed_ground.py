@@ -49,6 +49,15 @@ class GroundPlace:
         return f"{self.x:.10g} {self.y:.10g} {self.width_m:.0f} {self.height_m:.0f}"
 
 
+def _open_ends(paths: Sequence[np.ndarray]) -> list[np.ndarray]:
+    """Ends of lines, (n, 2) each, that no other line shares, as lines of one vertex."""
+    if not paths:
+        return []
+    ends = np.concatenate([path[[0, -1]] for path in paths])
+    _, which, count = np.unique(np.rint(ends), axis=0, return_inverse=True, return_counts=True)
+    return [end[np.newaxis] for end in ends[count[which.ravel()] == 1]]
+
+
 class FollowedGround:
     """The units of a mosaic, and the pieces of its seams."""
 
@@ -63,8 +72,11 @@ class FollowedGround:
         # What is too short to be measured tells nothing of a border, be there a piece of it every few metres.
         least_m = LEAST_SEAM_PX * self._grid.ground_sample_distance
         long = [one for one in pieces if one.length_m >= least_m]
-        self._on_seam = self._marked([self._grid.to_pixels(one.vertices) for one in long])
-        self._at_seam = ndimage.maximum_filter(self._on_seam, 2 * _AT_SEAM_PX // UNIT_PX + 1)
+        paths = [self._grid.to_pixels(one.vertices) for one in long]
+        self._on_seam = self._marked(paths)
+        # Beside a seam, not beyond its end: there it may have been cut off.
+        along = self._on_seam & ~self._marked(_open_ends(paths))
+        self._at_seam = self._on_seam | ndimage.maximum_filter(along, 2 * _AT_SEAM_PX // UNIT_PX + 1)
 
     def _marked(self, paths: Sequence[np.ndarray]) -> np.ndarray:
         """Units that lines run through, bool; columns and rows of their vertices in pixels."""

@@ -276,3 +276,11 @@ def test_what_is_read_around_a_window_is_ground_and_is_not_judged() -> None:
     other = half.detail(inside=(slice(32, SIDE // 2 - 32), slice(128, 384))).profile
     assert other is not None
     assert other.kept[0] < 0.7
+
+
+@pytest.mark.parametrize("sigma", [2.0, 3.0])
+def test_of_a_mosaic_without_fine_detail_nothing_is_said_to_be_kept(sigma: float) -> None:
+    """All of it blurred and rounded to 8 bit: what is left of the finest detail is rounding."""
+    made = blend(60)
+    found = made.profile(np.rint(ndimage.gaussian_filter(made.made, sigma)))
+    assert found.low < made.truth()

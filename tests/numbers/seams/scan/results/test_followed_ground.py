@@ -56,6 +56,16 @@ def test_a_border_without_a_seam_is_told_with_its_length_and_place() -> None:
     assert (one.x, one.y) == (pytest.approx(20 * UNIT_PX * GSD, abs=4), pytest.approx(-20 * UNIT_PX * GSD, abs=4))
 
 
+def test_a_line_that_ends_tells_of_nothing_beyond() -> None:
+    gap = 5
+    (one,) = ground_of(halves(), [[(20.0, 0.0), (20.0, 18.0)], [(20.0, 18.0 + gap), (20.0, 40.0)]]).unseen
+    assert (gap - 2) * UNIT_PX * GSD <= one.metres + 1e-6 <= gap * UNIT_PX * GSD  # without the units where it ends
+
+
+def test_lines_that_go_on_in_each_other_leave_no_gap() -> None:
+    assert not ground_of(halves(), [[(20.0, 0.0), (20.0, 18.0)], [(20.0, 18.0), (20.0, 40.0)]]).unseen
+
+
 @pytest.mark.parametrize("dash_px", [4, 30, 60])
 def test_dashes_too_short_to_be_measured_tell_of_no_border(dash_px: int) -> None:
     dashes = [[(20.0, row), (20.0, row + dash_px / UNIT_PX)] for row in range(0, 39, 2)]
@@ -216,7 +226,8 @@ def test_a_strip_so_narrow_that_its_sides_are_told_is_measured_and_fails(tmp_pat
 def test_a_sound_mosaic_and_a_feathered_one_hide_nothing(tmp_path: Path, given: bool, feather: int) -> None:
     one = scene(tmp_path, blended(*images(), beside(SEAM, feather)), images())
     told = result_of(tmp_path, one, (given_seam(one, SEAM),) if given else ()).told
-    seen = {name: text for name, text in told.items() if not name.endswith("_files") and name != "metres"}
+    aside = "mosaic_files", "source_files", "metres", "system"
+    seen = {name: text for name, text in told.items() if name not in aside}
     assert seen == {"seams": "given" if given else "found", "unexplained": "0.0000"} | (
         {"unchanged_metres": "0.0"} if given else {}
     )
