@@ -33,6 +33,9 @@ tones were evened out place by place, strong and weak detail differ by where the
 SURE_LEFT = 0.5
 """Share of what codecs leave over of any mixture that is the error of what it keeps: of 114 windows with a codec on
 either side 96 % of all intervals held the truth, without it 94 %."""
+MOST_MISFITTING = 0.03
+"""Share of the mosaic's detail that filters and places of the images leave over of a feather without a codec: up to
+0.012 in the demonstration block, of 0.05 to 0.15 with JPEG 75 and 90 on the same blocks."""
 BLOCK_CELLS = 2
 """A side of the blocks whose scatter the interval follows from: as much ground as 64 px of strip."""
 
@@ -98,8 +101,8 @@ class EnergySums:
         by_ground = in_strip(self.left_by_ground)
         more = np.maximum(all_left - by_ground, 0)
         soft = soft_left_over / np.maximum(all_left, 1e-12)[:, np.newaxis]
-        of_strip = np.maximum(more - (MOST_UNEVEN - 1) * by_ground, 0)[0] * in_strip(soft)[0]
-        self._unsure = 2 * ALONG * np.sqrt(of_strip / mm)
+        rounded = np.maximum(more - (MOST_UNEVEN - 1) * by_ground, 0)[0] * in_strip(soft)[0]
+        self._unsure = 2 * ALONG * np.sqrt(np.maximum(rounded / mm - MOST_MISFITTING, 0))
         self.own = self.own - edge - soft * more[:, np.newaxis]
         return np.asarray(more)
 
