@@ -182,6 +182,7 @@ def _mended(
         return not cancelled()
 
     made = job.result(goes_on, *crew)
+    _tell(dict.fromkeys(one.reason.as_warning() for one in made if one.reason is not None))
     progress(1.0)
     return made
 

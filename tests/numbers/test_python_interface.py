@@ -5,6 +5,7 @@ import ast
 import inspect
 import json
 import re
+import shutil
 import subprocess
 import sys
 import warnings
@@ -23,14 +24,17 @@ from seam_inspector import (
     inspect_window,
     inspect_windows,
     limit_rules,
+    mend,
     open_block,
     profile_rows,
     scan,
     seam_rows,
     window_rows,
+    write_scan,
 )
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
+from seam_inspector.plugin.imagery.lines import line_wkt
 
 from tests.made_once import the_small_block
 from tools import python_pages
@@ -217,6 +221,32 @@ def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
     assert "goes on where it stopped" in str(found.notices[0])
     assert any(one.kept for one in found.pieces)
     assert not list(tmp_path.glob("*.scan"))
+
+
+def test_seams_that_cannot_be_mended_are_left_with_a_reason(
+    block: Block, folder: Path, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    found, moved = scan(block), tmp_path / "moved.gpkg"
+    failed = sum(row["length"] for row in seam_rows(found) if row["level"] == "piece" and row["state"] == "failed")
+    write_scan(tmp_path / "seams.gpkg", found, block)
+    shutil.copy(tmp_path / "seams.gpkg", moved)
+    elsewhere = gdal.OpenEx(str(moved), gdal.OF_UPDATE)
+    layer = elsewhere.GetLayerByName("seams")
+    for feature in list(layer):
+        points = [(x + 5000, y) for x, y, *_ in feature.GetGeometryRef().GetPoints()]
+        feature.SetGeometry(ogr.CreateGeometryFromWkt(line_wkt(np.array(points))))
+        layer.SetFeature(feature)
+    del feature, layer, elsewhere
+    for sources, seams, words in (
+        ([], found, "no two of the given"), ([block.sources[0].ref.path], found, "no two of the given"),
+        ([one.ref.path for one in block.sources], moved, "not lie on this mosaic"),
+    ):  # fmt: skip
+        caplog.clear()
+        made = mend(open_block(folder / "mosaic.tif", sources), seams, tmp_path / "mended.vrt")
+        assert {one.outcome for one in made} == {"left"}
+        assert all(words in str(one.reason) for one in made)
+        assert sum(one.run.piece.length_m for one in made) == pytest.approx(failed)
+        assert words in caplog.text
 
 
 def test_seamlines_that_are_none_are_told(block: Block, folder: Path, tmp_path: Path) -> None:

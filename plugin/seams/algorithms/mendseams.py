@@ -109,10 +109,7 @@ class MendSeams(SeamInspectorAlgorithm):
         run.tell_once(notices)
         pieces = self._pieces(run, crs, sources)
         request = MendRequest(mosaic, tuple(sources), tuple(pieces), MendSettings(run.real(WIDTH), run.whole(BLEND)))
-        runs, unnamed = request.runs
-        if unnamed:
-            run.tell(messages.SIDES_UNKNOWN(metres=unnamed))
-        elif not runs:
+        if not any(request.runs):
             run.tell(messages.NOTHING_TO_MEND())
         with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as crew, \
                 mending(request, patches, mended) as job:
@@ -132,7 +129,7 @@ class MendSeams(SeamInspectorAlgorithm):
         left = metres(seams, LEFT)
         return {
             PATCHES: patches, MENDED: mended, MENDED_MOSAIC: mended, CUTS: cuts,
-            MENDED_METRES: metres(seams) - left, LEFT_METRES: left + unnamed,
+            MENDED_METRES: metres(seams) - left, LEFT_METRES: left,
             **run.save(common.REPORT, lambda path: save_mending_report(path, request, mended, seams)),
         }
 

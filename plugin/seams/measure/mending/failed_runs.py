@@ -100,20 +100,20 @@ def part_of(run: SeamRun, first_m: float, last_m: float, metres: np.ndarray | fl
 
 def seam_runs(
     pieces: Sequence[SeamRun], numbers: Mapping[str, int], ground_sample_distance: float
-) -> tuple[list[SeamRun], float]:
-    """The runs of the wanted pieces, and the metres of those whose orthoimages are not known.
+) -> tuple[list[SeamRun], list[SeamRun]]:
+    """The runs of the wanted pieces, and the wanted pieces whose orthoimages are not known.
 
     ``numbers``: of the sources, by what the pieces call them.
     """
     runs: list[SeamRun] = []
-    unnamed = 0.0
+    unnamed: list[SeamRun] = []
     wanted = [number for number, one in enumerate(pieces) if one.is_wanted]
     wanted.sort(key=lambda number: (pieces[number].piece.seam_id, pieces[number].piece.station_m))
     for number in wanted:
         one = pieces[number]
         left, right = (numbers.get(str(side)) for side in (one.piece.left, one.piece.right))
         if left is None or right is None or left == right:
-            unnamed += one.piece.length_m
+            unnamed.append(one)
             continue
         alone = replace(one, numbers=(number,), sides=(left, right))
         if runs and _goes_on(runs[-1], alone, LONGEST_PX * ground_sample_distance):
