@@ -26,7 +26,6 @@ from ..plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
 from ..plugin.imagery.atomic_files import save_text
 from ..plugin.imagery.documents import plugin_version
 from ..plugin.imagery.errors import SeamInspectorError, SeamInspectorWarning
-from ..plugin.imagery.file_identity import guarding
 from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
 from ..plugin.seams.measure.judgement.verdicts import Verdict
 from ..plugin.seams.measure.limits import DENSITIES, FAILED, MENDED_SEAMS, STANDARD_PIECE_M
@@ -36,6 +35,7 @@ from ..plugin.seams.measure.window.window_request import InspectionSettings
 from ..plugin.seams.measure.window.window_tables import window_rows
 from .deciding import decide
 from .measuring import inspect_windows, mend, scan
+from .outputs import GEOPACKAGE, GEOTIFF, PAGE, writing
 from .report_page import save_report
 from .scan_files import write_scan
 
@@ -74,7 +74,7 @@ def _scan(asked: argparse.Namespace) -> int:
     block, rules = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies), _rules(asked)
     settings = ScanSettings(density=asked.density, piece_m=asked.piece)
     with _guarded(asked, block.paths):
-        found = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss, **asked.run)
+        found = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss or "", **asked.run)
         write_scan(asked.output, found, block, settings)
         return _decided(asked, decide({Path(asked.mosaic).stem: asked.output}, rules, mosaics=[asked.mosaic]))
 
@@ -135,10 +135,12 @@ def _rules(asked: argparse.Namespace) -> AcceptanceRules:
 
 
 def _guarded(asked: argparse.Namespace, inputs: Sequence[str]) -> Any:
-    """Over no input: checked before anything is measured."""
+    """By names that can be, over no input: checked before anything is measured."""
     given = (getattr(asked, name, "") for name in ("seamlines", "rules"))
-    outputs = {name: getattr(asked, name, "") for name in ("output", "loss", "report")}
-    return guarding({name: path for name, path in outputs.items() if path}, (*inputs, *filter(None, given)))
+    endings = {"output": GEOPACKAGE if asked.command is _scan else (), "loss": GEOTIFF, "report": PAGE}
+    outputs = {name: (getattr(asked, name, None), ending) for name, ending in endings.items()}
+    wanted = {name: (path, ending) for name, (path, ending) in outputs.items() if path is not None}
+    return writing(wanted, (*inputs, *filter(None, given)))
 
 
 class _Parser(argparse.ArgumentParser):
@@ -168,7 +170,7 @@ def _parser() -> argparse.ArgumentParser:
     one = command("scan", _scan, "Scan a mosaic and decide on it.")
     one.add_argument("-o", "--output", required=True, help="GeoPackage for what is found")
     one.add_argument("--seamlines", default="", help="vector file of seams; else they are found")
-    one.add_argument("--loss", default="", help="GeoTIFF of losses; a scan that was stopped goes on by it")
+    one.add_argument("--loss", help="GeoTIFF of losses; a scan that was stopped goes on by it")
     one.add_argument("--density", choices=DENSITIES, default=DENSITIES[0])
     one.add_argument("--piece", type=float, default=STANDARD_PIECE_M, metavar="METRES", help="of a piece of seam")
     _add_limits(one)
@@ -177,7 +179,7 @@ def _parser() -> argparse.ArgumentParser:
     one.add_argument("--at", nargs=2, type=float, action="append", required=True, metavar=("X", "Y"), help=middle)
     one.add_argument("--side", type=float, default=100.0, metavar="METRES", help="the least side of a window")
     one.add_argument("--min-kept", type=float, default=InspectionSettings().min_kept, help="share that has to be kept")
-    one.add_argument("-o", "--output", default="", help="CSV for the table of windows")
+    one.add_argument("-o", "--output", help="CSV for the table of windows")
     one = command("accept", _accept, "Decide on what scans left.", is_measuring=False)
     one.add_argument("seams", metavar="SEAMS", nargs="+", help="GeoPackages of scans, a sheet each")
     one.add_argument("--mosaic", action="append", default=[], dest="mosaics", help="a file that is delivered")
@@ -192,7 +194,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _add_limits(parser: argparse.ArgumentParser) -> None:
     standard = limit_rules()
-    parser.add_argument("--report", default="", help="page of HTML for the decision")
+    parser.add_argument("--report", help="page of HTML for the decision")
     parser.add_argument("--rules", default="", help="JSON file of rules, in the place of the limits below")
     parser.add_argument("--min-kept", type=float, default=standard.least_kept, metavar="SHARE")
     for name, check, unit in (

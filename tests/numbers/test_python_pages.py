@@ -104,6 +104,11 @@ def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tm
     for wrong in (
         ["scan", mosaic, *sources, "-o", mosaic], ["scan", str(tmp_path / "none.tif"), "-o", seams], ["accept", mosaic],
         ["scan", mosaic, *sources, "-o", seams, "--piece", "0"], [], ["accept", seams, "--min-kept", "7"],
-        ["accept", seams, "--max-share", "much"],
+        ["accept", seams, "--max-share", "much"], ["accept", seams, "--report", ""],
+        ["scan", mosaic, *sources, "-o", str(tmp_path)], ["scan", mosaic, "-o", f"{tmp_path}/a.gpkg", "--loss", mosaic],
+        ["scan", mosaic, "-o", f"{tmp_path}/a.gpkg", "--report", f"{tmp_path}/none/report.html"],
+        ["mend", mosaic, *sources, "--seams", seams, "-o", ""],
     ):  # fmt: skip
         assert code(*wrong) == 3
+    assert not (tmp_path / "a.gpkg").exists()
+    assert code("mend", mosaic, "--seams", seams, "-o", f"{tmp_path}/mended.vrt", "--which", "all") == 1
