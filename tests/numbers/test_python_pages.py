@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -79,6 +80,28 @@ def test_the_shell_of_the_page_runs(folder: Path, shell: dict[str, str], heading
     run = subprocess.run(["sh", "-c", code], cwd=folder, env=shell, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     assert "Traceback" not in run.stderr
+
+
+def test_a_sheet_without_any_seam_is_undecided(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
+    from osgeo import gdal
+
+    sources, sheet = sorted(map(str, folder.glob("block/strip*.tif"))), str(tmp_path / "sheet.tif")
+    gdal.Translate(sheet, str(folder / "block" / "mosaic.tif"), srcWin=[0, 0, 64, 64])
+    for command in (
+        ["scan", sheet, *sources, "-o", f"{tmp_path}/seams.gpkg"], ["accept", f"{tmp_path}/seams.gpkg"],
+    ):  # fmt: skip
+        run = subprocess.run(["seam-inspector", *command], env=shell, capture_output=True, text=True, check=False)
+        assert (run.returncode, run.stdout.startswith("Undecided: there is no seam")) == (2, True), run.stderr
+
+
+def test_a_reader_who_goes_away_changes_no_decision(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
+    """As `head` does. Every command takes longer to start than `true` to end."""
+    sources = sorted(map(str, folder.glob("block/strip*.tif")))
+    command = shlex.join(["seam-inspector", "scan", str(folder / "block" / "mosaic.tif"), *sources, "-o", "seams.gpkg"])
+    for pipe in ("| true", "2>&1 | true"):
+        script = f"{{ {command}; echo $? > code; }} {pipe}"
+        run = subprocess.run(["sh", "-c", script], cwd=tmp_path, env=shell, capture_output=True, text=True, check=True)
+        assert ((tmp_path / "code").read_text(), run.stderr.count("Error")) == ("1\n", 0)
 
 
 def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:

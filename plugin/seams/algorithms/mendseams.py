@@ -13,7 +13,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ...imagery.errors import CancelledError, SettingsError
+from ...imagery.errors import CancelledError
 from ...imagery.records import GEOMETRY
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
@@ -84,8 +84,9 @@ class MendSeams(SeamInspectorAlgorithm):
         })
 
     def check(self, run: Run) -> None:
-        if run.text(WHAT) not in MENDED_SEAMS:
-            raise SettingsError(messages.WHAT_UNKNOWN(what=run.text(WHAT), known=", ".join(MENDED_SEAMS)))
+        from ..measure.mending.failed_runs import check_what
+
+        check_what(run.text(WHAT))
         check_sources(run)
         run.mosaic()
 

@@ -12,7 +12,7 @@ from ....imagery.errors import SettingsError
 from ....imagery.lines import as_xy, is_line, line_points, read_geometry, simple_parts, vertex_stations
 from ....imagery.seam_totals import STRETCH, PieceState, possible_kept
 from ..judgement.verdicts import Verdict
-from ..limits import ALL, FAILED, REDUCED
+from ..limits import ALL, FAILED, MENDED_SEAMS, REDUCED
 from ..seamlines.seam_features import SeamFeature
 from ..seamlines.seam_pieces import SeamPiece, cut_at
 from . import messages
@@ -43,6 +43,12 @@ class SeamRun:
     """Stations of a part of its pieces, metres along the seam."""
 
 
+def check_what(what: str) -> None:
+    """Raise SettingsError for seams that are none of ``limits.MENDED_SEAMS``."""
+    if what not in MENDED_SEAMS:
+        raise SettingsError(messages.WHAT_UNKNOWN(what=what, known=", ".join(MENDED_SEAMS)))
+
+
 def given_pieces(
     features: Iterable[SeamFeature], names: Sequence[str], what: str,
     is_near: Callable[[np.ndarray], bool] = lambda vertices: True,
@@ -52,6 +58,7 @@ def given_pieces(
     ``what``: one of ``limits.MENDED_SEAMS``; of those only such as are ``is_near`` by their vertices are wanted. Raises
     SettingsError for a layer without the fields of a scan, or with none of its pieces.
     """
+    check_what(what)
     missing = [name for name in FIELDS if name not in names]
     if missing:
         raise SettingsError(messages.NOT_OF_A_SCAN(fields=", ".join(missing)))

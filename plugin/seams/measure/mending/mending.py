@@ -286,8 +286,9 @@ class Mending:
 
 @contextmanager
 def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending]:
-    """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where no
-    file can be, or another one is under way there."""
+    """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where a
+    setting is out of its range, no file can be, or another one is under way there."""
+    request.settings.check()
     given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
     given.append(np.array([one.is_wanted for one in request.pieces]))
     refs = request.mosaic.ref, *(one.ref for one in request.sources)

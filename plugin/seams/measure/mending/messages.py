@@ -35,6 +35,8 @@ SIDES_UNKNOWN = Message("The seam names no two of the given orthoimages; give th
 
 # settings
 WHAT_UNKNOWN = Message("'{what}' can't be mended; give one of: {known}.")
+NO_WIDTH = Message("The corridor is {value:g} m wide; give more than 0.")
+NO_BLEND = Message("A blend of {value:g} pixels can't be made; give a whole number of 0 to {most}.")
 # the whole
 NOT_OF_A_SCAN = Message(
     "The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes."
