@@ -10686,34 +10686,29 @@
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="36"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
         <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
         <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="42"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="41"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="44"/>
         <source>The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="43"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="46"/>
         <source>Mending was stopped; start it again with the same outputs, and it goes on where it was.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="45"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="48"/>
         <source>Mending goes on where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="47"/>
-        <source>{metres:.0f} m of the seams name no two orthoimages that are given, so they stay as they are.</source>
-        <translation>{metres:.0f} m linii mozaikowania nie wymienia dwóch podanych ortoobrazów, więc pozostają bez zmian.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="49"/>
@@ -11251,42 +11246,42 @@
         <translation>pozostawione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="61"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="59"/>
         <source>{seam}, from {station} m</source>
         <translation>{seam}, od {station} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="67"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="65"/>
         <source>where the seam was</source>
         <translation>gdzie była linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="67"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="65"/>
         <source>where it is now</source>
         <translation>gdzie jest teraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="34"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="33"/>
         <source>corridor on either side (m)</source>
         <translation>korytarz po każdej stronie (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="35"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="34"/>
         <source>blend (px)</source>
         <translation>mieszanie (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="76"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="74"/>
         <source>before</source>
         <translation>przed</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="76"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="74"/>
         <source>after</source>
         <translation>po</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/mending_report.py" line="42"/>
+        <location filename="../plugin/seams/report/mending_report.py" line="40"/>
         <source>metres {outcome}</source>
         <translation>metry: {outcome}</translation>
     </message>
@@ -13023,6 +13018,21 @@
     <message>
         <source>in a width of</source>
         <translation>na szerokości</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="34"/>
+        <source>The seam names no two of the given orthoimages; give those that the mosaic was made from.</source>
+        <translation>Linia mozaikowania nie wskazuje dwóch z podanych ortoobrazów; podaj te, z których powstała ortofotomapa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="38"/>
+        <source>The corridor is {value:g} m wide; give more than 0.</source>
+        <translation>Korytarz ma szerokość {value:g} m; podaj więcej niż 0.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
+        <source>A blend of {value:g} pixels can&apos;t be made; give a whole number of 0 to {most}.</source>
+        <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
 </context>
 </TS>

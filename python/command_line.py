@@ -5,6 +5,7 @@ import argparse
 import csv
 import io
 import logging
+import os
 import signal
 import sys
 import traceback
@@ -12,7 +13,7 @@ import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from threading import Event
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TextIO
 
 from ..plugin.acceptance.measure.acceptance_rules import (
     FAILED_SHARE,
@@ -23,10 +24,10 @@ from ..plugin.acceptance.measure.acceptance_rules import (
     load_acceptance_rules,
 )
 from ..plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
+from ..plugin.acceptance.measure.delivered_rows import NoSeamsError
 from ..plugin.imagery.atomic_files import save_text
 from ..plugin.imagery.documents import plugin_version
 from ..plugin.imagery.errors import SeamInspectorError, SeamInspectorWarning
-from ..plugin.imagery.file_identity import guarding
 from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
 from ..plugin.seams.measure.judgement.verdicts import Verdict
 from ..plugin.seams.measure.limits import DENSITIES, FAILED, MENDED_SEAMS, STANDARD_PIECE_M
@@ -34,8 +35,10 @@ from ..plugin.seams.measure.mending.mending import LEFT, metres
 from ..plugin.seams.measure.window.inspection import open_block
 from ..plugin.seams.measure.window.window_request import InspectionSettings
 from ..plugin.seams.measure.window.window_tables import window_rows
+from . import messages
 from .deciding import decide
 from .measuring import inspect_windows, mend, scan
+from .outputs import GEOPACKAGE, GEOTIFF, PAGE, writing
 from .report_page import save_report
 from .scan_files import write_scan
 
@@ -61,20 +64,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore" if asked.quiet else "always", SeamInspectorWarning)
         warnings.showwarning = lambda message, *_, **__: _say(str(message))
+        code = ERROR
         try:
-            return int(asked.command(asked))
+            code = int(asked.command(asked))
+        except NoSeamsError:
+            code = UNDECIDED
+            _say(messages.NO_SEAM_TO_DECIDE_ON(), sys.stdout)
         except SeamInspectorError as error:
             _say(f"seam-inspector: {error}")
         except Exception:  # any other exit code than 3 would be a decision
             _say(traceback.format_exc())
-    return ERROR
+        _say("", end="")  # what the log could not write
+    return code
 
 
 def _scan(asked: argparse.Namespace) -> int:
     block, rules = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies), _rules(asked)
     settings = ScanSettings(density=asked.density, piece_m=asked.piece)
     with _guarded(asked, block.paths):
-        found = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss, **asked.run)
+        found = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss or "", **asked.run)
         write_scan(asked.output, found, block, settings)
         return _decided(asked, decide({Path(asked.mosaic).stem: asked.output}, rules, mosaics=[asked.mosaic]))
 
@@ -102,7 +110,7 @@ def _inspect(asked: argparse.Namespace) -> int:
     for row in rows:
         numbers = [row[name] for name in ("kept_1", "kept_low", "kept_high")]
         kept = "" if None in numbers else ", {:.2f} kept ({:.2f} to {:.2f})".format(*numbers)
-        print(f"{row['window_id']}: {row['verdict']}{kept}{': ' + row['reason'] if row['reason'] else ''}")
+        _say(f"{row['window_id']}: {row['verdict']}{kept}{': ' + row['reason'] if row['reason'] else ''}", sys.stdout)
     verdicts = {result.judgement.verdict for result in results}
     if Verdict.SIGNIFICANT in verdicts:
         return REJECTED
@@ -113,16 +121,16 @@ def _mend(asked: argparse.Namespace) -> int:
     block = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies)
     made = mend(block, asked.seams, asked.output, patches=asked.patches, which=asked.which, **asked.run)
     left = metres(made, LEFT)
-    print(f"{metres(made) - left:.1f} m mended, {left:.1f} m left as they were: {asked.output}")
+    _say(f"{metres(made) - left:.1f} m mended, {left:.1f} m left as they were: {asked.output}", sys.stdout)
     for one in made:
         if one.reason is not None:
-            print(f"seam {one.run.piece.seam_id}, {one.run.piece.station_m:.0f} m: {one.reason}")
+            _say(f"seam {one.run.piece.seam_id}, {one.run.piece.station_m:.0f} m: {one.reason}", sys.stdout)
     return REJECTED if left else ACCEPTED
 
 
 def _decided(asked: argparse.Namespace, decision: Decision) -> int:
     for sentence in decision.sentences:
-        print(sentence)
+        _say(sentence, sys.stdout)
     if asked.report:
         save_report(Path(asked.report), decision)
     return _CODES[decision.outcome]
@@ -135,10 +143,12 @@ def _rules(asked: argparse.Namespace) -> AcceptanceRules:
 
 
 def _guarded(asked: argparse.Namespace, inputs: Sequence[str]) -> Any:
-    """Over no input: checked before anything is measured."""
+    """By names that can be, over no input: checked before anything is measured."""
     given = (getattr(asked, name, "") for name in ("seamlines", "rules"))
-    outputs = {name: getattr(asked, name, "") for name in ("output", "loss", "report")}
-    return guarding({name: path for name, path in outputs.items() if path}, (*inputs, *filter(None, given)))
+    endings = {"output": GEOPACKAGE if asked.command is _scan else (), "loss": GEOTIFF, "report": PAGE}
+    outputs = {name: (getattr(asked, name, None), ending) for name, ending in endings.items()}
+    wanted = {name: (path, ending) for name, (path, ending) in outputs.items() if path is not None}
+    return writing(wanted, (*inputs, *filter(None, given)))
 
 
 class _Parser(argparse.ArgumentParser):
@@ -168,7 +178,7 @@ def _parser() -> argparse.ArgumentParser:
     one = command("scan", _scan, "Scan a mosaic and decide on it.")
     one.add_argument("-o", "--output", required=True, help="GeoPackage for what is found")
     one.add_argument("--seamlines", default="", help="vector file of seams; else they are found")
-    one.add_argument("--loss", default="", help="GeoTIFF of losses; a scan that was stopped goes on by it")
+    one.add_argument("--loss", help="GeoTIFF of losses; a scan that was stopped goes on by it")
     one.add_argument("--density", choices=DENSITIES, default=DENSITIES[0])
     one.add_argument("--piece", type=float, default=STANDARD_PIECE_M, metavar="METRES", help="of a piece of seam")
     _add_limits(one)
@@ -177,7 +187,7 @@ def _parser() -> argparse.ArgumentParser:
     one.add_argument("--at", nargs=2, type=float, action="append", required=True, metavar=("X", "Y"), help=middle)
     one.add_argument("--side", type=float, default=100.0, metavar="METRES", help="the least side of a window")
     one.add_argument("--min-kept", type=float, default=InspectionSettings().min_kept, help="share that has to be kept")
-    one.add_argument("-o", "--output", default="", help="CSV for the table of windows")
+    one.add_argument("-o", "--output", help="CSV for the table of windows")
     one = command("accept", _accept, "Decide on what scans left.", is_measuring=False)
     one.add_argument("seams", metavar="SEAMS", nargs="+", help="GeoPackages of scans, a sheet each")
     one.add_argument("--mosaic", action="append", default=[], dest="mosaics", help="a file that is delivered")
@@ -192,7 +202,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _add_limits(parser: argparse.ArgumentParser) -> None:
     standard = limit_rules()
-    parser.add_argument("--report", default="", help="page of HTML for the decision")
+    parser.add_argument("--report", help="page of HTML for the decision")
     parser.add_argument("--rules", default="", help="JSON file of rules, in the place of the limits below")
     parser.add_argument("--min-kept", type=float, default=standard.least_kept, metavar="SHARE")
     for name, check, unit in (
@@ -203,12 +213,17 @@ def _add_limits(parser: argparse.ArgumentParser) -> None:
 
 
 def _shown(share: float) -> None:
-    print(f"\r{share:4.0%}", end="\n" if share >= 1 else "", file=sys.stderr, flush=True)
+    _say(f"\r{share:4.0%}", end="\n" if share >= 1 else "")
 
 
 def _untold(share: float) -> None:
     """Nobody watches."""
 
 
-def _say(words: str) -> None:
-    print(words, file=sys.stderr)
+def _say(words: object, file: TextIO | None = None, end: str = "\n") -> None:
+    """To standard error, or another file. A reader who has gone, as ``head``, changes nothing of what is decided."""
+    file = file or sys.stderr
+    try:
+        print(words, end=end, file=file, flush=True)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), file.fileno())

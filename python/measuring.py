@@ -31,6 +31,7 @@ from ..plugin.seams.measure.window.window_request import InspectionSettings, Win
 from ..plugin.seams.measure.window.window_result import WindowResult
 from ..plugin.toolkit.executors import Crew, open_executor
 from . import messages
+from .outputs import GEOTIFF, VRT, writing
 from .scan_files import SEAMLINES, read_seams
 
 if TYPE_CHECKING:
@@ -113,15 +114,17 @@ def scan(
         As for ``inspect_windows``.
 
     What was left out or assumed stands in the result's ``notices``, and goes to the log ``seam_inspector``. Raises
-    SettingsError when the inputs make no scan, or the picture would be written over one of them, SeamlineError for
-    seamlines that are none, RasterError when the picture can't be written, CancelledError when cancelled,
-    WorkersLostError when nobody is left to measure.
+    SettingsError when the inputs make no scan, or the picture can't be written, or only over one of them or over what
+    no scan made, SeamlineError for seamlines that are none, RasterError when the disk is full, CancelledError when
+    cancelled, WorkersLostError when nobody is left to measure.
     """
-    with open_executor(executor, cancelled) as (opened, ahead):
+    given = os.fspath(seamlines).partition("|")[0]
+    outputs = {"loss": (os.fspath(loss), GEOTIFF)} if loss else {}
+    read = filter(None, (*block.paths, *block.files, given))
+    with writing(outputs, read), open_executor(executor, cancelled) as (opened, ahead):
         run = ScanRun(opened, ahead, progress, cancelled)
         found = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
     _tell(found.notices)
-    given = os.fspath(seamlines).partition("|")[0]
     return replace(found, told={**found.told, SEAMLINES: os.path.abspath(given)}) if given else found
 
 
@@ -155,11 +158,12 @@ def mend(
     left to measure.
     """
     place = Path(os.fspath(mended))
-    folder = os.fspath(patches) or str(place.with_name(f"{place.stem}_patches"))
+    folder = os.fspath(patches) or str(place.parent / f"{place.stem}_patches")
     made = {"patches": folder} if Path(folder).suffix else {one.name: str(one) for one in Path(folder).glob("patch_*")}
     read = [*block.paths, *block.files]
     read += [] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]]
-    with guarding({"mended": str(place), **made}, read):
+    name = os.fspath(mended)
+    with guarding({"mended": name, **made}, read), writing({"mended": (name, VRT)}, ()):
         rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams).rows
         features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
         pieces = tuple(given_pieces(features, FIELDS, which))
@@ -182,6 +186,7 @@ def _mended(
         return not cancelled()
 
     made = job.result(goes_on, *crew)
+    _tell(dict.fromkeys(one.reason.as_warning() for one in made if one.reason is not None))
     progress(1.0)
     return made
 

@@ -19,7 +19,12 @@ NOT_FINITE = Message("image holds NaN, infinite or masked pixels; cut a part wit
 NAMES_TWICE = Message("names has {name} twice; give each band a name of its own.")
 NAMES_COUNT = Message("names has {given} names for {count} bands; give one for each.")
 NOT_IN_ONE_SYSTEM = Message("{name} lies in another reference system than {first}; decide on each by itself.")
+NO_SEAM_TO_DECIDE_ON = Message("Undecided: there is no seam to decide on; no report is written.")
 NO_LAYER_OF_SEAMS = Message("{path} has no layer of seams as a scan writes it; give the GeoPackage of a scan.")
+OTHER_ENDING = Message("'{output}' is written as {ending}; give {path} that ending.")
+HOLDS_OTHER_DATA = Message(
+    "'{output}' would be written over {path}, which holds something else than a scan left; choose another file."
+)
 NO_RECTANGLE = Message(
     "Window {number} is no rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry "
     "or with xmin, ymin, xmax and ymax."

@@ -13,7 +13,6 @@ from osgeo import gdal, ogr, osr
 from ..plugin.imagery import messages as imagery_messages
 from ..plugin.imagery.atomic_files import whole_file
 from ..plugin.imagery.errors import SettingsError
-from ..plugin.imagery.file_identity import guarding
 from ..plugin.imagery.gdal_calls import gdal_silenced, gdal_writing
 from ..plugin.imagery.gdal_paths import FEATURES, open_dataset
 from ..plugin.imagery.lines import line_wkt
@@ -25,9 +24,8 @@ from ..plugin.seams.measure.scan.scan_request import ScanRequest
 from ..plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, ScanResult, seam_notes
 from ..plugin.seams.measure.window.inspection import Block, PathLike
 from . import messages
+from .outputs import CELLS, GEOPACKAGE, SEAMS, WORST, writing
 
-SEAMS = "seams"
-"""Table of the pieces of seam."""
 SEAMLINES = "seamlines_file"
 """Key, among what a scan tells, of the file of seams that it was given."""
 _KINDS = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString}
@@ -46,22 +44,23 @@ class SeamTable:
 def write_scan(path: PathLike, found: ScanResult, block: Block, settings: ScanSettings | None = None) -> None:
     """Write what a scan found as a GeoPackage: the tables ``seams``, ``source_cells`` and ``worst_windows``.
 
-    The file is there whole or not at all, over no input. ``settings``: those of the scan. Raises SettingsError where it
-    can't be.
+    The file, ``.gpkg``, is there whole or not at all, over no input and nothing but another scan. ``settings``: those
+    of the scan. Raises SettingsError where it can't be.
     """
     settings, place, wkt = settings or ScanSettings(), Path(os.fspath(path)), block.mosaic.wkt
     names = ScanRequest(block.mosaic, block.sources, settings).source_names
     outlines = (ogr.CreateGeometryFromWkt(line_wkt(one.piece.vertices)) for one in found.features)
     failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
     read = filter(None, (*block.paths, *block.files, found.told.get(SEAMLINES, "")))
-    with guarding({"output": str(place)}, read), whole_file(place) as unfinished, gdal_writing(failure):
+    outputs = {"output": (os.fspath(path), GEOPACKAGE)}
+    with writing(outputs, read), whole_file(place) as unfinished, gdal_writing(failure):
         made = gdal.GetDriverByName("GPKG").Create(str(unfinished), 0, 0, 0, gdal.GDT_Unknown)
-        _write(made, "worst_windows", ogr.wkbPolygon, wkt, PLACED_COLUMNS, found.worst, (
+        _write(made, WORST, ogr.wkbPolygon, wkt, PLACED_COLUMNS, found.worst, (
             _rectangle(*block.mosaic.grid.window_extent(one.window)) for one in found.worst
         ))  # fmt: skip
         seams = _write(made, SEAMS, ogr.wkbLineString, wkt, SEAM_COLUMNS, found.features, outlines, settings.levels)
         cells = [names[one.source] for one in found.polygons]
-        _write(made, "source_cells", ogr.wkbMultiPolygon, wkt, CELL_COLUMNS, cells, (
+        _write(made, CELLS, ogr.wkbMultiPolygon, wkt, CELL_COLUMNS, cells, (
             ogr.CreateGeometryFromWkb(one.wkb) for one in found.polygons
         ))  # fmt: skip
         seams.SetMetadata(seam_notes(found, settings, wkt), TOTALS_DOMAIN)

@@ -6,6 +6,7 @@ state of what is read, by which a file is known again elsewhere, and seen to hav
 """
 from __future__ import annotations
 
+import errno
 import json
 import os
 import re
@@ -22,7 +23,7 @@ from typing import NamedTuple, Union
 from osgeo import gdal
 
 from . import messages
-from .atomic_files import leading_to
+from .atomic_files import files_written, leading_to
 from .documents import json_document
 from .errors import RasterError, SettingsError
 from .gdal_calls import gdal_settings, gdal_silenced
@@ -41,6 +42,7 @@ from .remote_files import forget_fetched
 
 IN_MEMORY = "/vsimem/"
 _DATABASES = (".gpkg", ".sqlite")  # files that a table can be added to
+_JOURNAL = "-journal"  # SQLite's, beside the database
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
     ".shp": (".shx", ".dbf", ".prj", ".cpg"),
     ".tab": (".dat", ".map", ".id", ".ind"),
@@ -91,6 +93,41 @@ def check_is_file(title: str, path: str) -> None:
     half-made."""
     if "\0" in path or (path.startswith("/vsi") and not path.startswith(IN_MEMORY)):
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=path))
+
+
+def check_can_be_written(title: str, path: str) -> None:
+    """Raise SettingsError where no file can be, which is looked at before anything is measured."""
+    check_is_file(title, path)
+    if not path.strip():
+        raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path="''"))
+    if not path.startswith(IN_MEMORY):
+        with files_written(path):
+            _check_place(path)
+
+
+def _check_place(path: str) -> None:
+    """Raise OSError where no file can be."""
+    state, folder = _state_at(path), os.path.dirname(os.path.realpath(path))
+    if is_database(path):
+        _state_at(path + _JOURNAL)  # whose name may be too long
+    os.stat(os.path.join(folder, ""))
+    number = 0
+    if path.endswith(("/", os.sep)) or (state is not None and stat.S_ISDIR(state.st_mode)):
+        number = errno.EISDIR
+    elif state is not None and not stat.S_ISREG(state.st_mode):
+        number = errno.EPERM
+    elif not os.access(folder if state is None else path, os.W_OK):
+        number = errno.EACCES
+    if number:
+        raise OSError(number, os.strerror(number))
+
+
+def _state_at(path: str) -> os.stat_result | None:
+    """None where there is no file yet. Raises OSError where there can be none."""
+    try:
+        return os.stat(path)
+    except FileNotFoundError:
+        return None
 
 
 def check_outputs(

@@ -195,6 +195,49 @@ def test_nothing_takes_the_place_of_an_input(writer: Writer) -> None:
         assert not Path(f"{path}.ovr").exists()
 
 
+# --- what can't be written ------------------------------------------------------------------------------------------
+
+
+def test_a_name_that_cannot_be_written_is_refused_before_anything_is_measured(
+    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    mosaic = the_small_block(tmp_path_factory).mosaic
+    block, found = open_block(mosaic), ScanResult((), (), ())
+
+    def measured(share: float) -> None:
+        raise AssertionError(share)
+
+    for write, ending in (
+        (lambda path: write_scan(path, found, block), ".gpkg"),
+        (lambda path: scan(block, loss=path, progress=measured), ".tif"),
+        (lambda path: mend(block, tmp_path / "none.gpkg", path, progress=measured), ".vrt"),
+    ):  # fmt: skip
+        (folder := tmp_path / f"folder{ending}").mkdir(exist_ok=True)
+        (foreign := tmp_path / f"foreign{ending}").write_text("mine")
+        replaced = [str(foreign)] if ending in (".gpkg", ".tif") else []
+        for path in (str(folder), " ", "/dev/null", f"{tmp_path}/none/a{ending}", f"{tmp_path}/a.other", *replaced):
+            with pytest.raises(SeamInspectorError, match=r"can't be written|not a file|that ending|something else"):
+                write(path)
+        assert foreign.read_text() == "mine"
+
+
+def test_a_scan_is_written_over_a_scan_and_no_other_layers(
+    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    mosaic = the_small_block(tmp_path_factory).mosaic
+    block = open_block(mosaic, sorted(mosaic.parent.glob("strip*.tif")))
+    found, path, loss = scan(block), tmp_path / "seams.gpkg", tmp_path / "loss.tif"
+    for _ in range(2):
+        write_scan(path, found, block)
+        scan(block, loss=loss)
+    gdal.VectorTranslate(str(path), str(path), accessMode="update", layers=["seams"], layerName="mine")
+    shutil.copy(block.mosaic.ref.path, loss)
+    for write in (lambda: write_scan(path, found, block), lambda: scan(block, loss=loss)):
+        with pytest.raises(SeamInspectorError, match="something else"):
+            write()
+    assert gdal.OpenEx(str(path)).GetLayerByName("mine") is not None
+
+
 # --- which files belong to an input --------------------------------------------------------------------------------
 
 

@@ -5,6 +5,7 @@ import ast
 import inspect
 import json
 import re
+import shutil
 import subprocess
 import sys
 import warnings
@@ -18,19 +19,24 @@ import seam_inspector
 from osgeo import gdal, ogr, osr
 from seam_inspector import (
     Block,
+    MendSettings,
+    ScanResult,
     SeamInspectorError,
     SeamInspectorWarning,
     inspect_window,
     inspect_windows,
     limit_rules,
+    mend,
     open_block,
     profile_rows,
     scan,
     seam_rows,
     window_rows,
+    write_scan,
 )
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
+from seam_inspector.plugin.imagery.lines import line_wkt
 
 from tests.made_once import the_small_block
 from tools import python_pages
@@ -60,6 +66,11 @@ def block(folder: Path) -> Block:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         return open_block(folder / "mosaic.tif", sorted(folder.glob("strip*.tif")))
+
+
+@pytest.fixture(scope="module")
+def scanned(block: Block) -> ScanResult:
+    return scan(block)
 
 
 @cache
@@ -217,6 +228,45 @@ def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
     assert "goes on where it stopped" in str(found.notices[0])
     assert any(one.kept for one in found.pieces)
     assert not list(tmp_path.glob("*.scan"))
+
+
+def test_seams_that_cannot_be_mended_are_left_with_a_reason(
+    block: Block, scanned: ScanResult, folder: Path, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    moved = tmp_path / "moved.gpkg"
+    failed = sum(row["length"] for row in seam_rows(scanned) if row["level"] == "piece" and row["state"] == "failed")
+    write_scan(tmp_path / "seams.gpkg", scanned, block)
+    shutil.copy(tmp_path / "seams.gpkg", moved)
+    elsewhere = gdal.OpenEx(str(moved), gdal.OF_UPDATE)
+    layer = elsewhere.GetLayerByName("seams")
+    for feature in list(layer):
+        points = [(x + 5000, y) for x, y, *_ in feature.GetGeometryRef().GetPoints()]
+        feature.SetGeometry(ogr.CreateGeometryFromWkt(line_wkt(np.array(points))))
+        layer.SetFeature(feature)
+    del feature, layer, elsewhere
+    for sources, seams, words in (
+        ([], scanned, "no two of the given"), ([block.sources[0].ref.path], scanned, "no two of the given"),
+        ([one.ref.path for one in block.sources], moved, "not lie on this mosaic"),
+    ):  # fmt: skip
+        caplog.clear()
+        made = mend(open_block(folder / "mosaic.tif", sources), seams, tmp_path / "mended.vrt")
+        assert {one.outcome for one in made} == {"left"}
+        assert all(words in str(one.reason) for one in made)
+        assert sum(one.run.piece.length_m for one in made) == pytest.approx(failed)
+        assert words in caplog.text
+
+
+@pytest.mark.parametrize(("settings", "which", "words"), [
+    ({"width_m": 0}, "all", "0 m wide"), ({"width_m": -2}, "all", "-2 m wide"), ({"width_m": np.nan}, "all", "nan m"),
+    ({"width_m": np.inf}, "all", "inf m"), ({"blend_px": -1}, "all", "blend of -1"),
+    ({"blend_px": 2.5}, "all", "blend of 2.5"), ({"blend_px": 99}, "all", "blend of 99"), ({}, "x", "can't be mended"),
+])  # fmt: skip
+def test_settings_of_mending_are_checked(
+    block: Block, scanned: ScanResult, tmp_path: Path, settings: dict[str, float], which: str, words: str
+) -> None:
+    with pytest.raises(SeamInspectorError, match=words):
+        mend(block, scanned, tmp_path / "mended.vrt", MendSettings(**settings), which=which)  # type: ignore[arg-type]
+    assert not list(tmp_path.glob("mended*.vrt"))
 
 
 def test_seamlines_that_are_none_are_told(block: Block, folder: Path, tmp_path: Path) -> None:

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -81,6 +82,28 @@ def test_the_shell_of_the_page_runs(folder: Path, shell: dict[str, str], heading
     assert "Traceback" not in run.stderr
 
 
+def test_a_sheet_without_any_seam_is_undecided(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
+    from osgeo import gdal
+
+    sources, sheet = sorted(map(str, folder.glob("block/strip*.tif"))), str(tmp_path / "sheet.tif")
+    gdal.Translate(sheet, str(folder / "block" / "mosaic.tif"), srcWin=[0, 0, 64, 64])
+    for command in (
+        ["scan", sheet, *sources, "-o", f"{tmp_path}/seams.gpkg"], ["accept", f"{tmp_path}/seams.gpkg"],
+    ):  # fmt: skip
+        run = subprocess.run(["seam-inspector", *command], env=shell, capture_output=True, text=True, check=False)
+        assert (run.returncode, run.stdout.startswith("Undecided: there is no seam")) == (2, True), run.stderr
+
+
+def test_a_reader_who_goes_away_changes_no_decision(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
+    """As `head` does. Every command takes longer to start than `true` to end."""
+    sources = sorted(map(str, folder.glob("block/strip*.tif")))
+    command = shlex.join(["seam-inspector", "scan", str(folder / "block" / "mosaic.tif"), *sources, "-o", "seams.gpkg"])
+    for pipe in ("| true", "2>&1 | true"):
+        script = f"{{ {command}; echo $? > code; }} {pipe}"
+        run = subprocess.run(["sh", "-c", script], cwd=tmp_path, env=shell, capture_output=True, text=True, check=True)
+        assert ((tmp_path / "code").read_text(), run.stderr.count("Error")) == ("1\n", 0)
+
+
 def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
     from osgeo import gdal
 
@@ -104,6 +127,11 @@ def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tm
     for wrong in (
         ["scan", mosaic, *sources, "-o", mosaic], ["scan", str(tmp_path / "none.tif"), "-o", seams], ["accept", mosaic],
         ["scan", mosaic, *sources, "-o", seams, "--piece", "0"], [], ["accept", seams, "--min-kept", "7"],
-        ["accept", seams, "--max-share", "much"],
+        ["accept", seams, "--max-share", "much"], ["accept", seams, "--report", ""],
+        ["scan", mosaic, *sources, "-o", str(tmp_path)], ["scan", mosaic, "-o", f"{tmp_path}/a.gpkg", "--loss", mosaic],
+        ["scan", mosaic, "-o", f"{tmp_path}/a.gpkg", "--report", f"{tmp_path}/none/report.html"],
+        ["mend", mosaic, *sources, "--seams", seams, "-o", ""],
     ):  # fmt: skip
         assert code(*wrong) == 3
+    assert not (tmp_path / "a.gpkg").exists()
+    assert code("mend", mosaic, "--seams", seams, "-o", f"{tmp_path}/mended.vrt", "--which", "all") == 1

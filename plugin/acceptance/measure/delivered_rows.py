@@ -45,6 +45,10 @@ _LACKING_M = 0.05  # below it lengths are rounded
 _OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
 
 
+class NoSeamsError(SettingsError):
+    """No sheet has a seam, so that there is nothing to decide on."""
+
+
 SeamRow = Mapping[str, object]
 _NUMBERS, _SIDES = ("kept_low", "kept_high", "band_width"), ("left_source", "right_source", "left_date", "right_date")
 
@@ -270,7 +274,8 @@ def make_delivery(
     lines = {sheet: [_vertices(row) for row in rows] for sheet, rows in given.items()}
     first = next((line for of_sheet in lines.values() for line in of_sheet if len(line)), None)
     if first is None:
-        raise SettingsError(messages.LAYERS_EMPTY())
+        is_seamless = bool(given) and not any(given.values())
+        raise (NoSeamsError if is_seamless else SettingsError)(messages.LAYERS_EMPTY())
     as_scanned, own_wkt = lines, wkt
     if wkt and is_geographic(wkt):
         target = utm_wkt(*first[0].tolist())

@@ -13,7 +13,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ...imagery.errors import CancelledError, SettingsError
+from ...imagery.errors import CancelledError
 from ...imagery.records import GEOMETRY
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
@@ -84,8 +84,9 @@ class MendSeams(SeamInspectorAlgorithm):
         })
 
     def check(self, run: Run) -> None:
-        if run.text(WHAT) not in MENDED_SEAMS:
-            raise SettingsError(messages.WHAT_UNKNOWN(what=run.text(WHAT), known=", ".join(MENDED_SEAMS)))
+        from ..measure.mending.failed_runs import check_what
+
+        check_what(run.text(WHAT))
         check_sources(run)
         run.mosaic()
 
@@ -109,10 +110,7 @@ class MendSeams(SeamInspectorAlgorithm):
         run.tell_once(notices)
         pieces = self._pieces(run, crs, sources)
         request = MendRequest(mosaic, tuple(sources), tuple(pieces), MendSettings(run.real(WIDTH), run.whole(BLEND)))
-        runs, unnamed = request.runs
-        if unnamed:
-            run.tell(messages.SIDES_UNKNOWN(metres=unnamed))
-        elif not runs:
+        if not any(request.runs):
             run.tell(messages.NOTHING_TO_MEND())
         with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as crew, \
                 mending(request, patches, mended) as job:
@@ -132,7 +130,7 @@ class MendSeams(SeamInspectorAlgorithm):
         left = metres(seams, LEFT)
         return {
             PATCHES: patches, MENDED: mended, MENDED_MOSAIC: mended, CUTS: cuts,
-            MENDED_METRES: metres(seams) - left, LEFT_METRES: left + unnamed,
+            MENDED_METRES: metres(seams) - left, LEFT_METRES: left,
             **run.save(common.REPORT, lambda path: save_mending_report(path, request, mended, seams)),
         }
 

@@ -25,7 +25,6 @@ MOST_PICTURED = 100  # runs, those that keep least first; the others stand in th
 def save_mending_report(path: Path, request: MendRequest, mended: str, seams: Sequence[MendedSeam]) -> None:
     """Write the report. ``mended``: the mended mosaic. Raises SettingsError where no file can be."""
     words = {MENDED: tr("mended"), IMPROVED: tr("improved"), LEFT: tr("left")}
-    unnamed = request.runs[1]
     shown = sorted((one for one in seams if one.outcome != LEFT), key=lambda one: one.kept or 0.0)[:MOST_PICTURED]
     with rasters_kept():
         save_page(
@@ -36,10 +35,9 @@ def save_mending_report(path: Path, request: MendRequest, mended: str, seams: Se
                 [measured_raster(tr("mosaic"), request.mosaic),
                  *each_raster(tr("orthoimage"), (one.ref for one in request.sources))],
             ),
-            is_whole=not unnamed and not metres(seams, LEFT, IMPROVED),
+            is_whole=not metres(seams, LEFT, IMPROVED),
             lengths=[
-                (formatted(metres(seams, outcome) + (unnamed if outcome == LEFT else 0), ".0f"),
-                 filled(tr("metres {outcome}"), outcome=word))
+                (formatted(metres(seams, outcome), ".0f"), filled(tr("metres {outcome}"), outcome=word))
                 for outcome, word in words.items()
             ],
             rows=[

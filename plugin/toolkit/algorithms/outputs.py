@@ -4,11 +4,9 @@ They are held against what they name before anything is measured or written.
 """
 from __future__ import annotations
 
-import errno
 import os
 import re
 import sqlite3
-import stat
 from collections.abc import Iterator
 from contextlib import closing
 from itertools import chain
@@ -41,9 +39,15 @@ from qgis.PyQt.QtCore import QUrl
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
-from ...imagery.file_identity import IN_MEMORY, DataPlace, check_is_file, check_outputs, is_database, opened_checked
+from ...imagery.file_identity import (
+    DataPlace,
+    check_can_be_written,
+    check_is_file,
+    check_outputs,
+    is_database,
+    opened_checked,
+)
 from ...imagery.gdal_paths import path_from
-from ...imagery.messages import system_reason
 from .. import messages
 from . import parameters as common
 
@@ -55,7 +59,6 @@ _ADDRESSES = ("ogr:", "spatialite:")
 _MISREAD = re.compile(r"[:\\]|\|(?!layer(name|id)=)|%[0-9A-Fa-f]{2}(?=[^/]*\.(gpkg|sqlite)$)", re.I)
 """What of a file's name QGIS takes for a provider, a folder or a part of an address, SQLite for another character."""
 _NO_TABLE_BEGINS_WITH = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,/"  # as GDAL's GeoPackage has it
-_JOURNAL = "-journal"  # SQLite's, beside the database
 _OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "range", "string"}  # parameters that name no file
 _VECTORS = (
     QgsProcessing.SourceType.TypeVector,
@@ -134,12 +137,7 @@ def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) 
     place = DataPlace(text) if is_raster else table_place(text)
     is_folder = text.endswith(("/", os.sep)) or (os.path.exists(text) and not os.path.isfile(text))
     path = text if is_folder else place.path
-    check_is_file(title, path)
-    try:
-        if not path.startswith(IN_MEMORY):
-            _check_file(path)
-    except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=system_reason(error))) from None
+    check_can_be_written(title, path)
     if is_raster:
         return
     _check_name(title, text, place)
@@ -155,32 +153,6 @@ def _check_name(title: str, text: str, place: DataPlace) -> None:
     shown = os.path.splitdrive(path if text.startswith(_ADDRESSES) else text)[1].replace(os.sep, "/")
     if misread := _MISREAD.search(shown):
         raise SettingsError(messages.NAME_MISREAD(output=title, path=text, found=misread[0]))
-
-
-def _check_file(path: str) -> None:
-    """Raise OSError where no file can be."""
-    if path.endswith(("/", os.sep)):
-        raise _system_error(errno.EISDIR)
-    state, folder = _state(path), os.path.dirname(os.path.realpath(path))
-    if is_database(path):
-        _state(path + _JOURNAL)
-    os.stat(os.path.join(folder, ""))
-    if state is not None and not stat.S_ISREG(state.st_mode):
-        raise _system_error(errno.EISDIR if stat.S_ISDIR(state.st_mode) else errno.EPERM)
-    if not os.access(folder if state is None else path, os.W_OK):
-        raise _system_error(errno.EACCES)
-
-
-def _system_error(number: int) -> OSError:
-    return OSError(number, os.strerror(number))
-
-
-def _state(path: str) -> os.stat_result | None:
-    """The state of a file; None where there is none. Raises OSError where there can be none."""
-    try:
-        return os.stat(path)
-    except FileNotFoundError:
-        return None
 
 
 def _is_locked(path: str) -> bool:

@@ -12,7 +12,7 @@ from ....imagery.errors import SettingsError
 from ....imagery.lines import as_xy, is_line, line_points, read_geometry, simple_parts, vertex_stations
 from ....imagery.seam_totals import STRETCH, PieceState, possible_kept
 from ..judgement.verdicts import Verdict
-from ..limits import ALL, FAILED, REDUCED
+from ..limits import ALL, FAILED, MENDED_SEAMS, REDUCED
 from ..seamlines.seam_features import SeamFeature
 from ..seamlines.seam_pieces import SeamPiece, cut_at
 from . import messages
@@ -43,6 +43,12 @@ class SeamRun:
     """Stations of a part of its pieces, metres along the seam."""
 
 
+def check_what(what: str) -> None:
+    """Raise SettingsError for seams that are none of ``limits.MENDED_SEAMS``."""
+    if what not in MENDED_SEAMS:
+        raise SettingsError(messages.WHAT_UNKNOWN(what=what, known=", ".join(MENDED_SEAMS)))
+
+
 def given_pieces(
     features: Iterable[SeamFeature], names: Sequence[str], what: str,
     is_near: Callable[[np.ndarray], bool] = lambda vertices: True,
@@ -52,6 +58,7 @@ def given_pieces(
     ``what``: one of ``limits.MENDED_SEAMS``; of those only such as are ``is_near`` by their vertices are wanted. Raises
     SettingsError for a layer without the fields of a scan, or with none of its pieces.
     """
+    check_what(what)
     missing = [name for name in FIELDS if name not in names]
     if missing:
         raise SettingsError(messages.NOT_OF_A_SCAN(fields=", ".join(missing)))
@@ -100,20 +107,20 @@ def part_of(run: SeamRun, first_m: float, last_m: float, metres: np.ndarray | fl
 
 def seam_runs(
     pieces: Sequence[SeamRun], numbers: Mapping[str, int], ground_sample_distance: float
-) -> tuple[list[SeamRun], float]:
-    """The runs of the wanted pieces, and the metres of those whose orthoimages are not known.
+) -> tuple[list[SeamRun], list[SeamRun]]:
+    """The runs of the wanted pieces, and the wanted pieces whose orthoimages are not known.
 
     ``numbers``: of the sources, by what the pieces call them.
     """
     runs: list[SeamRun] = []
-    unnamed = 0.0
+    unnamed: list[SeamRun] = []
     wanted = [number for number, one in enumerate(pieces) if one.is_wanted]
     wanted.sort(key=lambda number: (pieces[number].piece.seam_id, pieces[number].piece.station_m))
     for number in wanted:
         one = pieces[number]
         left, right = (numbers.get(str(side)) for side in (one.piece.left, one.piece.right))
         if left is None or right is None or left == right:
-            unnamed += one.piece.length_m
+            unnamed.append(one)
             continue
         alone = replace(one, numbers=(number,), sides=(left, right))
         if runs and _goes_on(runs[-1], alone, LONGEST_PX * ground_sample_distance):

@@ -1,6 +1,7 @@
 """One run of seam: request -> the new cut and the pixels of its patch, or why there is none."""
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -9,7 +10,7 @@ from osgeo import ogr
 from scipy import ndimage
 
 from ....imagery.clips import Clip
-from ....imagery.errors import Message, NotCoveredError, RasterError
+from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stations
 from ....imagery.raster_pool import open_raster
@@ -22,7 +23,7 @@ from ..following.boxes import enlarged, in_squares, near_border, opened, widened
 from ..following.followed_source import high_pass
 from ..following.levelling import SQUARE_PX, to_pixels
 from ..judgement.hard_cut import JudgedGround, as_type, judged_ground
-from ..limits import MEND_BLEND_PX, MEND_WIDTH_M
+from ..limits import MEND_BLEND_PX, MEND_WIDTH_M, MOST_BLEND_PX
 from ..seam_cells import UNKNOWN
 from ..seamlines.piece_index import NearestPieces, PieceIndex
 from ..source_images import Source
@@ -61,7 +62,14 @@ class MendSettings:
     width_m: float = MEND_WIDTH_M
     """On either side of a seam, that its new cut may move."""
     blend_px: int = MEND_BLEND_PX
-    """Width over which the images are mixed at the cut; 0: not at all."""
+    """Width over which the images are mixed at the cut, at most 31; 0: not at all."""
+
+    def check(self) -> None:
+        """Raise SettingsError when a value is out of its range."""
+        if not 0 < self.width_m < math.inf:
+            raise SettingsError(messages.NO_WIDTH(value=self.width_m))
+        if self.blend_px not in range(MOST_BLEND_PX + 1):
+            raise SettingsError(messages.NO_BLEND(value=self.blend_px, most=MOST_BLEND_PX))
 
 
 @dataclass(frozen=True, eq=False)

@@ -79,8 +79,8 @@ class MendRequest:
         return self.scan.numbers_named(names)[0]
 
     @cached_property
-    def runs(self) -> tuple[list[SeamRun], float]:
-        """What is cut anew, and the metres whose orthoimages are not known."""
+    def runs(self) -> tuple[list[SeamRun], list[SeamRun]]:
+        """What is cut anew, and what stays since its orthoimages are not known."""
         return seam_runs(self.pieces, self.numbers, self.mosaic.ground_sample_distance)
 
     @cached_property
@@ -193,7 +193,8 @@ class Mending:
                 yield (key[0], (place + 1) // 2 if place % 2 else 0), replace(part, span=span)
 
     def result(self, goes_on: Callable[[float], bool], executor: Executor, ahead: int) -> list[MendedSeam]:
-        """Measures the new cuts, and writes the patches that are better than the mosaic, and the mended mosaic.
+        """Measures the new cuts, and writes the patches that are better than the mosaic, and the mended mosaic. All
+        wanted seams, whatever became of them.
 
         Raises SettingsError or RasterError where they can't be written, CancelledError when ``goes_on`` says no.
         """
@@ -213,7 +214,12 @@ class Mending:
             else:
                 better = [self._moved(one) for one in better]
             write_mended(self._mended, mosaic, better)
-        return seams
+        reason = messages.SIDES_UNKNOWN()
+        named, unnamed = self.request.runs
+        return seams + [
+            MendedSeam(run, MendedRun((number, 0), reason), LEFT, reason=reason)
+            for number, run in enumerate(unnamed, len(named))
+        ]
 
     def _tried(self, folder: Path) -> Iterator[tuple[MendedRun, PlacedPatch | None]]:
         """All cuts, without their patches, and those as files in this folder."""
@@ -280,8 +286,9 @@ class Mending:
 
 @contextmanager
 def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending]:
-    """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where no
-    file can be, or another one is under way there."""
+    """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where a
+    setting is out of its range, no file can be, or another one is under way there."""
+    request.settings.check()
     given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
     given.append(np.array([one.is_wanted for one in request.pieces]))
     refs = request.mosaic.ref, *(one.ref for one in request.sources)

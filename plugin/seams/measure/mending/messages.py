@@ -1,7 +1,7 @@
 """What a user can be told of seams that are cut anew."""
 from __future__ import annotations
 
-from ....imagery.errors import INFO, WARNING, Message
+from ....imagery.errors import INFO, Message
 
 # why a run of seam stays as it is
 NO_WAY = Message(
@@ -31,9 +31,12 @@ NOT_BETTER = Message("The new cut keeps no more detail than the old seam, so its
 
 CUT_NOT_MEASURED = Message("What the new cut keeps can't be measured, so its patch is left out.")
 NOT_ON_MOSAIC = Message("The seam does not lie on this mosaic; give the seams that a scan of it found.")
+SIDES_UNKNOWN = Message("The seam names no two of the given orthoimages; give those that the mosaic was made from.")
 
 # settings
 WHAT_UNKNOWN = Message("'{what}' can't be mended; give one of: {known}.")
+NO_WIDTH = Message("The corridor is {value:g} m wide; give more than 0.")
+NO_BLEND = Message("A blend of {value:g} pixels can't be made; give a whole number of 0 to {most}.")
 # the whole
 NOT_OF_A_SCAN = Message(
     "The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes."
@@ -43,7 +46,4 @@ MENDING_STOPPED = Message(
     "Mending was stopped; start it again with the same outputs, and it goes on where it was.", INFO
 )
 MENDING_GOES_ON = Message("Mending goes on where it stopped; seams that are cut already: {done}.", INFO)
-SIDES_UNKNOWN = Message(
-    "{metres:.0f} m of the seams name no two orthoimages that are given, so they stay as they are.", WARNING
-)
 NOTHING_TO_MEND = Message("None of the seams is to be mended; choose another WHAT.", INFO)

@@ -42,7 +42,7 @@ def test_pieces_that_follow_each_other_are_one_run() -> None:
     pieces = given_pieces([feature(10, 30, kept_1=0.2), feature(0, 10), feature(40, 50)], FIELDS, FAILED)
     runs, unnamed = seam_runs(pieces, NUMBERS, 0.1)
     assert [(one.numbers, one.piece.length_m, one.sides) for one in runs] == [((1, 0), 30, (0, 1)), ((2,), 10, (0, 1))]
-    assert (runs[0].kept, unnamed) == (pytest.approx(0.3), 0)
+    assert (runs[0].kept, unnamed) == (pytest.approx(0.3), [])
     assert [one.numbers for one in seam_runs(pieces, NUMBERS, 0.02)[0]] == [(1,), (0,), (2,)]  # 20 m are too long
 
 
@@ -60,9 +60,9 @@ def test_a_ring_is_cut_in_two_halves() -> None:
     assert [(one.station_m, one.length_m) for one in halves] == [(0, 20), (20, 20)]
 
 
-def test_pieces_without_two_orthoimages_are_counted() -> None:
+def test_pieces_without_two_orthoimages_are_told_apart() -> None:
     pieces = given_pieces([feature(0, 10, left_source=""), feature(20, 25, right_source="c.tif")], FIELDS, ALL)
-    assert seam_runs(pieces, NUMBERS, 0.1) == ([], 15)
+    assert seam_runs(pieces, NUMBERS, 0.1) == ([], pieces)
 
 
 @pytest.mark.parametrize("kept", [1e308, -3.5, "nan", "inf", None])

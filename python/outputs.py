@@ -1,0 +1,45 @@
+"""What is written: by names that can be, over no input, and over nothing that was not made by a scan."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+
+from ..plugin.imagery.errors import SettingsError
+from ..plugin.imagery.file_identity import check_can_be_written, guarding
+from ..plugin.imagery.gdal_paths import FEATURES, RASTERS, open_dataset
+from ..plugin.imagery.seam_totals import TOTALS_DOMAIN
+from ..plugin.seams.measure.scan.loss_raster import SETTINGS_DOMAIN
+from . import messages
+
+SEAMS, CELLS, WORST = "seams", "source_cells", "worst_windows"
+"""Tables of a scan: pieces of seam, polygons of what lies where, and windows of the least kept places."""
+GEOPACKAGE, GEOTIFF, PAGE, VRT = (".gpkg",), (".tif", ".tiff"), (".html", ".htm"), (".vrt",)
+"""Endings of outputs."""
+
+
+@contextmanager
+def writing(outputs: Mapping[str, tuple[str, tuple[str, ...]]], inputs: Iterable[str]) -> Iterator[None]:
+    """``guarding`` for outputs, paths and their endings by what they are called, that can be written, too. Raises
+    SettingsError before anything is measured."""
+    with guarding({title: path for title, (path, _) in outputs.items()}, inputs):
+        for title, (path, endings) in outputs.items():
+            check_can_be_written(title, path)
+            if endings and not path.lower().endswith(endings):
+                raise SettingsError(messages.OTHER_ENDING(output=title, path=path, ending=endings[0]))
+            if os.path.isfile(path) and os.path.getsize(path) and not _is_replaceable(path, endings):
+                raise SettingsError(messages.HOLDS_OTHER_DATA(output=title, path=path))
+        yield
+
+
+def _is_replaceable(path: str, endings: tuple[str, ...]) -> bool:
+    """Whether a file that is there is a scan's, where that can be told."""
+    if endings == GEOTIFF:
+        picture = open_dataset(path, RASTERS)
+        return picture is not None and bool(picture.GetMetadata(SETTINGS_DOMAIN))
+    if endings == GEOPACKAGE:
+        tables = open_dataset(path, FEATURES)
+        layers = [] if tables is None else [tables.GetLayer(number) for number in range(tables.GetLayerCount())]
+        is_scan = any(layer.GetName() == SEAMS and layer.GetMetadata(TOTALS_DOMAIN) for layer in layers)
+        return is_scan and {layer.GetName() for layer in layers} <= {SEAMS, CELLS, WORST}
+    return True
