@@ -41,7 +41,10 @@ OTHER_SYSTEM_TAKEN = Message(
     "{name} is taken in the reference system that was chosen for it, {system}, and not in that of its file, {own}.",
     INFO,
 )
-NO_SYSTEM = Message("'{text}' is no coordinate reference system; write it as WKT, or such as EPSG:2180.")
+NO_SYSTEM = Message(
+    "'{text}' is no coordinate reference system of a map (projected or geographic); write it as WKT, or such as "
+    "EPSG:2180."
+)
 NOT_ON_GROUND = Message(
     "{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates."
 )
@@ -62,6 +65,11 @@ NO_GEOID_GRID = Message(
 )
 # windows
 SIDE_NOT_POSITIVE = Message("The window side is {side} m; give a positive number of metres.")
+OTHER_TYPE = Message("{name} is {value}; give {expected}.")
+WINDOW_NO_RECTANGLE = Message(
+    "The window has no area: it runs from {xmin:g} to {xmax:g} and from {ymin:g} to {ymax:g}; give xmin, ymin, xmax "
+    "and ymax, the smaller ones first."
+)
 WINDOW_OUTSIDE = Message("The window lies outside the mosaic; draw it on the mosaic.")
 WINDOW_TOO_SMALL = Message(
     "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger."
