@@ -34,7 +34,8 @@ COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitude
 BAND_NOT_THERE = Message("{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.")
 NOT_GEOREFERENCED = Message("{name} has no position on the map; georeference or orthorectify it first.")
 NO_REFERENCE_SYSTEM = Message(
-    "{name} has no coordinate reference system; set it in the layer's properties or write it into the file."
+    "{name} has no coordinate reference system; set it in the layer's properties in QGIS, write it into the file, or "
+    "name it where the raster is opened (crs in Python)."
 )
 NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a north-up grid first.")
 OTHER_SYSTEM_TAKEN = Message(

@@ -181,7 +181,8 @@ def test_a_system_may_be_a_number_an_object_or_none(folder: Path) -> None:
             return str(system.ExportToWkt())
 
     found = open_block(folder / "mosaic.tif").mosaic.wkt
-    taken = {open_block(folder / "mosaic.tif", crs=crs).mosaic.wkt for crs in (None, "", 2180, np.int64(2180), System())}
+    systems = (None, "", 2180, np.int64(2180), System())
+    taken = {open_block(folder / "mosaic.tif", crs=system).mosaic.wkt for system in systems}
     assert taken == {found}
 
 
