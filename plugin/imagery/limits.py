@@ -60,7 +60,7 @@ def check_type(name: str, value: object, *types: type) -> None:
     allowed = [_NUMBERS.get(one, (one, one.__name__)) for one in types]
     if not any(isinstance(value, one) for one, _ in allowed) or (isinstance(value, Real) and not math.isfinite(value)):
         words = " / ".join(word for _, word in allowed)
-        raise SettingsError(messages.OTHER_TYPE(name=name, value=reprlib.repr(value), expected=words))
+        raise SettingsError(messages.NOT_OF_TYPE(name=name, value=reprlib.repr(value), expected=words))
 
 
 def check_settings(settings: object, kind: type) -> None:

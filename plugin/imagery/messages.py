@@ -66,7 +66,7 @@ NO_GEOID_GRID = Message(
 )
 # windows
 SIDE_NOT_POSITIVE = Message("The window side is {side} m; give a positive number of metres.")
-OTHER_TYPE = Message("{name} is {value}; give {expected}.")
+NOT_OF_TYPE = Message("{name} is {value}; give {expected}.")
 WINDOW_NO_RECTANGLE = Message(
     "The window runs from {xmin:.8g} to {xmax:.8g} and from {ymin:.8g} to {ymax:.8g}; give xmin, ymin, xmax and ymax "
     "as numbers, the smaller ones first."
