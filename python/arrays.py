@@ -1,8 +1,7 @@
 """Measurements of arrays in memory: numpy's, (rows, columns[, bands]), or xarray's with the dimensions y and x."""
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from typing import Any, Union
 from uuid import uuid4
@@ -71,11 +70,11 @@ def inspect_arrays(
 
     Raises SettingsError for arrays that are no images, or of different sides.
     """
-    if not 0 < pixel_size_m < math.inf:
+    imagery_limits.check_type("pixel_size_m", pixel_size_m, float)
+    imagery_limits.check_type("sources", sources, Iterable)
+    if pixel_size_m <= 0:
         raise SettingsError(messages.NO_PIXEL_SIZE(value=pixel_size_m))
     named = dict(sources) if isinstance(sources, Mapping) else {f"source_{i}": one for i, one in enumerate(sources)}
-    settings = settings or InspectionSettings()
-    settings.check()
     with ExitStack() as held:
         held.callback(close_rasters)
         ref = held.enter_context(_raster_of(mosaic, "mosaic", pixel_size_m))
@@ -197,9 +196,11 @@ def _cells(labels: np.ndarray, names: Sequence[str], mosaic: Raster) -> Iterator
         raise SettingsError(messages.OTHER_SHAPE(
             name="labels", columns=columns, rows=rows, wide=mosaic.columns, high=mosaic.rows
         ))  # fmt: skip
-    if labels.max() >= len(names):
-        count = len(names)
-        raise SettingsError(messages.LABELS_OF_OTHERS(number=int(labels.max()), count=count, most=count - 1))
+    if labels.dtype.kind not in "biuf" or (labels != np.rint(labels)).any():  # NaN is unlike itself
+        raise SettingsError(messages.LABELS_NOT_WHOLE(kind=str(labels.dtype)))
+    other = labels[(labels < -1) | (labels >= len(names))]
+    if other.size:
+        raise SettingsError(messages.LABELS_OF_OTHERS(number=other[0], count=len(names), most=len(names) - 1))
     raster = gdal_array.OpenArray(np.ascontiguousarray(labels, np.int32))
     raster.SetGeoTransform(mosaic.placement)
     features = (gdal.GetDriverByName("Memory") or gdal.GetDriverByName("MEM")).Create("", 0, 0, 0, gdal.GDT_Unknown)

@@ -11,6 +11,7 @@ from ..plugin.acceptance.measure.decision import Decision
 from ..plugin.acceptance.measure.delivered_rows import make_delivery
 from ..plugin.acceptance.measure.scanned_files import file_doubts
 from ..plugin.imagery.errors import SettingsError
+from ..plugin.imagery.limits import PATH_TYPES, check_type
 from ..plugin.imagery.reference_systems import same_system
 from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
 from ..plugin.seams.measure.window.inspection import PathLike
@@ -41,6 +42,10 @@ def decide(
     What is left out or doubtful is told by a SeamInspectorWarning each. Raises SettingsError for a delivery without
     any seams, sheets in different systems, a file that holds no scan, or a lot size that can't be.
     """
+    check_type("sheets", sheets, Mapping)
+    check_type("rules", rules, AcceptanceRules)
+    for name, sheet in sheets.items():
+        check_type(f"sheets[{name!r}]", sheet, ScanResult, *PATH_TYPES)
     files = {name: os.fspath(one) for name, one in sheets.items() if not isinstance(one, ScanResult)}
     tables = {
         name: SeamTable(seam_rows(one), dict(one.told)) if isinstance(one, ScanResult) else read_seams(one)

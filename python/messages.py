@@ -11,7 +11,12 @@ BANDS_FIRST = Message(
 )
 NO_PIXEL_SIZE = Message("pixel_size_m is {value:g}; give the metres on the ground that a pixel spans, more than 0.")
 OTHER_SHAPE = Message("{name} has {columns} x {rows} pixels, the mosaic {wide} x {high}; give all on one pixel grid.")
-LABELS_OF_OTHERS = Message("labels names source {number}, of {count} sources; give 0 to {most}, and -1 where unknown.")
+LABELS_OF_OTHERS = Message(
+    "labels names source {number:.0f}, of {count} sources; give 0 to {most}, and -1 where unknown."
+)
+LABELS_NOT_WHOLE = Message(
+    "labels holds what is no whole number ({kind}); give the number of each pixel's source, -1 where unknown."
+)
 NOT_MULTIPLE = Message(
     "image has {columns} x {rows} pixels; cut both sides to a multiple of {step} for {levels} levels."
 )

@@ -160,6 +160,8 @@ def snap_window(grid: Grid, extent: Extent, levels: int = limits.DEFAULT_LEVELS)
     ``2 ** levels`` px, or covers more pixels than can be held in memory.
     """
     xmin, ymin, xmax, ymax = extent
+    if not (xmin <= xmax and ymin <= ymax):  # NaN too
+        raise WindowError(messages.WINDOW_NO_RECTANGLE(xmin=xmin, ymin=ymin, xmax=xmax, ymax=ymax))
     edges = grid.column_at(xmin), grid.column_at(xmax), grid.row_at(ymax), grid.row_at(ymin)
     if not all(map(math.isfinite, edges)):
         raise WindowError(messages.WINDOW_OUTSIDE())

@@ -4,7 +4,15 @@ Plain Python, so that tables are read and the toolbox is filled without numpy an
 """
 from __future__ import annotations
 
+import math
+import os
+import reprlib
 from collections.abc import Iterable, Sequence
+from dataclasses import fields
+from numbers import Integral, Real
+
+from . import messages
+from .errors import SettingsError
 
 # The decomposition
 DEFAULT_WAVELET = "coif3"  # Pyka 2009: Coiflet of order 3
@@ -41,6 +49,25 @@ WIDEST_PX = 250_000  # of a raster whose rows are worked through whole: 25 km at
 LARGEST_VALUE = 1e15  # beyond it no pixel is a measurement, and sums of squares leave float32
 COLOURS = ("red", "green", "blue")
 LUMINANCE = "luminance"
+
+PATH_TYPES = (str, os.PathLike)
+_NUMBERS: dict[type, tuple[type, str]] = {int: (Integral, "a whole number"), float: (Real, "a finite number")}
+
+
+def check_type(name: str, value: object, *types: type) -> None:
+    """Raise SettingsError unless a value that a caller gave is of one of these types; numbers are finite, and may be
+    numpy's."""
+    allowed = [_NUMBERS.get(one, (one, one.__name__)) for one in types]
+    if not any(isinstance(value, one) for one, _ in allowed) or (isinstance(value, Real) and not math.isfinite(value)):
+        words = " / ".join(word for _, word in allowed)
+        raise SettingsError(messages.NOT_OF_TYPE(name=name, value=reprlib.repr(value), expected=words))
+
+
+def check_settings(settings: object, kind: type) -> None:
+    """Raise SettingsError unless settings are of a class, and its fields of the types of their standard values."""
+    check_type("settings", settings, kind)
+    for field in fields(kind):
+        check_type(field.name, getattr(settings, field.name), type(field.default))
 
 
 def has_colours(names: Sequence[str]) -> bool:

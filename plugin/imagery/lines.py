@@ -85,7 +85,7 @@ def burnt(
         return np.asarray(target.ReadAsArray())
 
 
-BORDER_SNAP_PX = 0.5  # borders of polygons nearer than this are one: half a raster step
+SNAP_PX = 0.5  # borders of polygons, and lines, nearer than this are one: half a raster step
 BRANCH_REACH_PX = 10  # how far a branch's direction is looked at: beyond it a raster step turns it by < 6 degrees
 BRANCH_TURN_DEG = 75.0  # the straightest two of three branches turn by 60 at most, so one seam always goes on
 
@@ -152,7 +152,7 @@ def borders(pieces: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
     ``pieces``: (n, 2) of all rings, the interior on their left; ``owner``: (n,) the feature of each.
     """
-    nodes, edges, piece = network(pieces, BORDER_SNAP_PX)
+    nodes, edges, piece = network(pieces, SNAP_PX)
     owner = owner[piece]
     forward = edges[:, 0] < edges[:, 1]
     pairs, pair = undirected(edges, len(nodes))
@@ -238,7 +238,6 @@ def _straightest(branches: Sequence[tuple[int, complex]]) -> Iterator[tuple[int,
             yield one, other
 
 
-END_SNAP_PX = 0.1  # ends of lines nearer than this meet: far below a raster step, far above rounding
 STRAIGHTEN_PX = 1.5  # a staircase leaves its line by up to 1 px, with a noisy step by 1.5 px
 MAX_EXTENT_PX = 1e8  # 5000 km at 5 cm: a wider layer has another reference system than the mosaic
 
@@ -264,8 +263,8 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
     ``geometries``: WKB of each feature in the mosaic's CRS; any line or polygon type, curves, Z and M allowed,
     points ignored, None and empty ones skipped. Lines are seams themselves, pieces with the same ends counted
     once. Polygons yield the borders between different features, each once; borders between the parts of one
-    feature and the outside of the block are no seams. ``pixel_size``: the mosaic's, in map units; borders up
-    to half a pixel apart or over each other are taken as one.
+    feature and the outside of the block are no seams. ``pixel_size``: the mosaic's, in map units; borders and
+    lines up to half a pixel apart or over each other are taken as one.
 
     Raises SeamlineError when the layer is empty, holds neither lines nor polygons, can't be read, is of another
     size than the mosaic by far, or holds polygons that share no border.
@@ -286,7 +285,7 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
         nodes, edges = borders((pieces - origin) / pixel_size, np.array(owners)[ring])
     if lines:
         pieces = (line_pieces(lines)[0] - origin) / pixel_size
-        nodes, edges, _ = network(np.concatenate([pieces, nodes[edges]]), END_SNAP_PX)
+        nodes, edges, _ = network(np.concatenate([pieces, nodes[edges]]), SNAP_PX)
     seams = [straightened(directed(path)) for path in joined(nodes, edges)]
     seams = [seam for seam in seams if abs(np.diff(seam)).any()]  # a loop of one pixel straightens to a point
     if not seams:

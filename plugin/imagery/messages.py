@@ -34,14 +34,18 @@ COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitude
 BAND_NOT_THERE = Message("{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.")
 NOT_GEOREFERENCED = Message("{name} has no position on the map; georeference or orthorectify it first.")
 NO_REFERENCE_SYSTEM = Message(
-    "{name} has no coordinate reference system; set it in the layer's properties or write it into the file."
+    "{name} has no coordinate reference system; set it in the layer's properties in QGIS, write it into the file, or "
+    "name it where the raster is opened (crs in Python)."
 )
 NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a north-up grid first.")
 OTHER_SYSTEM_TAKEN = Message(
     "{name} is taken in the reference system that was chosen for it, {system}, and not in that of its file, {own}.",
     INFO,
 )
-NO_SYSTEM = Message("'{text}' is no coordinate reference system; write it as WKT, or such as EPSG:2180.")
+NO_SYSTEM = Message(
+    "'{text}' is no coordinate reference system of a map (projected or geographic); write it as WKT, or such as "
+    "EPSG:2180."
+)
 NOT_ON_GROUND = Message(
     "{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates."
 )
@@ -62,6 +66,11 @@ NO_GEOID_GRID = Message(
 )
 # windows
 SIDE_NOT_POSITIVE = Message("The window side is {side} m; give a positive number of metres.")
+NOT_OF_TYPE = Message("{name} is {value}; give {expected}.")
+WINDOW_NO_RECTANGLE = Message(
+    "The window runs from {xmin:.8g} to {xmax:.8g} and from {ymin:.8g} to {ymax:.8g}; give xmin, ymin, xmax and ymax "
+    "as numbers, the smaller ones first."
+)
 WINDOW_OUTSIDE = Message("The window lies outside the mosaic; draw it on the mosaic.")
 WINDOW_TOO_SMALL = Message(
     "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger."

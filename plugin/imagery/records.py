@@ -60,9 +60,14 @@ class Column(Generic[Result]):
         return [value.item() if isinstance(value, np.generic) else value for value in listed]  # fields take no numpy's
 
 
+def names_of(columns: Sequence[Column[Any]], levels: int = 0) -> list[str]:
+    """Names of all fields of a table."""
+    return [name for column in columns for name in column.names(levels)]
+
+
 def rows_of(columns: Sequence[Column[Result]], results: Iterable[Result], levels: int = 0) -> Iterator[Row]:
     """Each result as a row, sentences in English."""
-    names = [name for column in columns for name in column.names(levels)]
+    names = names_of(columns, levels)
     for result in results:
         values = [value for column in columns for value in column.values(result, levels)]
         yield {name: str(value) if isinstance(value, Message) else value for name, value in zip(names, values)}
@@ -75,16 +80,16 @@ GEOMETRY = "geometry"
 class TableRows(list[Row]):
     """Rows of a table; frames of pandas and geopandas, where these are installed."""
 
-    def __init__(self, rows: Iterable[Row] = (), wkt: str = "") -> None:
-        """``wkt``: the reference system of the rows' lines; empty where they have none."""
+    def __init__(self, rows: Iterable[Row] = (), wkt: str = "", names: Sequence[str] = ()) -> None:
+        """``wkt``: the reference system of the rows' lines; empty where they have none. ``names``: of the fields."""
         super().__init__(rows)
-        self.wkt = wkt
+        self.wkt, self.names = wkt, names
 
     def to_dataframe(self) -> Any:
         """The table as a ``pandas.DataFrame``."""
         import pandas
 
-        return pandas.DataFrame(self)
+        return pandas.DataFrame(self, columns=None if self else self.names)
 
     def to_geodataframe(self) -> Any:
         """The table as a ``geopandas.GeoDataFrame``, its lines as geometries."""

@@ -112,12 +112,14 @@ def same_system(a: str, b: str) -> bool:
     return a == b or bool(_horizontal(a).IsSame(_horizontal(b)))
 
 
-def known_wkt(text: str) -> str:
-    """WKT of what names a reference system, such as ``EPSG:2180``. Raises SettingsError for what names none."""
-    found = str(spatial_reference(text).ExportToWkt())
-    if text and not found:
+def known_wkt(name: Any) -> str:
+    """WKT of what names a reference system on the map: a text, a number of EPSG, or an object with ``to_wkt``, as
+    rasterio's and pyproj's; empty for an empty text or None. Raises SettingsError for what names none."""
+    text = "" if name is None else str(name.to_wkt() if hasattr(name, "to_wkt") else name)
+    system = spatial_reference(f"EPSG:{text}" if text.isdecimal() else text)
+    if text and not (system.IsProjected() or system.IsGeographic()):
         raise SettingsError(messages.NO_SYSTEM(text=text))
-    return found
+    return str(system.ExportToWkt())
 
 
 def system_name(wkt: str) -> str:

@@ -8,6 +8,7 @@ import pytest
 import pywt
 from osgeo import gdal
 from seam_inspector import (
+    ScanSettings,
     SettingsError,
     clip_curves,
     inspect_arrays,
@@ -86,6 +87,12 @@ def test_curves_are_those_of_pywavelets(images: tuple[np.ndarray, ...]) -> None:
         (lambda image: seam_profile(image, [image[:-8]], PIXEL_M), "source_0 has 384 x 376 pixels"),
         (lambda image: seam_profile(image, [image], PIXEL_M, np.zeros((8, 8), int)), "labels has 8 x 8 pixels"),
         (lambda image: seam_profile(image, [image], PIXEL_M, np.ones(image.shape[:2], int)), "source 1, of 1"),
+        (lambda image: seam_profile(image, [image], PIXEL_M, np.full(image.shape[:2], -5)), "source -5, of 1"),
+        (lambda image: seam_profile(image, [image], PIXEL_M, np.full(image.shape[:2], 0.5)), "no whole number"),
+        (lambda image: seam_profile(image, [image], PIXEL_M, np.full(image.shape[:2], np.nan)), "no whole number"),
+        (lambda image: seam_profile(image, [image], PIXEL_M, np.full(image.shape[:2], "0")), "no whole number"),
+        (lambda image: inspect_arrays(image, None, PIXEL_M), "sources is None"),
+        (lambda image: inspect_arrays(image, [image], PIXEL_M, settings=ScanSettings()), "give InspectionSettings"),
         (lambda image: seam_profile(image, [image], 0.0), "pixel_size_m is 0"),
         (lambda image: clip_curves(image[:, :381]), "381 x 384 pixels; cut both sides to a multiple of 8"),
         (lambda image: clip_curves(np.where(image > 250, np.nan, image.astype(float))), "holds NaN"),

@@ -4,11 +4,13 @@ from __future__ import annotations
 import ast
 import inspect
 import json
+import math
 import re
 import shutil
 import subprocess
 import sys
 import warnings
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from pathlib import Path
@@ -19,15 +21,23 @@ import seam_inspector
 from osgeo import gdal, ogr, osr
 from seam_inspector import (
     Block,
+    CancelledError,
+    InspectionSettings,
     MendSettings,
     ScanResult,
+    ScanSettings,
     SeamInspectorError,
     SeamInspectorWarning,
+    SeamlineError,
+    SettingsError,
+    TableRows,
+    curve_rows,
     inspect_window,
     inspect_windows,
     limit_rules,
     mend,
     open_block,
+    pair_rows,
     profile_rows,
     scan,
     seam_rows,
@@ -163,6 +173,84 @@ def test_a_window_is_the_same_one_by_one_and_in_threads(block: Block) -> None:
 def test_a_setting_out_of_its_range_is_told_at_once(block: Block) -> None:
     with pytest.raises(SeamInspectorError, match="9 levels"):
         block.window(block.mosaic.extent, seam_inspector.InspectionSettings(levels=9))
+
+
+LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'
+
+
+@pytest.mark.parametrize("crs", ["EPSG:5773", "EPSG:4978", LOCAL, 3.5])
+def test_a_system_of_no_map_is_refused(folder: Path, crs: object) -> None:
+    with pytest.raises(SettingsError, match="no coordinate reference system of a map"):
+        open_block(folder / "mosaic.tif", crs=crs)
+
+
+def test_a_system_may_be_a_number_an_object_or_none(folder: Path) -> None:
+    class System:
+        def to_wkt(self) -> str:
+            system = osr.SpatialReference()
+            system.ImportFromEPSG(2180)
+            return str(system.ExportToWkt())
+
+    found = open_block(folder / "mosaic.tif").mosaic.wkt
+    systems = (None, "", 2180, np.int64(2180), System())
+    taken = {open_block(folder / "mosaic.tif", crs=system).mosaic.wkt for system in systems}
+    assert taken == {found}
+
+
+def test_cells_without_polygons_are_told(folder: Path) -> None:
+    with pytest.raises(SeamlineError, match="no polygon on the mosaic that names its source"):
+        open_block(folder / "mosaic.tif", cells=f"{folder}/seamlines.gpkg|layername=seamlines")
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda block: open_block(None), "mosaic is None"),
+        (lambda block: open_block(block.mosaic.ref.path, None), "sources is None"),
+        (lambda block: open_block(block.mosaic.ref.path, [None]), "sources is None"),
+        (lambda block: block.window_at(math.nan, 0.0), "x is nan"),
+        (lambda block: block.window_at(0.0, math.inf), "y is inf"),
+        (lambda block: block.window(block.mosaic.extent, ScanSettings()), "give InspectionSettings"),
+        (lambda block: block.window(block.mosaic.extent, InspectionSettings(levels=3.5)), "levels is 3.5"),
+        (lambda block: scan(block, InspectionSettings()), "give ScanSettings"),
+        (lambda block: scan(block, ScanSettings(levels="3")), "levels is '3'; give a whole number"),
+        (lambda block: scan(block, ScanSettings(piece_m="25")), "piece_m is '25'; give a finite number"),
+        (lambda block: limit_rules(min_kept="0.7"), "min_kept is '0.7'"),
+        (lambda block: seam_inspector.decide({"a": None}, limit_rules()), r"sheets\['a'\] is None"),
+        (lambda block: seam_inspector.decide([block], limit_rules()), "give Mapping"),
+    ],
+)
+def test_what_is_of_another_type_is_told(block: Block, call: Callable[[Block], object], words: str) -> None:
+    with pytest.raises(SettingsError, match=words):
+        call(block)
+
+
+def test_numbers_of_numpy_are_numbers(block: Block) -> None:
+    settings = InspectionSettings(levels=np.int64(2), min_kept=np.float32(0.5))
+    assert block.window_at(*np.float32([0, 0]), settings=settings).settings == settings
+
+
+@pytest.mark.parametrize("order", [(2, 1, 0, 3), (0, 3, 2, 1), (0, 4, 2, 3)])
+def test_a_rectangle_whose_corners_are_none_is_told(block: Block, order: tuple[int, ...]) -> None:
+    sides = (*block.mosaic.extent, math.nan)
+    (found,) = inspect_windows([[sides[place] for place in order]], block)
+    assert "smaller ones first" in str(found.judgement.reason)
+
+
+@pytest.mark.parametrize("table", [window_rows, profile_rows, curve_rows, pair_rows])
+def test_a_table_without_rows_has_its_columns(block: Block, table: Callable[..., TableRows]) -> None:
+    pytest.importorskip("pandas")
+    xmin, ymin, _, _ = block.mosaic.extent
+    full = table([inspect_window(block.window_at(xmin + 80, ymin + 75, side_m=50))])
+    assert full
+    assert [*table([]).to_dataframe().columns] == [*full.to_dataframe().columns]
+
+
+@pytest.mark.parametrize("has_picture", [True, False])
+def test_only_a_scan_with_a_picture_is_said_to_go_on(block: Block, tmp_path: Path, has_picture: bool) -> None:
+    with pytest.raises(CancelledError) as told:
+        scan(block, loss=tmp_path / "loss.tif" if has_picture else "", cancelled=lambda: True)
+    assert ("goes on" in str(told.value)) is has_picture
 
 
 def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ...imagery.documents import RuleObject, read_rules, ready_rules
 from ...imagery.errors import SettingsError
+from ...imagery.limits import check_type
 from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from . import messages
 from .sampling_plans import AQLS, DEFAULT_LEVEL, INSPECTION_LEVELS, LIMITING_QUALITIES, word_of
@@ -99,9 +100,11 @@ def limit_rules(
     measured, 0 to 1. Raises SettingsError for a limit that can't be.
     """
     for name, value in (("min_kept", min_kept), ("max_share", max_share), ("min_measured", min_measured)):
+        check_type(name, value, float)
         if not 0 <= value <= 1:
             raise SettingsError(messages.LIMIT_NO_SHARE(parameter=name, value=value, least=0, most=1))
-    if not 0 <= max_run_m < math.inf:
+    check_type("max_run_m", max_run_m, float)
+    if max_run_m < 0:
         raise SettingsError(messages.LIMIT_NEGATIVE(parameter="max_run_m", value=max_run_m))
 
     def source(value: float, standard: float) -> str:

@@ -181,7 +181,7 @@ MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
     "What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field "
-    "'reason' of the seams says why each was not; scan with a longer PIECE, or judge windows there by eye (JUDGE "
+    "'reason' of the seams says why each was not; scan with longer pieces, or judge windows there by eye (JUDGE "
     "observer).", WARNING
 )
 WOULD_MEASURE_ALONE = Message(
@@ -196,7 +196,7 @@ WOULD_TELL_APART = Message(
     "Judge windows on them by eye (JUDGE observer).", WARNING
 )
 WOULD_SHORTEN = Message(
-    "What would decide it: a scan with a shorter PIECE. Failures end inside of pieces, so a sum of pieces of "
+    "What would decide it: a scan with shorter pieces. Failures end inside of pieces, so a sum of pieces of "
     "{piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.", WARNING
 )
 WOULD_GIVE_SCAN = Message("What would decide it: the layers of the whole scan, not a sample of their pieces.", WARNING)
@@ -206,26 +206,26 @@ WOULD_GIVE_ORTHOIMAGES = Message(
 )
 WOULD_GIVE_SEAMS = Message(
     "What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with "
-    "all SEAMLINES, or without any.", WARNING
+    "all seamlines, or without any.", WARNING
 )
 WOULD_GIVE_LAYER = Message(
     "What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of "
     "these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.", WARNING
 )
 WOULD_SCAN_AGAIN = Message(
-    "What would decide it: the files that were scanned, given as MOSAIC and SOURCES, or a scan of those that are there "
-    "now.", WARNING
+    "What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a scan of "
+    "those that are there now.", WARNING
 )
 WOULD_GIVE_MOSAICS = Message(
-    "What would decide it: all mosaics of the delivery given as MOSAIC, each sheet or a VRT of all; leave the layers "
-    "of others out.", WARNING
+    "What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the "
+    "layers of others out.", WARNING
 )
 WOULD_MEASURE_ROWS = Message(
     "What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
     "windows there by eye (JUDGE observer); the field 'reason' of the seams says why each was not measured.", WARNING
 )
 WOULD_CUT = Message(
-    "What would decide it: a scan with a PIECE of {piece:.0f} m or less, half of the longest failure that is allowed: "
+    "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: "
     "a longer piece keeps enough though a part of it failed.", WARNING
 )
 WOULD_SEE_SHEETS = Message(
@@ -240,7 +240,7 @@ WOULD_GIVE_ORIGINALS = Message(
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
 FILES_AS_SCANNED = Message("Files that are as they were scanned: {count}.", INFO)
 OF_MOSAICS = Message(
-    "The layers of seams are of {count} mosaics, and none is given as MOSAIC: whether all of these belong to the "
+    "The layers of seams are of {count} mosaics, and none is given to the decision: whether all of these belong to the "
     "delivery is not known.", INFO
 )
 SOURCES_GONE = Message(
@@ -390,7 +390,7 @@ SEAMS_GIVEN = Message(
 )
 SEAMS_FOUND = Message(
     "In {name} the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "
-    "SEAMLINES to measure all of them.", WARNING
+    "seamlines to the scan to measure all of them.", WARNING
 )
 RADIOMETRY_NO_TABLE = Message(
     "{name} is not a table of 'Check radiometry'; choose the output 'Radiometry' of a run of it."

@@ -113,6 +113,10 @@ SOURCE_RESAMPLED = Message(
     "{name} has another pixel size than the mosaic and was resampled; it is shown and doesn't count, as others have "
     "the mosaic's.", INFO
 )
+NO_CELLS = Message(
+    "{path} holds no polygon on the mosaic that names its source; choose the layer of seam cells, with their sources' "
+    "file names in a field."
+)
 CELLS_OF_OTHERS = Message(
     "No seam cell names a source that is given, so the cells say nothing; the first one names '{name}'.", WARNING
 )

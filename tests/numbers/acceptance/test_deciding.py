@@ -201,7 +201,7 @@ def test_a_piece_that_is_longer_than_a_failure_may_be_hides_it(piece: float, lim
     assert found.accepted is accepted
     if not accepted:
         assert f"pieces are up to {piece:.1f} m long, which can hide a longer one" in str(found.sentences[0])
-        assert "a PIECE of 25 m or less" in told(found)
+        assert "pieces of 25 m or less" in told(found)
         assert "figures of the rows" not in told(found)
 
 

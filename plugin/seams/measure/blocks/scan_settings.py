@@ -50,6 +50,7 @@ class ScanSettings:
 
     def check(self) -> None:
         """Raise SettingsError when a value is out of its range."""
+        imagery_limits.check_settings(self, ScanSettings)
         if not 1 <= self.levels <= MOST_LEVELS:
             raise SettingsError(messages.SCAN_LEVELS(levels=self.levels, most=MOST_LEVELS))
         check_decomposition(self.wavelet, self.levels)

@@ -16,7 +16,7 @@ from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_wind
 from ....imagery.lines import line_wkt, points_at, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
-from ....imagery.records import GEOMETRY, Column, Row, TableRows, rows_of
+from ....imagery.records import GEOMETRY, Column, Row, TableRows, names_of, rows_of
 from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
 from .. import messages
 from ..blocks.scan_settings import ScanSettings
@@ -304,7 +304,8 @@ def seam_rows(result: ScanResult) -> TableRows:
     The fields are those of the layer SEAMS (docs/reference/tables.md), and ``geometry``: the line as WKT in the
     mosaic's reference system.
     """
-    features, rows = result.features, TableRows(wkt=result.told.get(SYSTEM, ""))
+    features, names = result.features, [*names_of(SEAM_COLUMNS, _levels(result.features)), GEOMETRY]
+    rows = TableRows(wkt=result.told.get(SYSTEM, ""), names=names)
     for row, feature in zip(_field_rows(features), features):
         rows.append({**row, GEOMETRY: line_wkt(feature.piece.vertices)})
     return rows
@@ -321,5 +322,8 @@ def seam_notes(result: ScanResult, settings: ScanSettings, wkt: str) -> dict[str
 
 
 def _field_rows(features: Sequence[JudgedPiece]) -> list[Row]:
-    levels = max((len(one.kept) for one in features if one.kept), default=1)
-    return list(rows_of(SEAM_COLUMNS, features, levels))
+    return list(rows_of(SEAM_COLUMNS, features, _levels(features)))
+
+
+def _levels(features: Sequence[JudgedPiece]) -> int:
+    return max((len(one.kept) for one in features if one.kept), default=1)

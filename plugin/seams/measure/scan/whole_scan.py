@@ -14,6 +14,7 @@ from typing import Callable
 from ....imagery.errors import CancelledError, Message, SettingsError
 from ....imagery.file_identity import FileState, guarding, known_states, local_states, states_text
 from ....imagery.gdal_paths import is_remote
+from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.seam_totals import METRES, MOSAIC_FILES, SOURCE_FILES, SYSTEM
 from .. import messages
@@ -163,6 +164,7 @@ def scan(
     picture can't be written, CancelledError when cancelled.
     """
     path, settings, run = os.fspath(seamlines), settings or ScanSettings(), run or ScanRun()
+    ScanSettings.check(settings)
     given, notices = None, []
     if path:
         features, lost = read_seam_features(path, block.mosaic.wkt)
@@ -186,6 +188,6 @@ def scan(
                 run.progress(MEASURED * step.share)
             result = None if run.cancelled() else whole.result(os.fspath(loss), goes_on, *opened)
             if result is None:
-                raise CancelledError(messages.SCAN_STOPPED())
+                raise CancelledError(messages.SCAN_STOPPED() if loss else CANCELLED())
             whole.finish()
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))

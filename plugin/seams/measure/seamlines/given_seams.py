@@ -97,7 +97,7 @@ class _Network:
         names, owner = np.unique(owners, return_inverse=True)
         ends, ring = seamlines.line_pieces(rings)
         shift, ends = self._in_pixels(ends)
-        nodes, edges, piece = seamlines.network(ends, seamlines.BORDER_SNAP_PX)
+        nodes, edges, piece = seamlines.network(ends, seamlines.SNAP_PX)
         of_edge = owner[ring[piece]]
         pairs, pair = seamlines.undirected(edges, len(nodes))
         forward = edges[:, 0] < edges[:, 1]
@@ -111,12 +111,12 @@ class _Network:
         self._parts.append((nodes + shift, pairs[border], low[:, border].T, [str(name) for name in names]))
 
     def add_lines(self, lines: Sequence[np.ndarray], sides: Sequence[tuple[str, str]]) -> None:
-        """Lines as they are, each pair of nodes once."""
+        """Lines, those up to half a pixel apart as one."""
         names, side = np.unique(np.array(sides), return_inverse=True)
         side = side.reshape(-1, 2)
         ends, line = seamlines.line_pieces(lines)
         shift, ends = self._in_pixels(ends)
-        nodes, edges, piece = seamlines.network(ends, seamlines.END_SNAP_PX)
+        nodes, edges, piece = seamlines.network(ends, seamlines.SNAP_PX)
         pairs, pair = seamlines.undirected(edges, len(nodes))
         first = np.full(len(pairs), len(edges))
         np.minimum.at(first, pair, np.arange(len(edges)))

@@ -192,7 +192,10 @@ def lost_features(lost: int, others: Sequence[SeamFeature]) -> Message | None:
 def read_cells(path: str, mosaic: Raster) -> tuple[Cell, ...]:
     """The polygons of a vector file that name their source. Raises SeamlineError when none lies on the mosaic."""
     features, _ = read_seam_features(path, mosaic.wkt)
-    return tuple(gathered(features, seam_fields([attributes for attributes, _ in features]), mosaic.grid).cells)
+    cells = gathered(features, seam_fields([attributes for attributes, _ in features]), mosaic.grid).cells
+    if not cells:
+        raise SeamlineError(messages.NO_CELLS(path=path))
+    return tuple(cells)
 
 
 def _value(feature: ogr.Feature, number: int, kind: int) -> object:

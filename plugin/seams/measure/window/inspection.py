@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from typing import Callable, Union
+from typing import Any, Callable, Union
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message, SeamInspectorWarning, SettingsError, WindowError
@@ -64,7 +64,7 @@ class Block:
         of their range.
         """
         extent, settings = getattr(extent, "bounds", extent), settings or InspectionSettings()
-        settings.check()
+        InspectionSettings.check(settings)
         return window_request(self, window_id, extent, settings)
 
     def window_at(
@@ -73,8 +73,11 @@ class Block:
     ) -> WindowRequest:
         """What ``inspect_window`` takes for a standard window about a place in the mosaic's reference system.
 
-        Its side is the smallest power of two of pixels that spans at least ``side_m`` metres.
+        Its side is the smallest power of two of pixels that spans at least ``side_m`` metres. Raises SettingsError for
+        what is no place, no side, or settings out of their range.
         """
+        for name, value in (("x", x), ("y", y), ("side_m", side_m)):
+            imagery_limits.check_type(name, value, float)
         grid = self.mosaic.grid
         window = standard_window(grid, x, y, standard_side_px(grid, side_m))
         return self.window(grid.window_extent(window), settings, window_id)
@@ -82,7 +85,7 @@ class Block:
 
 def open_block(
     mosaic: PathLike, sources: Iterable[PathLike] | PathLike = (), cells: PathLike = "", *, keep_copies: bool = False,
-    crs: str = "",
+    crs: Any = "",
 ) -> Block:
     """Open a mosaic with the orthoimages that it may have been made from.
 
@@ -91,15 +94,19 @@ def open_block(
     that name in a field which source each part of the mosaic was cut from, as ``file.gpkg|layername=cells`` where it
     has several layers. ``keep_copies``: whether copies of the mosaic among the sources take part, though they hide
     every loss; without it they are looked for, and doubtful ones take part and are told. ``crs``: the reference system
-    of all rasters (WKT, or such as ``EPSG:2180``), whatever their files name; empty: what they name.
+    of all rasters (WKT, such as ``EPSG:2180``, its number, or what rasterio and pyproj have), whatever their files
+    name; empty or None: what they name.
 
     What is left out (sources that can't be opened, copies of the mosaic), and files that name another system than
     ``crs``, are told by a SeamInspectorWarning each. Raises RasterError when the mosaic can't be used, SettingsError
     when none of the sources can or ``crs`` is none, SeamlineError when the cells can't.
     """
     wkt = known_wkt(crs)
+    imagery_limits.check_type("sources", sources, *imagery_limits.PATH_TYPES, Iterable)
+    sources = [sources] if isinstance(sources, imagery_limits.PATH_TYPES) else [*sources]
+    for name, path in (("mosaic", mosaic), *(("sources", source) for source in sources), ("cells", cells)):
+        imagery_limits.check_type(name, path, *imagery_limits.PATH_TYPES)
     raster = describe_mosaic(RasterRef(os.fspath(mosaic), wkt))
-    sources = [sources] if isinstance(sources, (str, os.PathLike)) else sources
     refs = [RasterRef(os.fspath(source), wkt) for source in sources]
     known = read_cells(os.fspath(cells), raster) if cells else ()
     paths = (raster.ref.path, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))

@@ -98,6 +98,7 @@ class InspectionSettings:
 
     def check(self) -> None:
         """Raise SettingsError when a value is out of its range."""
+        imagery_limits.check_settings(self, InspectionSettings)
         check_decomposition(self.wavelet, self.levels)
         check_max_ratio(self.max_ratio)
         check_min_kept(self.min_kept)

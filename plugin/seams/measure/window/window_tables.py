@@ -8,12 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any, NamedTuple
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import QT_TR_NOOP
-from ....imagery.limits import MIN_SHARE
-from ....imagery.records import Column, NotUnderstoodError, TableRows, record_of, rows_of, sentences_of, value_of
+from ....imagery.limits import DEFAULT_LEVELS, MIN_SHARE
+from ....imagery.records import (
+    Column,
+    NotUnderstoodError,
+    TableRows,
+    names_of,
+    record_of,
+    rows_of,
+    sentences_of,
+    value_of,
+)
 from ....imagery.seam_totals import MOST_KEPT, possible
 from ....imagery.shifts import Shift
 from ....imagery.statistics import JUDGING_FIELDS
@@ -307,7 +317,7 @@ def window_rows(results: Iterable[WindowResult]) -> TableRows:
     values.
     """
     found = list(results)
-    return TableRows(rows_of(_ROW_COLUMNS, found, _most_levels(found)))
+    return _table(_ROW_COLUMNS, found, _most_levels(found))
 
 
 def profile_rows(results: Iterable[WindowResult]) -> TableRows:
@@ -315,7 +325,7 @@ def profile_rows(results: Iterable[WindowResult]) -> TableRows:
 
     The fields are those of the table PROFILES; a window without a seam has no rows.
     """
-    return TableRows(row for result in results for row in rows_of(PROFILE_COLUMNS, bins_of(result)))
+    return _table(PROFILE_COLUMNS, chain.from_iterable(map(bins_of, results)))
 
 
 def curve_rows(results: Iterable[WindowResult]) -> TableRows:
@@ -323,7 +333,7 @@ def curve_rows(results: Iterable[WindowResult]) -> TableRows:
 
     The fields are those of the table CURVES.
     """
-    return TableRows(row for result in results for row in rows_of(CURVE_COLUMNS, curves_of(result)))
+    return _table(CURVE_COLUMNS, chain.from_iterable(map(curves_of, results)))
 
 
 def pair_rows(results: Iterable[WindowResult]) -> TableRows:
@@ -333,7 +343,11 @@ def pair_rows(results: Iterable[WindowResult]) -> TableRows:
     """
     found = list(results)
     most = _most_levels(found)
-    return TableRows(row for result in found for row in rows_of(PAIR_COLUMNS, pairs_of(result), most))
+    return _table(PAIR_COLUMNS, chain.from_iterable(map(pairs_of, found)), most)
+
+
+def _table(columns: Sequence[Column[Any]], results: Iterable[object], levels: int = 0) -> TableRows:
+    return TableRows(rows_of(columns, results, levels), names=names_of(columns, levels))
 
 
 def bins_of(result: WindowResult) -> Iterator[ProfileRow]:
@@ -362,7 +376,7 @@ def curves_of(result: WindowResult) -> Iterator[CurveRow]:
 
 
 def _most_levels(results: Iterable[WindowResult]) -> int:
-    return max((result.levels for result in results), default=0)
+    return max((result.levels for result in results), default=DEFAULT_LEVELS)
 
 
 def result_record(result: WindowResult) -> bytes:

@@ -198,6 +198,16 @@ def test_lines_without_sides_go_on_through_branches() -> None:
     assert [(seam.left, seam.right, length(seam)) for seam in given.seams] == [(None, None, 400), (None, None, 100)]
 
 
+@pytest.mark.parametrize("apart", [0.0, 0.02, 0.04])
+def test_outlines_up_to_half_a_pixel_apart_are_one(apart: float) -> None:
+    outlines = [
+        [(left, 20), (right, 20), (right, 150), (left, 150), (left, 20)]
+        for left, right in ((20, 100 + apart / 2), (100 - apart / 2, 300))
+    ]
+    given = given_seams([line(*places) for places in outlines], GRID)
+    assert sum(map(length, given.seams)) == pytest.approx(2 * 280 + 3 * 130, abs=0.1)
+
+
 def test_lines_that_cross_themselves_are_told() -> None:
     given = given_seams([line((10, 10), (100, 100), (100, 10), (10, 100)), line((200, 0), (200, 200))], GRID)
     assert "cross themselves: 1" in told(given)
