@@ -112,7 +112,7 @@ def test_coarse_pixels_have_wider_windows(repository: Path, tmp_path: Path) -> N
     saved(layer("LineString", [line((20000, 500), (21000, 40000))]), folder / "seams.gpkg")
     finished = demo(repository, folder, tmp_path / "out")
     assert finished.returncode == 0, finished.stdout + finished.stderr
-    assert "Placing windows of 1280 m" in finished.stdout
+    assert "Placing windows of 1281 m" in finished.stdout
     assert count(tmp_path / "out", "inspected") > 0
 
 

@@ -14,14 +14,6 @@ detail, that is there: with less of the second the strip is no mixture of them, 
 something else is in its place, and nothing is told of what is kept. Codecs left up to 0.28 over in 348 windows of five
 grounds; noise over half of a strip leaves 0.5 and 0.5; a brush of 2 px has 0.01 to 0.11. Other ground
 painted over a strip would read 0.5 by energy and 0.7 by mixture."""
-ALONG = 0.4
-"""What rounding in a feather alone changed along its sources, as a share of what it left over beside them, amplitudes.
-In feathers of 33 px with JPEG 75 and 90 on the same blocks on both sides the finest level's shares were off by 0.4 to
-0.6 of that, in 6 windows of three grounds; noise of its own, which is independent of the sources, makes a cut read 0.96
-by it and 0.94 by 0.5."""
-MOST_UNEVEN = 2.0
-"""What codecs and noise leave over at most, as a multiple of what they do on the ground in the mean: it differs so much
-from place to place. More is of the feather alone."""
 
 _WIDEST = 7.0  # of the logarithm, a factor of a thousand: nothing is known, and can still be reckoned with
 
