@@ -50,9 +50,16 @@ _CODES = {
 _CODES_IN_WORDS = "Exit codes: 0 accepted, 1 rejected, 2 undecided, 3 error."
 
 
+_LIMITS = {"min_kept": "min_kept", "max_share": "max_share", "max_run": "max_run_m", "min_measured": "min_measured"}
+"""Arguments of ``limit_rules`` by the names of options."""
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command, and give its exit code."""
-    asked = _parser().parse_args(arguments)
+    parser = _parser()
+    asked = parser.parse_args(arguments)
+    if getattr(asked, "rules", "") and any(getattr(asked, name) is not None for name in _LIMITS):
+        parser.error("the file of --rules holds all limits; leave out --min-kept and those beside it")
     stopped = Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())
@@ -139,7 +146,8 @@ def _decided(asked: argparse.Namespace, decision: Decision) -> int:
 def _rules(asked: argparse.Namespace) -> AcceptanceRules:
     if asked.rules:
         return load_acceptance_rules(asked.rules)
-    return limit_rules(asked.min_kept, asked.max_share, asked.max_run, asked.min_measured)
+    given = {to: getattr(asked, name) for name, to in _LIMITS.items()}
+    return limit_rules(**{to: value for to, value in given.items() if value is not None})
 
 
 def _guarded(asked: argparse.Namespace, inputs: Sequence[str]) -> Any:
@@ -204,12 +212,12 @@ def _add_limits(parser: argparse.ArgumentParser) -> None:
     standard = limit_rules()
     parser.add_argument("--report", help="page of HTML for the decision")
     parser.add_argument("--rules", default="", help="JSON file of rules, in the place of the limits below")
-    parser.add_argument("--min-kept", type=float, default=standard.least_kept, metavar="SHARE")
-    for name, check, unit in (
-        ("--max-share", FAILED_SHARE, "SHARE"), ("--max-run", LONGEST_FAILURE, "METRES"),
-        ("--min-measured", MEASURED_SHARE, "SHARE"),
+    for name, usual, unit in (
+        ("--min-kept", standard.least_kept, "SHARE"), ("--max-share", standard.limit(FAILED_SHARE), "SHARE"),
+        ("--max-run", standard.limit(LONGEST_FAILURE), "METRES"),
+        ("--min-measured", standard.limit(MEASURED_SHARE), "SHARE"),
     ):  # fmt: skip
-        parser.add_argument(name, type=float, default=standard.limit(check), metavar=unit)
+        parser.add_argument(name, type=float, metavar=unit, help=f"{usual:g} unless given")
 
 
 def _shown(share: float) -> None:
@@ -227,3 +235,7 @@ def _say(words: object, file: TextIO | None = None, end: str = "\n") -> None:
         print(words, end=end, file=file, flush=True)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), file.fileno())
+
+
+if __name__ == "__main__":
+    sys.exit(main())

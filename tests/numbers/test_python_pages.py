@@ -127,6 +127,7 @@ def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tm
     for wrong in (
         ["scan", mosaic, *sources, "-o", mosaic], ["scan", str(tmp_path / "none.tif"), "-o", seams], ["accept", mosaic],
         ["scan", mosaic, *sources, "-o", seams, "--piece", "0"], [], ["accept", seams, "--min-kept", "7"],
+        ["accept", seams, "--rules", str(tmp_path / "rules.json"), "--min-kept", "0.7"],
         ["accept", seams, "--max-share", "much"], ["accept", seams, "--report", ""],
         ["scan", mosaic, *sources, "-o", str(tmp_path)], ["scan", mosaic, "-o", f"{tmp_path}/a.gpkg", "--loss", mosaic],
         ["scan", mosaic, "-o", f"{tmp_path}/a.gpkg", "--report", f"{tmp_path}/none/report.html"],
