@@ -20,6 +20,7 @@ pytestmark = pytest.mark.slow
 OPTIONAL = ("geopandas", "shapely", "xarray", "distributed")
 RECIPES = python_pages.blocks(python_pages.RECIPES)
 MISSING = [name for name in OPTIONAL if not find_spec(name)]
+STRICT = python_pages.REPOSITORY / "resources" / "rules" / "acceptance" / "strict.json"
 COMMAND = 'import sys; from seam_inspector.python.command_line import main; sys.exit(main())'
 FORGED = "UPDATE seams SET kept_1 = 0.95, kept_low = 0.9, kept_high = 1, state = 'passed', verdict = 'preserved'"
 
@@ -123,11 +124,12 @@ def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tm
     changed.ExecuteSQL(FORGED)
     del changed
     assert code("accept", seams) == 2
+    assert code("accept", seams, "--rules", str(STRICT)) == 2
     assert code("inspect", mosaic, *sources, "--at", "0", "0") == 2
     for wrong in (
         ["scan", mosaic, *sources, "-o", mosaic], ["scan", str(tmp_path / "none.tif"), "-o", seams], ["accept", mosaic],
         ["scan", mosaic, *sources, "-o", seams, "--piece", "0"], [], ["accept", seams, "--min-kept", "7"],
-        ["accept", seams, "--rules", str(tmp_path / "rules.json"), "--min-kept", "0.7"],
+        ["accept", seams, "--rules", str(STRICT), "--min-kept", "0.95"],
         ["accept", seams, "--max-share", "much"], ["accept", seams, "--report", ""],
         ["scan", mosaic, *sources, "-o", str(tmp_path)], ["scan", mosaic, "-o", f"{tmp_path}/a.gpkg", "--loss", mosaic],
         ["scan", mosaic, "-o", f"{tmp_path}/a.gpkg", "--report", f"{tmp_path}/none/report.html"],
