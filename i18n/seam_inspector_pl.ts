@@ -12987,67 +12987,67 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field &apos;reason&apos; of the seams says why each was not; scan with longer pieces, or judge windows there by eye (JUDGE observer).</source>
-        <translation type="unfinished"></translation>
+        <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Pole &apos;reason&apos; linii mozaikowania mówi dlaczego; skanuj z dłuższymi odcinkami albo oceń tam okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
         <source>What would decide it: a scan with shorter pieces. Failures end inside of pieces, so a sum of pieces of {piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.</source>
-        <translation type="unfinished"></translation>
+        <translation>Co by rozstrzygnęło: skan z krótszymi odcinkami. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with all seamlines, or without any.</source>
-        <translation type="unfinished"></translation>
+        <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi podanymi liniami albo bez nich.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
         <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a scan of those that are there now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Co by rozstrzygnęło: skanowane pliki, podane jako ortofotomapa i jej ortoobrazy, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
         <source>What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the layers of others out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Co by rozstrzygnęło: podanie do decyzji wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece keeps enough though a part of it failed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Co by rozstrzygnęło: skanowanie z odcinkami najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
         <source>The layers of seams are of {count} mosaics, and none is given to the decision: whether all of these belong to the delivery is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="392"/>
         <source>In {name} the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s seamlines to the scan to measure all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>W {name} linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z podanymi liniami wykonawcy metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="37"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties in QGIS, write it into the file, or name it where the raster is opened (crs in Python).</source>
-        <translation type="unfinished"></translation>
+        <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy w QGIS, zapisz w pliku albo podaj przy otwieraniu rastra (crs w Pythonie).</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="46"/>
         <source>&apos;{text}&apos; is no coordinate reference system of a map (projected or geographic); write it as WKT, or such as EPSG:2180.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{text}” nie jest układem współrzędnych mapy (płaskim ani geograficznym); należy go zapisać jako WKT albo tak jak EPSG:2180.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="69"/>
         <source>{name} is {value}; give {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: podano {value}; należy podać {expected}.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>The window runs from {xmin:.8g} to {xmax:.8g} and from {ymin:.8g} to {ymax:.8g}; give xmin, ymin, xmax and ymax as numbers, the smaller ones first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Okno biegnie od {xmin:.8g} do {xmax:.8g} i od {ymin:.8g} do {ymax:.8g}; podaj xmin, ymin, xmax i ymax jako liczby, najpierw mniejsze.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="117"/>
         <source>{path} holds no polygon on the mosaic that names its source; choose the layer of seam cells, with their sources&apos; file names in a field.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} nie zawiera na ortofotomapie wieloboku, który podaje swój ortoobraz; wskaż warstwę, w której są komórki ortofotomapy z nazwami plików ortoobrazów w polu.</translation>
     </message>
 </context>
 </TS>

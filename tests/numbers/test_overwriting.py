@@ -41,7 +41,6 @@ READ = {
 WORDS = {
     "AcceptanceRules.limit check", "AcceptanceRules.rule check", "clip_curves wavelet", "measure_noise names",
     "measure_noise wavelet", "mend which",
-    "open_block crs",
 }  # fmt: skip
 """Texts that are no paths."""
 

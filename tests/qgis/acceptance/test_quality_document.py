@@ -114,7 +114,7 @@ def test_the_picture_of_losses_is_a_coverage_result(tmp_path: Path) -> None:
     assert text(coverage, ".//mdq:fileName") == "loss & Łódź.tif"
     sizes = [one.text for one in coverage.iterfind(".//msr:dimensionSize/gco:Integer", NAMESPACES)]
     assert sizes == [str(loss.rows), str(loss.columns)]
-    assert text(coverage, ".//msr:resolution") == "0.5"
+    assert float(text(coverage, ".//msr:resolution")) == pytest.approx(0.5 / 0.9996, abs=1e-4)  # UTM, on the ground
 
 
 def test_a_plan_is_told_with_its_risks() -> None:

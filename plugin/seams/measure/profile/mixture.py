@@ -104,7 +104,7 @@ def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
     fitted = np.einsum("...i,...ij,...j->...", weights, products[..., _NORMAL], weights)
     left_over = np.maximum(products[..., _MM] + fitted - 2 * (weights * products[..., _RIGHT]).sum(axis=-1), 0)
     carried = np.maximum(source + other, 0)
-    variance = _unsure_by_left_over(products, left_over, carried)
+    variance = (1 - sharp[:, :1]) * _unsure_by_left_over(products, left_over, carried)  # a cut mixes nothing
     shares, spread = _over_levels(_shares(products, weights), spread, variance)
     mixed, unsure, blended = fit_ramps(shares, spread, _most_floor(products[:, 0], left_over[:, 0]))
     return Mixtures(mixed, unsure, blended, 1 - sharp[:, :1], of_edge, left_over, carried[:, 0], np.isfinite(spread))

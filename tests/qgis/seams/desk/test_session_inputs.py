@@ -232,7 +232,8 @@ def test_a_mosaic_whose_files_are_gone_is_not_blamed_on_its_sources(
     found = desk.raster(mosaic)
     desk.set(desk.inputs(mosaic=found.id(), **({} if with_sources else {"sources": ()})))
     problem = desk.session.problem()
-    assert problem == imagery_messages.NOT_READABLE(name="mosaic.vrt")  # the reason on every grey button
+    # the reason on every grey button
+    assert problem == imagery_messages.PART_NOT_FOUND(name="mosaic.vrt", part=str(gone))
     with pytest.raises(SettingsError, match=r"mosaic\.vrt"):
         desk.session.scan_order()
     _, said, why = panel._summary()
