@@ -7,6 +7,7 @@ explain wherever it lies, with less detail than they have: a blurred mosaic, or 
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -212,17 +213,19 @@ class _Comparison:
         """Fine detail of a source that others explain nearly wherever it lies, as a share of that of those most like
         it; None for one that shows what they don't."""
         places = [k for k, over in enumerate(self._over) if number in over and over & {*others}]
-        detail, missed = [], 0
+        detail, missed, alone = [], 0, Counter[int]()
         for k in places:
             own = self._seen(number, k)
-            seen = [one for n in sorted(self._over[k] & {*others}) if (one := self._seen(n, k)) is not None]
+            seen = {n: one for n in sorted(self._over[k] & {*others}) if (one := self._seen(n, k)) is not None}
             if own is None:
                 continue
-            lacking = [_lacking(own[1], coarse) for _, coarse in seen]
-            near = [seen[n] for n in np.argsort(lacking).tolist() if not np.isnan(lacking[n])]
+            lacking = {n: _lacking(own[1], coarse) for n, (_, coarse) in seen.items()}
+            likest = sorted((n for n in seen if not np.isnan(lacking[n])), key=lambda n: lacking[n])
+            near = [seen[n] for n in likest]
             if not near:
                 continue
             explained = _explained(own[1], [coarse for _, coarse in near[:MOST_OTHERS]])
+            alone[likest[0]] += _explained(own[1], [near[0][1]]) >= LEAST_EXPLAINED
             missed += explained < LEAST_EXPLAINED
             if missed > MOST_ELSEWHERE * len(places):
                 return None
@@ -230,6 +233,8 @@ class _Comparison:
                 detail.append([_energy(one) for one in (*own, *near[0])])
         if len(detail) < FEWEST_EXPLAINED or missed > MOST_ELSEWHERE * len(detail):
             return None
+        if max(alone.values(), default=0) >= (1 - MOST_ELSEWHERE) * len(detail):
+            return None  # another image given twice, as in a second system
         fine, coarse, their_fine, their_coarse = np.sum(detail, axis=0).tolist()
         return fine * their_coarse / (coarse * their_fine) if coarse * their_fine else None
 
