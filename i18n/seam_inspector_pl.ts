@@ -8589,7 +8589,7 @@
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="56"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="57"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
@@ -9288,12 +9288,12 @@
         <translation>zachowane 1, co najmniej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="47"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="48"/>
         <source>kept 1, at most</source>
         <translation>zachowane 1, co najwyżej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="48"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="49"/>
         <source>width of the band (m)</source>
         <translation>szerokość pasa (m)</translation>
     </message>
@@ -9318,17 +9318,17 @@
         <translation>pewność 2 (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="55"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="56"/>
         <source>failure</source>
         <translation>usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="57"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="58"/>
         <source>picture</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="60"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="61"/>
         <source>kept {level}</source>
         <translation>zachowane {level}</translation>
     </message>
@@ -9343,27 +9343,27 @@
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="61"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="62"/>
         <source>kept {level} in the window</source>
         <translation>zachowane {level} w oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="62"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="63"/>
         <source>kept {level} in the strip</source>
         <translation>zachowane {level} w pasie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="63"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="64"/>
         <source>contrast {level}</source>
         <translation>kontrast {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="64"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="65"/>
         <source>sharpness {level}</source>
         <translation>ostrość {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="65"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="66"/>
         <source>added detail {level}</source>
         <translation>dodane detale {level}</translation>
     </message>
@@ -9662,7 +9662,7 @@
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="49"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="50"/>
         <source>width of the feather (m)</source>
         <translation>szerokość wtapiania (m)</translation>
     </message>
@@ -10536,87 +10536,87 @@
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="40"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="39"/>
         <source>Mend seams</source>
         <translation>Napraw linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="42"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="41"/>
         <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are eased. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as a scan does it, and only what keeps more detail than before stays. Where the orthoimages fit nowhere, the seam stays as it is and the table gives the reason.</source>
         <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="54"/>
         <source>The seams as Scan a whole mosaic writes them, all of them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
         <translation>Wszystkie linie mozaikowania, jak zapisuje je skanowanie całej ortofotomapy. Albo okna: wtedy ortofotomapa jest najpierw skanowana, a naprawiane są linie w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="59"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="58"/>
         <source>failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every piece.</source>
         <translation>failed: odcinki, które zachowują mniej niż 70 %. reduced: także te, które mierzalnie straciły detale. all: wszystkie odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="63"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="62"/>
         <source>How far a new cut may move to either side of the seam; at most 800 pixels.</source>
         <translation>Jak daleko nowe cięcie może odejść w każdą stronę od linii mozaikowania; najwyżej 800 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="66"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="65"/>
         <source>Width over which the two orthoimages are mixed at the cut. 0: a hard cut.</source>
         <translation>Szerokość, na której oba ortoobrazy są mieszane przy cięciu. 0: twarde cięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="69"/>
         <source>A folder for the patches, cloud-optimised GeoTIFFs with an alpha band; or the name of one .tif for all of them.</source>
         <translation>Katalog na łaty, czyli pliki COG z kanałem alfa; albo nazwa jednego pliku .tif na wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
         <source>A virtual raster: the mosaic with the patches above it. It needs both where they are.</source>
         <translation>Raster wirtualny: ortofotomapa, a nad nią łaty. Jedne i drugie muszą pozostać na swoich miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="76"/>
         <source>Each seam as it runs now, with what it kept before and after, and its step of tone before and after.</source>
         <translation>Każda linia mozaikowania w nowym przebiegu, z tym, co zachowywała przed i po, oraz ze skokiem tonu przed i po.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="57"/>
         <source>What to mend</source>
         <translation>Co naprawić</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="62"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="61"/>
         <source>Width of the corridor (metres)</source>
         <translation>Szerokość korytarza (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="64"/>
         <source>Blend (pixels)</source>
         <translation>Wtapianie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
         <source>Patches</source>
         <translation>Łaty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="72"/>
         <source>Mended mosaic</source>
         <translation>Naprawiona ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
         <source>Cuts</source>
         <translation>Cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="81"/>
         <source>Length of the seams that are mended (metres)</source>
         <translation>Długość naprawionych linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="82"/>
         <source>Length of the seams that stay as they were (metres)</source>
         <translation>Długość linii mozaikowania, które pozostały bez zmian (metry)</translation>
     </message>
@@ -11141,7 +11141,7 @@
         <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="79"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="78"/>
         <source>Each seam before and after, in figures and in pictures at 2x.</source>
         <translation>Każda linia mozaikowania przed i po, w liczbach i na obrazach w powiększeniu 2x.</translation>
     </message>
@@ -13048,6 +13048,11 @@
         <location filename="../plugin/seams/measure/messages.py" line="117"/>
         <source>{path} holds no polygon on the mosaic that names its source; choose the layer of seam cells, with their sources&apos; file names in a field.</source>
         <translation>{path} nie zawiera na ortofotomapie wieloboku, który podaje swój ortoobraz; wskaż warstwę, w której są komórki ortofotomapy z nazwami plików ortoobrazów w polu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/layer_styles.py" line="47"/>
+        <source>kept by distance from the seam</source>
+        <translation>zachowane według odległości od linii łączenia</translation>
     </message>
 </context>
 </TS>

@@ -44,6 +44,7 @@ _TITLES = {
     "left_date": QT_TR_NOOP("its date, left"),
     "right_date": QT_TR_NOOP("its date, right"),
     "kept_low": QT_TR_NOOP("kept 1, at least"),
+    "profile": QT_TR_NOOP("kept by distance from the seam"),
     "kept_high": QT_TR_NOOP("kept 1, at most"),
     "band_width": QT_TR_NOOP("width of the band (m)"),
     "feather_width": QT_TR_NOOP("width of the feather (m)"),

@@ -14,7 +14,6 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import CancelledError
-from ...imagery.records import GEOMETRY
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
@@ -136,6 +135,7 @@ class MendSeams(SeamInspectorAlgorithm):
 
     def _pieces(self, run: Run, crs: QgsCoordinateReferenceSystem, sources: list[Source]) -> list[SeamRun]:
         """Those of a scan; with windows of one that is made now, of which only those in the windows are wanted."""
+        from ...imagery.records import GEOMETRY
         from ...toolkit import layers
         from ..measure.mending.failed_runs import FIELDS, given_pieces
         from ..measure.scan.scan_result import seam_rows
