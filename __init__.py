@@ -5,6 +5,8 @@ A plugin of QGIS, and a Python interface that needs no QGIS: ``from seam_inspect
 loads this file when it starts.
 """
 
+from functools import cache as _cache
+
 
 def classFactory(iface: object) -> object:
     """The plugin, as QGIS asks for it. ``iface`` is None in qgis_process."""
@@ -40,6 +42,7 @@ def __dir__() -> "list[str]":
     return sorted([*dunder, "__all__", "__version__", *_modules()])
 
 
+@_cache
 def _modules() -> "dict[str, str]":
     """Where each name of the Python interface comes from, as the stub says it to type checkers."""
     import ast

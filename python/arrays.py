@@ -79,10 +79,7 @@ def inspect_arrays(
         held.callback(close_rasters)
         ref = held.enter_context(_raster_of(mosaic, "mosaic", pixel_size_m))
         raster = describe_mosaic(ref)
-        refs = []
-        for name, source in named.items():
-            _check_same_sides(source, name, raster)
-            refs.append(held.enter_context(_raster_of(source, name, pixel_size_m)))
+        refs = [held.enter_context(_raster_of(one, name, pixel_size_m, raster)) for name, one in named.items()]
         cells = () if labels is None else tuple(_cells(np.asarray(labels), list(named), raster))
         block, _ = make_block(raster, refs, (), cells)
         return inspect_window(block.window(raster.extent, settings))
@@ -161,10 +158,12 @@ def _band_names(count: int) -> list[str]:
 
 
 @contextmanager
-def _raster_of(image: Image, name: str, pixel_size_m: float) -> Iterator[RasterRef]:
-    """An image as a file in memory, which has to go before it does."""
+def _raster_of(image: Image, name: str, pixel_size_m: float, mosaic: Raster | None = None) -> Iterator[RasterRef]:
+    """An image as a file in memory, which has to go before it does, with the sides of a mosaic."""
     bands, invalid = _bands(image, name)
     count, rows, columns = bands.shape
+    if mosaic is not None:
+        _check_sides(name, (rows, columns), mosaic)
     path = f"/vsimem/{uuid4().hex}/{name}.tif"
     kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.dtype.type)
     try:
@@ -181,9 +180,9 @@ def _raster_of(image: Image, name: str, pixel_size_m: float) -> Iterator[RasterR
         gdal.Unlink(path)
 
 
-def _check_same_sides(image: Image, name: str, mosaic: Raster) -> None:
-    rows, columns = _bands(image, name)[0].shape[1:]
-    if (rows, columns) != (mosaic.rows, mosaic.columns):
+def _check_sides(name: str, shape: tuple[int, ...], mosaic: Raster) -> None:
+    if shape != (mosaic.rows, mosaic.columns):
+        rows, columns = (*shape, 0, 0)[:2]
         raise SettingsError(messages.OTHER_SHAPE(
             name=name, columns=columns, rows=rows, wide=mosaic.columns, high=mosaic.rows
         ))  # fmt: skip
@@ -191,11 +190,7 @@ def _check_same_sides(image: Image, name: str, mosaic: Raster) -> None:
 
 def _cells(labels: np.ndarray, names: Sequence[str], mosaic: Raster) -> Iterator[Cell]:
     """The polygons of the labels, each named by its source."""
-    if labels.shape != (mosaic.rows, mosaic.columns):
-        rows, columns = (*labels.shape, 0, 0)[:2]
-        raise SettingsError(messages.OTHER_SHAPE(
-            name="labels", columns=columns, rows=rows, wide=mosaic.columns, high=mosaic.rows
-        ))  # fmt: skip
+    _check_sides("labels", labels.shape, mosaic)
     if labels.dtype.kind not in "biuf" or (labels != np.rint(labels)).any():  # NaN is unlike itself
         raise SettingsError(messages.LABELS_NOT_WHOLE(kind=str(labels.dtype)))
     other = labels[(labels < -1) | (labels >= len(names))]

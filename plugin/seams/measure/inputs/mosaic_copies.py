@@ -213,7 +213,7 @@ class _Comparison:
         """Fine detail of a source that others explain nearly wherever it lies, as a share of that of those most like
         it; None for one that shows what they don't."""
         places = [k for k, over in enumerate(self._over) if number in over and over & {*others}]
-        detail, missed, alone = [], 0, Counter[int]()
+        detail, missed, likest_pairs = [], 0, []
         for k in places:
             own = self._seen(number, k)
             seen = {n: one for n in sorted(self._over[k] & {*others}) if (one := self._seen(n, k)) is not None}
@@ -225,7 +225,7 @@ class _Comparison:
             if not near:
                 continue
             explained = _explained(own[1], [coarse for _, coarse in near[:MOST_OTHERS]])
-            alone[likest[0]] += _explained(own[1], [near[0][1]]) >= LEAST_EXPLAINED
+            likest_pairs.append((likest[0], own[1], near[0][1]))
             missed += explained < LEAST_EXPLAINED
             if missed > MOST_ELSEWHERE * len(places):
                 return None
@@ -233,6 +233,7 @@ class _Comparison:
                 detail.append([_energy(one) for one in (*own, *near[0])])
         if len(detail) < FEWEST_EXPLAINED or missed > MOST_ELSEWHERE * len(detail):
             return None
+        alone = Counter(n for n, patch, other in likest_pairs if _explained(patch, [other]) >= LEAST_EXPLAINED)
         if max(alone.values(), default=0) >= (1 - MOST_ELSEWHERE) * len(detail):
             return None  # another image given twice, as in a second system
         fine, coarse, their_fine, their_coarse = np.sum(detail, axis=0).tolist()

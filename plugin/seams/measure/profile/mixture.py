@@ -103,11 +103,11 @@ def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
     of_edge = edge * (2 * (source * products[..., _SK] + other * products[..., _OK]) + edge * products[..., _KK])
     fitted = np.einsum("...i,...ij,...j->...", weights, products[..., _NORMAL], weights)
     left_over = np.maximum(products[..., _MM] + fitted - 2 * (weights * products[..., _RIGHT]).sum(axis=-1), 0)
-    carried = np.maximum(source + other, 0)
-    variance = (1 - sharp[:, :1]) * _unsure_by_left_over(products, left_over, carried)  # a cut mixes nothing
+    soft, carried = 1 - sharp[:, :1], np.maximum(source + other, 0)
+    variance = soft * _unsure_by_left_over(products, left_over, carried)  # a cut mixes nothing
     shares, spread = _over_levels(_shares(products, weights), spread, variance)
     mixed, unsure, blended = fit_ramps(shares, spread, _most_floor(products[:, 0], left_over[:, 0]))
-    return Mixtures(mixed, unsure, blended, 1 - sharp[:, :1], of_edge, left_over, carried[:, 0], np.isfinite(spread))
+    return Mixtures(mixed, unsure, blended, soft, of_edge, left_over, carried[:, 0], np.isfinite(spread))
 
 
 def _unsure_by_left_over(products: np.ndarray, left_over: np.ndarray, carried: np.ndarray) -> np.ndarray:
