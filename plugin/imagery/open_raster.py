@@ -194,10 +194,14 @@ class OpenRaster:
             self._is_turned,
         )
 
-    @cached_property
+    @property
     def upright(self) -> OpenRaster:
         """It with the north up: itself, or turned over where its rows run north."""
-        return OpenRaster(self.ref, turned=True) if self.raster.is_south_up else self
+        return self._turned_over if self.raster.is_south_up else self  # kept here, it would never be let go
+
+    @cached_property
+    def _turned_over(self) -> OpenRaster:
+        return OpenRaster(self.ref, turned=True)
 
     @property
     def _is_lossy(self) -> bool:

@@ -14,7 +14,7 @@ import pytest
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
-from seam_inspector.plugin.imagery.raster_pool import ReadingLanes, one_by_one
+from seam_inspector.plugin.imagery.raster_pool import ReadingLanes, close_rasters, one_by_one
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.window.inspection import (
     Block,
@@ -128,16 +128,21 @@ def test_files_are_closed_by_the_threads_that_read_them(feathered: Block, lanes:
 
 @pytest.mark.skipif(not os.path.isdir("/proc/self/fd"), reason="open files are counted on Linux")
 def test_two_hundred_windows_leave_no_more_files_open(feathered: Block, lanes: ReadingLanes) -> None:
-    def count() -> int:
-        return len(list(Path("/proc/self/fd").iterdir()))
+    rasters = {os.path.realpath(raster.ref.path) for raster in (feathered.mosaic, *feathered.sources)}
 
-    before = count()
+    def open_rasters() -> list[str]:
+        """Paths of the block's rasters, once for each descriptor of this process that holds them open."""
+        held = (os.path.realpath(descriptor) for descriptor in Path("/proc/self/fd").iterdir())
+        return sorted(path for path in held if path in rasters)
+
+    close_rasters()
+    assert not open_rasters()
     for step in range(200):
         request = request_of(feathered, PixelWindow(step % 60, step % 50, 64, 64))
         assert read_live(request, lanes) is not None
-    assert count() <= before + 3
+    assert open_rasters() == sorted(rasters)
     lanes.let_go()
-    wait_until(lambda: count() == before)
+    wait_until(lambda: not open_rasters())
 
 
 def test_what_was_measured_ahead_is_there_and_the_same(feathered: Block, lanes: ReadingLanes) -> None:
