@@ -65,6 +65,8 @@ class ExpectedMosaic:
     elsewhere. None where that is nowhere."""
     filters: Filters = UNFILTERED
     """What makes ``shown`` of ``toned``; the numbers are those of planes, of which several may be of one source."""
+    was_compressed: bool = False
+    """Whether the mosaic shows traces of a codec."""
 
     @property
     def is_filtered(self) -> bool:
@@ -133,7 +135,9 @@ def expected_mosaic(
     elif filters.taps:
         plane = cut_of(mosaic, shown, labels)
         toned = {i: filters.placed(i, plane) for i, plane in toned.items()}
-    expected = ExpectedMosaic(plane, unfiltered, labels, shown, toned, shares, filters).of_sources(sources.source_of)
+    expected = ExpectedMosaic(
+        plane, unfiltered, labels, shown, toned, shares, filters, cutting.was_mosaic_compressed
+    ).of_sources(sources.source_of)
     if sources.mosaic.valid is None:
         return expected
     return replace(expected, labels=np.where(sources.mosaic.valid, expected.labels, np.uint8(UNKNOWN)))
@@ -159,15 +163,18 @@ class _Cutting:
     closeness: Closeness
 
     @cached_property
+    def was_mosaic_compressed(self) -> bool:
+        return was_compressed(self.sources.mosaic.plane)
+
+    @cached_property
     def is_compressed(self) -> IsCompressed:
         """See ``foreign_ground``."""
-        mosaic, planes = self.sources.mosaic.plane, self.sources.planes  # self would stay alive
+        mosaic_was, planes = self.was_mosaic_compressed, self.sources.planes  # self would stay alive
         followed = self.sources.following.followed
-        mosaic_was = cache(lambda: was_compressed(mosaic))
         source_was = cache(lambda number: was_compressed(planes[number]))
 
         def is_compressed(number: int | None) -> bool:
-            return mosaic_was() or (any(map(source_was, followed)) if number is None else source_was(number))
+            return mosaic_was or (any(map(source_was, followed)) if number is None else source_was(number))
 
         return is_compressed
 

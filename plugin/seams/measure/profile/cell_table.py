@@ -20,10 +20,10 @@ FARTHEST = len(EDGES_PX) - 1
 """The last bin: no seam is near."""
 MIXED_BINS = EDGES_PX.index(128)
 """Bins in which a mixture of two sources is looked for: half a feather of 256 px."""
-PRODUCTS = ("area", "mm", "ms", "mo", "mk", "ss", "so", "sk", "oo", "ok", "kk", "pp", "pq", "qq")
+PRODUCTS = ("area", "mm", "ms", "mo", "mk", "ss", "so", "sk", "oo", "ok", "kk", "pp", "pq", "qq", "codec")
 """Products of the mosaic m, the source s that is followed, the other one o beyond the nearest seam, and k, what a hard
 cut has beside s: the edge that it makes itself. p and q are s and o before anything came over the whole mosaic.
-``area`` in pixels, the others in DN squared."""
+``area`` and, where the mosaic shows traces of a codec, ``codec`` in pixels, the others in DN squared."""
 
 _Rows = TypeVar("_Rows", bound="Rows")
 

@@ -24,7 +24,7 @@ from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, PRODUCTS, CellT
 MOSAIC, CUT, FIRST_SOURCE = range(3)
 """Planes of details."""
 
-_SS, _OO = PRODUCTS.index("ss"), PRODUCTS.index("oo")
+_AREA, _SS, _OO, _CODEC = map(PRODUCTS.index, ("area", "ss", "oo", "codec"))
 _SHOWN, _BEFORE = ([PRODUCTS.index(name) for name in names] for names in (("ss", "so", "oo"), ("pp", "pq", "qq")))
 _GRID_PX = 2  # distances are taken on the grid of the finest coefficients
 _NO_PAIR = (UNKNOWN + 1) ** 2
@@ -77,11 +77,15 @@ class MeetingSources:
     """Shares of the sources where more than two are mixed (``ExpectedMosaic``)."""
     is_filtered: bool = False
     """Whether each source is among the planes in both ways."""
+    was_compressed: bool = False
+    """Whether the mosaic shows traces of a codec."""
 
     @classmethod
     def of(cls, expected: ExpectedMosaic, valid: Mapping[int, np.ndarray]) -> MeetingSources:
         """The sources of an expected mosaic."""
-        return cls(expected.labels, numbers_of(expected), valid, expected.shares, expected.is_filtered)
+        return cls(
+            expected.labels, numbers_of(expected), valid, expected.shares, expected.is_filtered, expected.was_compressed
+        )
 
 
 def detail_sums(
@@ -141,8 +145,9 @@ def detail_sums(
         _add(mixed[:, level], np.take(index, at), pixels**2, products)
     if not is_filtered:
         mixed[_BEFORE] = mixed[_SHOWN]
+    mixed[_CODEC] = mixed[_AREA] * sources.was_compressed
     sums[2:, sums[2] <= of_rounding * sums[0]] = 0
-    mixed[1:, np.maximum(mixed[_SS], mixed[_OO]) <= of_rounding * mixed[0]] = 0
+    mixed[1:, np.maximum(mixed[_SS], mixed[_OO]) <= of_rounding * mixed[_AREA]] = 0
     row, column, near_bin, which = _unravelled(of_pair.held, (rows, columns, MIXED_BINS, max(pairs, 1)))
     source, beyond = np.divmod(pair.held[which], UNKNOWN + 1)
     return (

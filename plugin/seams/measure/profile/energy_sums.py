@@ -36,6 +36,10 @@ its error: as well it may be detail of the sources that a codec changed, or that
 kept. Of those mosaics 68 % of the energies' intervals held the truth without it. Share of what codecs leave over of any
 mixture that is its error: of 114 windows with a codec on either side 96 % of all intervals held the truth, without it
 94 %."""
+ALONG = 0.4
+"""What a codec changes along the sources where it rounds their mixture, as a share of what it makes beside them,
+amplitudes. In feathers of 33 px with JPEG 75 and 90 on the same blocks on both sides the finest level's shares were off
+by 0.4 to 0.6 of that, in 6 windows of three grounds."""
 BLOCK_CELLS = 2
 """A side of the blocks whose scatter the interval follows from: as much ground as 64 px of strip."""
 
@@ -91,16 +95,22 @@ class EnergySums:
         """kept of one level, 0 the finest, at every distance, (bins, count)."""
         return self._with_interval(self.own[level], self.area[level], self._by_kept[:, level])
 
-    def take_out(self, edge: np.ndarray, left_over: np.ndarray, soft_left_over: np.ndarray) -> np.ndarray:
+    def take_out(
+        self, edge: np.ndarray, left_over: np.ndarray, soft_left_over: np.ndarray, rounded: np.ndarray
+    ) -> np.ndarray:
         """Take out what no source has, energy by (levels, bins, count), DN squared: what the mosaic's detail has of the
-        cut's own edge, and half of what soft feathers leave over beyond what the ground does.
+        cut's own edge, what a codec makes of a mixture, and half of what else soft feathers leave over beyond what the
+        ground does.
 
         Returns (levels, count): what any mixture leaves over in the strip beyond what the ground does."""
-        all_left = in_strip(left_over)
+        all_left, mosaic = in_strip(left_over), np.maximum(in_strip(self.own)[0], 1e-12)
         more = np.maximum(all_left - in_strip(self.left_by_ground), 0)
-        unsure = SURE_LEFT * soft_left_over * (more / np.maximum(all_left, 1e-12))[:, np.newaxis]
-        self._unsure = in_strip(unsure)[0] / np.maximum(in_strip(self.own)[0], 1e-12)
-        self.own = self.own - edge - unsure
+        of_strip = (more / np.maximum(all_left, 1e-12))[:, np.newaxis]
+        unsure = SURE_LEFT * np.maximum(soft_left_over * of_strip - rounded, 0)
+        # (1 + ALONG r)^2 - 1, to first order, with r^2 the share of the energy that was rounded.
+        by_codec = 2 * ALONG * np.sqrt(in_strip(rounded)[0] / mosaic)
+        self._unsure = np.hypot(in_strip(unsure)[0] / mosaic, by_codec)
+        self.own = self.own - edge - rounded - unsure
         return np.asarray(more)
 
     def _with_interval(self, mosaic_energy: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:

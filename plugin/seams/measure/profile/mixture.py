@@ -20,7 +20,7 @@ from functools import cached_property
 import numpy as np
 
 from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS, MixtureTable
-from .energy_sums import BLOCK_CELLS
+from .energy_sums import ALONG, BLOCK_CELLS
 from .ground import FAR_PX
 from .intervals import Kept
 from .ramps import BEYOND, fit_ramps
@@ -29,7 +29,7 @@ from .seam_profile import UNMIXED_SHARE, in_strip, strip_bins
 SLOTS = 2 * MIXED_BINS
 """Bins on either side: first those that follow the source of the lower number, then the others."""
 
-_AREA, _MM, _MS, _MO, _MK, _SS, _SO, _SK, _OO, _OK, _KK, _PP, _PQ, _QQ = range(len(PRODUCTS))
+_AREA, _MM, _MS, _MO, _MK, _SS, _SO, _SK, _OO, _OK, _KK, _PP, _PQ, _QQ, _CODEC = range(len(PRODUCTS))
 _NORMAL = np.array([[_SS, _SO, _SK], [_SO, _OO, _OK], [_SK, _OK, _KK]])
 _RIGHT = np.array([_MS, _MO, _MK])
 _SHOWN, _BEFORE = (_SS, _SO, _OO), (_PP, _PQ, _QQ)
@@ -44,17 +44,6 @@ _EITHER, _FOLLOWED = 0.4, 0.6
 """Shares of a source in a mixture: what has surely more than half of it follows it; of halves nobody knows which is
 followed."""
 _FAR = EDGES_PX.index(FAR_PX)
-ALONG = 0.4
-"""What rounding in a feather alone changed along its sources, as a share of what it left over beside them, amplitudes.
-In feathers of 33 px with JPEG 75 and 90 on the same blocks on both sides the finest level's shares were off by 0.4 to
-0.6 of that, in 6 windows of three grounds; noise of its own, which is independent of the sources, makes a cut read 0.96
-by it and 0.94 by 0.5."""
-MOST_UNEVEN = 2.0
-"""What codecs and noise leave over at most, as a multiple of what they do on the ground in the mean: it differs so much
-from place to place. More is of the feather alone."""
-MOST_MISFITTING = 0.03
-"""Share of the mosaic's detail that filters and places of the images leave over of a feather without a codec: up to
-0.012 in the demonstration block, of 0.05 to 0.15 with JPEG 75 and 90 on the same blocks."""
 MOST_EVERYWHERE = 0.25
 """Share of the other source far off, from which on a mixture has no end; a width is taken above one that is less."""
 
@@ -69,13 +58,15 @@ class Mixtures:
     """(n, SLOTS): standard deviation of ``other`` between the feathers that may be."""
     blended: np.ndarray
     """(n, 1): how likely it is that the seam is no cut."""
-    soft: np.ndarray
-    """(n, 1, 1): 1 for a feather so wide that its ramp makes detail of its own out of what the sources differ by, 0 for
-    a cut."""
     edge: np.ndarray
     """(n, levels, SLOTS): energy of the mosaic's detail that is the cut's edge, DN squared."""
     left_over: np.ndarray
     """(n, levels, SLOTS): energy that neither source nor the edge explains, DN squared."""
+    soft_left_over: np.ndarray
+    """(n, levels, SLOTS): as much of it as a feather's ramp makes of what the sources differ by, or a codec of their
+    mixture, DN squared; a cut has neither."""
+    rounded: np.ndarray
+    """(n, levels, SLOTS): as much of that as a codec makes, DN squared."""
     carried: np.ndarray
     """(n, SLOTS): weights of both sources together: less than on the ground where something else is in their place."""
     known: np.ndarray
@@ -104,34 +95,41 @@ def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
     fitted = np.einsum("...i,...ij,...j->...", weights, products[..., _NORMAL], weights)
     left_over = np.maximum(products[..., _MM] + fitted - 2 * (weights * products[..., _RIGHT]).sum(axis=-1), 0)
     soft, carried = 1 - sharp[:, :1], np.maximum(source + other, 0)
-    variance = soft * _unsure_by_left_over(products, left_over, carried)  # a cut mixes nothing
+    rounded = soft * _rounded(products, left_over)
+    difference = products[..., _SS] - 2 * products[..., _SO] + products[..., _OO]
+    variance = ALONG**2 * rounded / np.maximum(carried**2 * difference, 1e-12)
     shares, spread = _over_levels(_shares(products, weights), spread, variance)
     mixed, unsure, blended = fit_ramps(shares, spread, _most_floor(products[:, 0], left_over[:, 0]))
-    return Mixtures(mixed, unsure, blended, soft, of_edge, left_over, carried[:, 0], np.isfinite(spread))
+    return Mixtures(
+        mixed, unsure, blended, of_edge, left_over, soft * left_over, rounded, carried[:, 0], np.isfinite(spread)
+    )
 
 
-def _unsure_by_left_over(products: np.ndarray, left_over: np.ndarray, carried: np.ndarray) -> np.ndarray:
-    """Variance of the share of the other source, (n, levels, SLOTS), by what is left over beside the seam alone, and
-    the weights of both sources together.
+def _rounded(products: np.ndarray, left_over: np.ndarray) -> np.ndarray:
+    """Energy that a codec makes of a mixture which it rounds for the first time, (n, levels, SLOTS), DN squared.
 
-    What codecs leave over everywhere is independent of the sources, and the jackknife tells what that makes of a share.
-    What only the strip has was made of their mixture, as by a codec that rounds it for the first time, and changed it
-    along the sources as well: on the same blocks JPEG takes the weaker source's detail for the stronger one's.
+    Where the mosaic shows traces of a codec, it is what is left over beside the seam alone, as a share of the mosaic's
+    detail in the strip more than at the next coarser level: a mixture that varies along the seam leaves over much the
+    same share at all levels, a codec the less the coarser.
     """
-    ss, so, oo = (products[..., name] for name in _SHOWN)
-    followed, left = (
+    area, mm, ss, codec = (products[..., name] for name in (_AREA, _MM, _SS, _CODEC))
+    followed, around = (
         values.reshape(*values.shape[:-1], 2, MIXED_BINS)[..., _FAR:].sum(axis=-1) for values in (ss, left_over)
     )
-    around = np.repeat(left / np.maximum(followed, 1e-12), MIXED_BINS, axis=-1)
-    more = np.maximum(left_over - MOST_UNEVEN * around * ss - MOST_MISFITTING * products[..., _MM], 0)
-    return np.asarray(ALONG**2 * more / np.maximum(carried**2 * (ss - 2 * so + oo), 1e-12))
+    beside = left_over - np.repeat(around / np.maximum(followed, 1e-12), MIXED_BINS, axis=-1) * ss
+    strip = np.stack([np.arange(SLOTS) % MIXED_BINS < strip_bins(level).stop for level in range(mm.shape[1])])
+    share = np.maximum((beside * strip).sum(axis=-1), 0) / np.maximum((mm * strip).sum(axis=-1), 1e-12)
+    more = share - np.concatenate([share[:, 1:], share[:, -1:]], axis=1)
+    part = np.maximum(more, 0) / np.maximum(share, 1e-12)
+    return np.asarray(part[..., np.newaxis] * np.maximum(beside, 0) * codec / np.maximum(area, 1))
 
 
 def _over_levels(shares: np.ndarray, spread: np.ndarray, variance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Shares of all levels together, (n, SLOTS), and their standard deviation, infinite where none is known.
 
     All levels are mixed alike. The finest tells it best, with most coefficients and the least of a cut's edge; coarser
-    ones, each with a quarter of them, which codecs round less, count as far as rounding makes the finest unsure."""
+    ones, each with a quarter of them, which codecs round less, count as far as rounding makes the finest unsure.
+    ``variance``: by that rounding, (n, levels, SLOTS)."""
     weights = 1 / (4.0 ** np.arange(shares.shape[1])[:, np.newaxis] * np.square(spread)[:, np.newaxis] + variance)
     weights[:, 1:] *= 1 - weights[:, :1] * np.where(np.isfinite(spread), np.square(spread), 0)[:, np.newaxis]
     weights[np.isnan(shares)] = 0
@@ -290,11 +288,10 @@ class MixedStrips:
         deviations = shares - shares.mean(axis=1, keepdims=True)
         fitted = fit_mixtures(whole, _spread(deviations))
         self._other, self._area, other = fitted.other, whole[:, 0, :, _AREA], fitted.other[:, np.newaxis]
-        self.edge, self.left_over, self.soft_left_over = map(
-            self._both_sides, (fitted.edge, fitted.left_over, fitted.left_over * fitted.soft)
+        self.edge, self.left_over, self.soft_left_over, self.rounded = map(
+            self._both_sides, (fitted.edge, fitted.left_over, fitted.soft_left_over, fitted.rounded)
         )
-        """(levels, bins, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what the
-        mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
+        """(levels, bins, count) each, DN squared, of ``Mixtures``."""
         mixed, plain, shown, self.plain = (
             self._both_sides(energy(whole, other, names))
             for names in (_BEFORE, _SHOWN) for energy in (mixed_energy, followed_energy)

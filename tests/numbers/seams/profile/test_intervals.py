@@ -34,7 +34,7 @@ def energy_of(detail: WindowDetail, mixture: MixedStrips | None = None) -> Kept:
     sums = EnergySums(1, LEVELS)
     sums.add(detail.cells, detail.ground, np.zeros(len(detail.cells), int))
     mixture = mixture or mixture_of(detail)
-    sums.take_out(mixture.edge, mixture.left_over, mixture.soft_left_over)
+    sums.take_out(mixture.edge, mixture.left_over, mixture.soft_left_over, mixture.rounded)
     return sums.kept()[0]
 
 
@@ -134,7 +134,7 @@ def test_a_strip_without_detail_keeps_nothing_at_all() -> None:
     detail = blend(0, side=192).detail()
     sums = EnergySums(1, LEVELS)
     sums.add(detail.cells, detail.ground, np.zeros(len(detail.cells), int))
-    sums.take_out(sums.own.copy(), *np.zeros((2, *sums.own.shape)))
+    sums.take_out(sums.own.copy(), *np.zeros((3, *sums.own.shape)))
     assert sums.kept()[0].value[0] == 0
 
 
@@ -151,7 +151,7 @@ def test_a_long_seam_is_surer_than_a_short_one() -> None:
             sums.add(detail.mixture, np.where(detail.mixture.are_within(beside), 0, -1))
             energy.add(detail.cells, detail.ground, np.where(detail.cells.are_within(beside), 0, -1))
             mixture = sums.result()
-            energy.take_out(mixture.edge, mixture.left_over, mixture.soft_left_over)
+            energy.take_out(mixture.edge, mixture.left_over, mixture.soft_left_over, mixture.rounded)
             widths[place] += np.log(ratio(mixture.kept)), np.log(ratio(energy.kept()[0]))
     assert (widths[0] > 1.2 * widths[1]).all()
 

@@ -41,7 +41,7 @@ def products_of(
     mk = own * sk + other * ok + t * kk
     mm = own * ms + other * mo + t * mk + noise
     columns = gain**2 * mm, gain * ms, gain * mo, gain * mk, ss, so + 0 * ss, sk, oo, ok, kk, ss, so + 0 * ss, oo
-    return area * np.stack([np.ones(SLOTS), *columns], axis=-1)[np.newaxis]
+    return area * np.stack([np.ones(SLOTS), *columns, np.zeros(SLOTS)], axis=-1)[np.newaxis]
 
 
 def fitted(products: np.ndarray, spread: float = 0.01) -> Mixtures:
@@ -87,12 +87,28 @@ def test_a_bin_without_pixels_follows_its_neighbours() -> None:
     assert found[6] - 0.01 <= found[5] <= found[4] + 0.01
 
 
+@pytest.mark.parametrize("has_traces", [False, True])
+def test_coarser_levels_tell_a_mixture_where_a_codec_rounded_the_finest(has_traces: bool) -> None:
+    """What is left over in a feather alone is a codec's where the mosaic shows traces of one."""
+    true, distorted = linear(60), 0.6 * linear(60)
+    in_feather = np.where(true > 0, 1.0, 0.0)
+    levels = np.stack([products_of(distorted)[0], products_of(true)[0], products_of(true)[0]])[np.newaxis]
+    levels[:, 0, :, PRODUCTS.index("mm")] += 1000 * in_feather
+    levels[..., PRODUCTS.index("codec")] = levels[..., PRODUCTS.index("area")] * has_traces
+    found = fit_mixtures(levels, np.full((1, SLOTS), 0.01))
+    near = MIDDLES < 15
+    expected = true if has_traces else distorted
+    assert found.other[0, :MIXED_BINS][near] == pytest.approx(expected[:MIXED_BINS][near], abs=0.05)
+    assert bool(found.rounded[:, 0].any()) is has_traces
+    assert not found.rounded[:, 1:].any()
+
+
 @pytest.mark.parametrize("without", ["s", "o"])
 def test_a_source_without_any_detail_weighs_nothing(without: str) -> None:
     """The black border of an image that does not say that it is one."""
     products = products_of(np.zeros(SLOTS))
     for number, name in enumerate(PRODUCTS):
-        if without in name:
+        if without in name and name != "codec":
             products[:, :MIXED_BINS, number] = 0
     found = fitted(products)
     np.testing.assert_allclose(found.other[:, MIXED_BINS:], 0, atol=1e-3)
