@@ -77,6 +77,11 @@ class AcceptanceRules:
     is_of_file: bool = False
     """A file's name may be any: it says nothing of the limits."""
 
+    def __post_init__(self) -> None:
+        """Raise SettingsError for rules that every piece would keep."""
+        if self.least_kept <= 0:
+            raise SettingsError(messages.KEPT_NOTHING())
+
     def limit(self, check: str) -> float | None:
         """Limit of a check; None where there is none."""
         rule = self.rule(check)

@@ -468,8 +468,6 @@ def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
         yield messages.MAY_HIDE(worst=worst, limit=Stated(share.limit))
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))
-    if rules.least_kept <= 0:
-        yield messages.NOTHING_IS_ASKED()
 
 
 def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:

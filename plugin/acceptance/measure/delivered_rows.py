@@ -305,7 +305,12 @@ def make_delivery(
 def united_delivery(
     pieces: Sequence[DeliveredPiece], wkt: str, lot_size: int | None = None, layers: Sequence[DeliveredLayer] = ()
 ) -> tuple[Delivery, list[Message]]:
-    """The pieces of all sheets in order, each once, and what is told of those that lie on each other or lack."""
+    """The pieces of all sheets in order, each once, and what is told of those that lie on each other or lack.
+
+    Raises SettingsError where there is none.
+    """
+    if not pieces:
+        raise SettingsError(messages.LAYERS_EMPTY())
     once, copies = without_copies(in_order(pieces))
     told = [messages.PIECES_TWICE(count=copies)] if copies else []
     if doubled := overlap(once, metres_in_unit((piece.vertices for piece in once), wkt)):

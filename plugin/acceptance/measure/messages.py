@@ -21,6 +21,7 @@ SEAMS_NOT_ON_GROUND = Message(
 # a file with rules
 TWO_RULES_FOR_CHECK = Message("{name} has two rules for '{check}' ({place} is the second); keep one.")
 RULES_WITHOUT_KEPT = Message("{name} does not say what a piece must keep; add a rule with the check 'kept'.")
+KEPT_NOTHING = Message("A piece that has to keep 0 always passes; give the share that it has to keep, such as 0.7.")
 RULES_DECIDE_NOTHING = Message(
     "{name} has nothing to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'."
 )
@@ -260,9 +261,6 @@ LAYER_LACKS_SEAMS = Message(
 )
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
-NOTHING_IS_ASKED = Message(
-    "A piece fails when it keeps less than 0, which none can, so every measured piece passes.", WARNING
-)
 SAMPLE_GIVEN = Message(
     "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the "
     "longest failure of the delivery is can't be told from it.", INFO
@@ -295,7 +293,10 @@ LAYER_NOT_LINES = Message("{name} holds no lines; choose the layer 'Seams' of a 
 LAYER_WITHOUT_KEPT = Message("{name} has no field 'kept_1'; choose the layer 'Seams' of a scan, not the seamlines.")
 LAYER_EMPTY = Message("{name} is empty: no seam of it can be judged.", WARNING)
 LAYER_TWICE = Message("{name} is given twice and counts once.", WARNING)
-LAYERS_EMPTY = Message("The layers of seams are empty; choose those of a scan that found seams.")
+LAYERS_EMPTY = Message(
+    "The layers of seams are empty, or none of their rows is a piece of seam (field 'level'); choose the layers as the "
+    "scans wrote them."
+)
 LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it in the layer's properties.")
 PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({count}).", WARNING)
 PIECES_TWICE = Message(
