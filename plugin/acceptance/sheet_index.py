@@ -40,8 +40,7 @@ class _Sheets:
     """Outlines of sheets, found by place."""
 
     def __init__(self) -> None:
-        self.outlines: list[tuple[str, QgsGeometry]] = []
-        """Names and outlines in the order of the layer."""
+        self.outlines: list[tuple[str, QgsGeometry]] = []  # names and outlines in the order of the layer
         self._engines: dict[int, QgsGeometryEngine] = {}
         """Geometry engines of the outlines that hold anything, by number."""
         self._index = QgsSpatialIndex()

@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 
 HEIGHT, GRD = "height", "grd"
 _KEYS = ("sensor", "image_type", "direction")  # fields whose values make groups, as far as the table has them
-MEASURED = ("grd_error",)
-"""Fields of measured groups that begin as those of observers do."""
+MEASURED = ("grd_error",)  # fields of measured groups that begin as those of observers do
 
 
 def reading_fields(names: Sequence[str]) -> list[str]:

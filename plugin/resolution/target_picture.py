@@ -24,10 +24,8 @@ _LETTERS = 7.0  # points
 _POINT = 1 / 72  # inches
 
 Line = Sequence[GroupResult]
-Box = tuple[float, float, float, float]
-"""Left, top, right and bottom, px."""
-_Strip = tuple[Sequence[Line], Box]
-"""A part of the target with the lines in it."""
+Box = tuple[float, float, float, float]  # left, top, right and bottom, px
+_Strip = tuple[Sequence[Line], Box]  # a part of the target with the lines in it
 
 
 def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | None:

@@ -99,8 +99,7 @@ class Outcome:
     """The end of a task, and why it failed."""
 
     end: End
-    message: Message | None = None
-    """Why it failed."""
+    message: Message | None = None  # why it failed
 
 
 class BackgroundTask(QgsTask):
@@ -144,10 +143,8 @@ class BackgroundTask(QgsTask):
 
 @dataclass(frozen=True)
 class _Request:
-    take: Callable[[object], None]
-    """Gets each result."""
-    key: object
-    """What the task is for, so that nothing is asked for twice."""
+    take: Callable[[object], None]  # gets each result
+    key: object  # what the task is for, so that nothing is asked for twice
     steps: int
     """How many results count in the progress, those that come ahead left out; 0 for work that goes unseen, about which
     QGIS does not ask when it closes."""
@@ -156,12 +153,9 @@ class _Request:
 class BackgroundTasks(QObject):
     """Keeps every task until it has ended, or QGIS would run one whose Python half is gone."""
 
-    progressChanged = pyqtSignal(int, int)
-    """Steps done and asked for; (0, 0) when all is done."""
-    failed = pyqtSignal(object)
-    """The Message of a task that failed."""
-    ended = pyqtSignal(object, object)
-    """The key of a task, and its Outcome."""
+    progressChanged = pyqtSignal(int, int)  # steps done and asked for; (0, 0) when all is done
+    failed = pyqtSignal(object)  # the Message of a task that failed
+    ended = pyqtSignal(object, object)  # the key of a task, and its Outcome
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -260,8 +254,7 @@ class LatestOnly(QObject):
 
     arrived = pyqtSignal(object)
     """What was found, in the interface's thread; nothing comes of what was asked before ``forget``."""
-    failed = pyqtSignal(object)
-    """The Message of what failed in a way that nobody foresaw."""
+    failed = pyqtSignal(object)  # the Message of what failed in a way that nobody foresaw
     _ended = pyqtSignal(int, object)
 
     def __init__(self, name: str, parent: QObject | None = None, rest: float = 0.0) -> None:

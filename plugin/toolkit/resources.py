@@ -67,8 +67,7 @@ def translations_path() -> str:
     return str(_PLUGIN / "i18n")
 
 
-FIRST_PAGE = "first_inspection"
-"""The page for somebody new."""
+FIRST_PAGE = "first_inspection"  # the page for somebody new
 
 
 def show_first_page() -> None:

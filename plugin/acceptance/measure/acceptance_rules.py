@@ -128,8 +128,7 @@ def limit_rules(
     )
 
 
-SUBJECT = "acceptance"
-"""Subject of the ready files."""
+SUBJECT = "acceptance"  # subject of the ready files
 
 _OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 

@@ -122,8 +122,7 @@ def _headline(outcome: AcceptanceOutcome, rules: Message, why: Message) -> Messa
     }[outcome]
 
 
-Doubt = tuple[Message, Message]
-"""Why a delivery can't be accepted as it is given, and what would decide it."""
+Doubt = tuple[Message, Message]  # why a delivery can't be accepted as it is given, and what would decide it
 
 
 def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:

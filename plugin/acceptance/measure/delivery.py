@@ -117,16 +117,12 @@ class SeenWindow:
 class SheetState(Enum):
     """What a sheet is to the mosaic of all sheets. The values are words of the checked layer."""
 
-    SHOWN = "shown"
-    """The mosaic shows all of it."""
-    DAMAGED = "damaged"
-    """Some of its pixels can't be read."""
+    SHOWN = "shown"  # the mosaic shows all of it
+    DAMAGED = "damaged"  # some of its pixels can't be read
     OVERLAPS = "overlaps"
     """It and another sheet show different things where they overlap, and the mosaic shows one of them."""
-    LEFT_OUT = "left_out"
-    """It was ordered, and is no part of the mosaic."""
-    NOT_ORDERED = "not_ordered"
-    """It was not ordered, and is no part of the mosaic."""
+    LEFT_OUT = "left_out"  # it was ordered, and is no part of the mosaic
+    NOT_ORDERED = "not_ordered"  # it was not ordered, and is no part of the mosaic
 
     @classmethod
     def of_word(cls, word: str) -> SheetState:
@@ -148,14 +144,10 @@ class Seal(Enum):
     """Whether a layer is as its scan, or ``planinspection``, left it."""
 
     WHOLE = "whole"
-    BROKEN = "broken"
-    """Rows, lines, or what stands beside them were changed."""
-    OTHER_SYSTEM = "other_system"
-    """It was given another reference system."""
-    MISSING = "missing"
-    """It has none, as exports and layers of other makers."""
-    NOT_ASKED = "not_asked"
-    """Nobody needs it: rows in memory, and plain seamlines, of which nothing was measured."""
+    BROKEN = "broken"  # rows, lines, or what stands beside them were changed
+    OTHER_SYSTEM = "other_system"  # it was given another reference system
+    MISSING = "missing"  # it has none, as exports and layers of other makers
+    NOT_ASKED = "not_asked"  # nobody needs it: rows in memory, and plain seamlines, of which nothing was measured
 
 
 @dataclass(frozen=True)
@@ -209,24 +201,15 @@ class FileDoubts:
 class Delivery:
     """All that is judged together."""
 
-    pieces: tuple[DeliveredPiece, ...]
-    """Pieces of all sheets, in order."""
-    wkt: str
-    """The reference system of all coordinates."""
-    windows: tuple[SeenWindow, ...] = ()
-    """That were inspected, and judged perhaps."""
-    lot_size: int | None = None
-    """Pieces of the lot that the pieces are a sample of; None where they are no sample."""
-    outlines: tuple[SheetOutline, ...] = ()
-    """Outlines of the sheets where they were given."""
-    is_checked: bool = False
-    """Whether the outlines come from a check of the files: those without findings are complete."""
-    layers: tuple[DeliveredLayer, ...] = ()
-    """That the pieces were read from, in the order in which they were given."""
-    doubled_m: float = 0.0
-    """Metres of pieces that lie on others, which are not the same."""
-    files: FileDoubts = FileDoubts()
-    """Whether what was scanned is what is given, or there, now."""
+    pieces: tuple[DeliveredPiece, ...]  # pieces of all sheets, in order
+    wkt: str  # the reference system of all coordinates
+    windows: tuple[SeenWindow, ...] = ()  # that were inspected, and judged perhaps
+    lot_size: int | None = None  # pieces of the lot that the pieces are a sample of; None where they are no sample
+    outlines: tuple[SheetOutline, ...] = ()  # outlines of the sheets where they were given
+    is_checked: bool = False  # whether the outlines come from a check of the files: those without findings are complete
+    layers: tuple[DeliveredLayer, ...] = ()  # that the pieces were read from, in the order in which they were given
+    doubled_m: float = 0.0  # metres of pieces that lie on others, which are not the same
+    files: FileDoubts = FileDoubts()  # whether what was scanned is what is given, or there, now
 
     @cached_property
     def unit_m(self) -> float:

@@ -98,8 +98,7 @@ def _near(lengths: Mapping[tuple[int, int], float], wanted: set[int], limit: flo
         yield from ((int(places[some[i]]), int(places[starts[j]])) for i, j in np.argwhere(reached).tolist())
 
 
-Step = tuple[int, bool]
-"""A piece, and whether it is walked from its first place to its second."""
+Step = tuple[int, bool]  # a piece, and whether it is walked from its first place to its second
 
 
 def unbroken_lines(

@@ -112,8 +112,7 @@ _ISOLATED = {  # table A: sample sizes and acceptance numbers by the lot sizes
     "20.0": "9/0 10/0 10/0 13/0 20/1 20/1 32/3 50/5 80/10 125/18 125/18 125/18 125/18",
     "31.5": "6/0 6/0 8/0 13/1 13/1 20/3 32/5 50/10 80/18 80/18 80/18 80/18 80/18",
 }
-LIMITING_QUALITIES = tuple(_ISOLATED)
-"""Limiting qualities as the standard writes them: nonconforming items per cent."""
+LIMITING_QUALITIES = tuple(_ISOLATED)  # limiting qualities as the standard writes them: nonconforming items per cent
 DEFAULT_LQ = "5.00"
 
 

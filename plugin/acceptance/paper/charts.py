@@ -105,8 +105,7 @@ _HALO = [patheffects.withStroke(linewidth=1.6, foreground="white")]
 _NAME_COLOUR, _LEAST_LETTERS = "#57606a", 12
 _CROWDED_NAMES_PT = (45.0, 9.0)  # likewise of sheets
 _CROWDED_PT = (18.0, 9.0)  # across and up: numbers of failures are not nearer to each other than that
-_BESIDE_PT = 11.0 * np.array([(1, 1), (-1, 1), (1, -1), (-1, -1)])
-"""Where a number may stand beside its place."""
+_BESIDE_PT = 11.0 * np.array([(1, 1), (-1, 1), (1, -1), (-1, -1)])  # where a number may stand beside its place
 
 
 def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequence[Raster] = ()) -> Figure | None:

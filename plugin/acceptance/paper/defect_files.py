@@ -60,10 +60,8 @@ def save_pictures(
         paths[number] = str(path)
 
 
-PICTURE_PX = 400
-"""Side of the picture that shows where a failure lies."""
-MOST_REDUCED = 8.0
-"""Pixels of the mosaic, along a side, on one of it."""
+PICTURE_PX = 400  # side of the picture that shows where a failure lies
+MOST_REDUCED = 8.0  # pixels of the mosaic, along a side, on one of it
 
 _AROUND = 1.25  # of a failure's extent
 _DASHES_PX = (7.0, 9.0)  # and gaps: what is lost has to be seen between the dashes
@@ -98,8 +96,7 @@ class DefectPictures:
     """Cuts pictures from the sheets of a delivery, all shown by the same range of values."""
 
     def __init__(self, mosaics: Sequence[Raster], decision: Decision, prover: Prover | None = None) -> None:
-        self.paths = [path for mosaic in mosaics for path in mosaic.ref.paths]
-        """What the pictures are cut from."""
+        self.paths = [path for mosaic in mosaics for path in mosaic.ref.paths]  # what the pictures are cut from
         self._mosaics, self._wkt, self._prover = mosaics, decision.delivery.wkt, prover
         self._seams = [one.piece.vertices for one in decision.pieces]
         self._boxes = np.array([[*line.min(axis=0), *line.max(axis=0)] for line in self._seams]).reshape(-1, 4)

@@ -48,8 +48,7 @@ from .words import rounded
 if TYPE_CHECKING:
     from .proofs import Proving
 
-ScannedLoss = tuple[Raster, Mapping[str, str]]
-"""A picture of losses, and how its scan says it was measured."""
+ScannedLoss = tuple[Raster, Mapping[str, str]]  # a picture of losses, and how its scan says it was measured
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,7 @@ from ...imagery.rasters import Raster, RasterRef
 if TYPE_CHECKING:
     from ...toolkit.algorithms.run import Run
 
-PROOF_PX = 106
-"""Side of what is shown at 2x: three of them stand beside each other on A4."""
+PROOF_PX = 106  # side of what is shown at 2x: three of them stand beside each other on A4
 MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL = "mosaic", "cut", "image"
 
 

@@ -27,10 +27,8 @@ _UNITS = {
 }  # fmt: skip
 """What a figure is multiplied by, with how many decimals it is shown at least, and its unit."""
 QUALITY_STANDARDS = "ISO 19157:2013", "ISO/TS 19157-2:2016", "ISO 19115-3:2016"
-DIGEST_STANDARD = "FIPS 180-4 (SHA-256)"
-"""With their editions, on which the decision rests, its record and its digests."""
-NOTHING = "\u2013"
-"""Where there is no value."""
+DIGEST_STANDARD = "FIPS 180-4 (SHA-256)"  # with their editions, on which the decision rests, its record and its digests
+NOTHING = "\u2013"  # where there is no value
 
 
 def check_word(check: str) -> str:

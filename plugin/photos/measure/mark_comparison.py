@@ -15,8 +15,7 @@ from .transformations import PlaneModel, fit_transformation
 
 PICTURE_ENDINGS = ("tif", "tiff", "jpg", "jpeg", "png", "bmp", "jp2", "img", "vrt", "ecw", "sid", "pix", "gif")
 
-MarkKey = tuple[str, str]
-"""Photo and mark."""
+MarkKey = tuple[str, str]  # photo and mark
 
 
 @dataclass(frozen=True)

@@ -44,20 +44,15 @@ class MarkStatus(Enum):
 class OrientationSettings:
     """The settings by which a photo is measured."""
 
-    template: CutOut | None = None
-    """The user's own; else marks are drawn."""
-    shapes: tuple[MarkShape, ...] = ()
-    """The marks that are drawn, their sizes of no meaning; none for all there are."""
+    template: CutOut | None = None  # the user's own; else marks are drawn
+    shapes: tuple[MarkShape, ...] = ()  # the marks that are drawn, their sizes of no meaning; none for all there are
     sign: int | None = None
     """1 for marks lighter than their ground (or like the template), -1 for darker ones; None for either."""
-    search_mm: float = limits.DEFAULT_SEARCH_MM
-    """Distance around a position within which its mark is looked for, mm."""
-    min_correlation: float = limits.DEFAULT_MIN_CORRELATION
-    """Smallest correlation of a measured mark."""
+    search_mm: float = limits.DEFAULT_SEARCH_MM  # distance around a position within which its mark is looked for, mm
+    min_correlation: float = limits.DEFAULT_MIN_CORRELATION  # smallest correlation of a measured mark
     surface: SurfaceBasis = SurfaceBasis.CORRELATION
     """The values of the surface that places a mark to a fraction of a pixel."""
-    model: PlaneModel = PlaneModel.AFFINE
-    """The transformation from the scan to the calibration."""
+    model: PlaneModel = PlaneModel.AFFINE  # the transformation from the scan to the calibration
 
 
 @dataclass(frozen=True)
@@ -85,18 +80,12 @@ class MarkResult:
 class PhotoOrientation:
     """The result for one photo."""
 
-    marks: tuple[MarkResult, ...]
-    """In the order of the calibration."""
-    fitted: FittedTransformation | None
-    """The transformation; None where too few marks were found."""
-    scan_orientation: ScanOrientation | None
-    """The way the photo lies in the scan; None where it is not known."""
-    evidence: OrientationEvidence | None
-    """The evidence for that."""
-    template: MarkShape | CutOut | None
-    """The template that the marks were measured with."""
-    notices: tuple[Message, ...] = ()
-    """Warnings and remarks for the user."""
+    marks: tuple[MarkResult, ...]  # in the order of the calibration
+    fitted: FittedTransformation | None  # the transformation; None where too few marks were found
+    scan_orientation: ScanOrientation | None  # the way the photo lies in the scan; None where it is not known
+    evidence: OrientationEvidence | None  # the evidence for that
+    template: MarkShape | CutOut | None  # the template that the marks were measured with
+    notices: tuple[Message, ...] = ()  # warnings and remarks for the user
     views: Mapping[str, PhotoView] = field(default_factory=dict)
     """The surroundings of each mark, for pictures; of a failed one where it should be."""
     expected: Mapping[str, Place] = field(default_factory=dict)

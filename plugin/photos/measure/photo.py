@@ -21,8 +21,7 @@ STRIP_PIXELS = 4_000_000  # read at a time: 16 MB as float32
 COARSEST_SIDE_PX = 150  # of a photo: marks up to a tenth of it wide
 COARSEST_WINDOW_PX = 64  # of a search window: a coarse figure is 25 px wide with its ground
 
-Place = tuple[float, float]
-"""Column and row in the photo, px."""
+Place = tuple[float, float]  # column and row in the photo, px
 
 
 class Photo(OpenRaster):

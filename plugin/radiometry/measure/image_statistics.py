@@ -60,10 +60,8 @@ _SHOWN_BINS = 256
 class Histogram:
     """The number of pixels with each value of a band."""
 
-    values: np.ndarray
-    """(bins,) float64: the value of each bin, rising; the middle of the bin for values without steps."""
-    counts: np.ndarray
-    """(bins,) int64, valid pixels only."""
+    values: np.ndarray  # (bins,) float64: the value of each bin, rising; the middle of the bin for values without steps
+    counts: np.ndarray  # (bins,) int64, valid pixels only
 
     @property
     def pixels(self) -> int:
@@ -201,8 +199,7 @@ PILE_PIXELS = 8  # at the largest value: fewer may be there by chance
 PILE_BELOW = 16  # values below the largest, none of which has as many pixels where the values end at it
 
 
-ImageRange = Union[ValueRange, "Message"]
-"""The range of an image's values, or the reason why it is not known."""
+ImageRange = Union[ValueRange, "Message"]  # the range of an image's values, or the reason why it is not known
 
 
 @dataclass(frozen=True)
@@ -210,8 +207,7 @@ class LargestValue:
     """The largest value of an image in 16 bit that says nothing of its range."""
 
     value: int
-    is_piled_up: bool
-    """Whether so many pixels have it that values end there."""
+    is_piled_up: bool  # whether so many pixels have it that values end there
 
 
 def own_range(image: Raster, given: ValueRange | None) -> ValueRange | None:

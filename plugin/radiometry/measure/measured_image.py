@@ -23,18 +23,14 @@ class MeasuredImage:
     """The statistics of an image."""
 
     image: Raster
-    window_id: int | None
-    """None for the whole image."""
-    seams: tuple[SeamStep, ...] | None = None
-    """With the bands of ``areas``; None without seamlines."""
-    grey: tuple[GreyTone, ...] | None = None
-    """Empty where no grey area lies on the image; None where none were given."""
+    window_id: int | None  # None for the whole image
+    seams: tuple[SeamStep, ...] | None = None  # with the bands of ``areas``; None without seamlines
+    grey: tuple[GreyTone, ...] | None = None  # empty where no grey area lies on the image; None where none were given
     bands: tuple[str, ...] = ()
     """The bands that areas and seams are measured in: those of the image, and luminosity where a rule asks for it."""
     histograms: Mapping[str, Histogram] = field(default_factory=dict)
     """Histograms by band name, and luminosity; empty where the values can't be counted."""
-    areas: Areas | None = None
-    """None where the values can't be counted."""
+    areas: Areas | None = None  # None where the values can't be counted
 
     @property
     def pixels(self) -> int:

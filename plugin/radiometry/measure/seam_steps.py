@@ -19,10 +19,8 @@ _RUN = 512  # px of seam read at a time
 class SeamStep:
     """The step at one seam."""
 
-    seam_id: int
-    """Number of the seam, as in ``Seam``."""
-    stations: int
-    """Pieces of 16 px along the seam that have valid pixels on both sides."""
+    seam_id: int  # number of the seam, as in ``Seam``
+    stations: int  # pieces of 16 px along the seam that have valid pixels on both sides
     steps: tuple[float, ...]
     """Step of each band, DN: the means to the left less those to the right, the median over the stations."""
     contrasts: tuple[float, ...]
@@ -31,8 +29,7 @@ class SeamStep:
     """Place for each band: the middle of the station whose difference is nearest to the seam's step, on the map."""
     features: tuple[str, ...] = ()
     """The features of the seamline layer that the seam comes from, as its user knows them; empty where nobody asked."""
-    layer: str = ""
-    """The name of that layer."""
+    layer: str = ""  # the name of that layer
 
 
 def seam_steps(

@@ -60,8 +60,7 @@ if TYPE_CHECKING:
 class TargetSettings(QObject):
     """The boxes of a target."""
 
-    changed = pyqtSignal()
-    """Another target is set."""
+    changed = pyqtSignal()  # another target is set
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

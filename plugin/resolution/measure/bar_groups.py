@@ -28,21 +28,16 @@ class GroupResult:
     """The verdict on a line in one band."""
 
     measured: MeasuredLine
-    band: str
-    """Empty for a line that could not be measured."""
-    grd_cm: float | None
-    """Ground resolved distance of the group; None without a group."""
+    band: str  # empty for a line that could not be measured
+    grd_cm: float | None  # ground resolved distance of the group; None without a group
     resolved: bool = False
-    spurious: bool = False
-    """Whether bars are seen there that are aliasing."""
-    reason: Message | None = None
-    """Why it is not resolved, or what to know about it."""
+    spurious: bool = False  # whether bars are seen there that are aliasing
+    reason: Message | None = None  # why it is not resolved, or what to know about it
     grd_error_cm: float | None = None
     """Standard deviation of the distance, from those of the amplitudes; None where there are none."""
     may_pass: bool = False
     """Whether its bars stand out and their share of the full amplitude may reach the criterion (95 %)."""
-    may_fail: bool = True
-    """Whether it is not resolved, or its share may lie below the criterion (95 %)."""
+    may_fail: bool = True  # whether it is not resolved, or its share may lie below the criterion (95 %)
 
     @property
     def reading(self) -> BarReading | None:
@@ -65,16 +60,14 @@ class GroupResult:
 class TargetResolution:
     """The verdicts on all groups of a target, and its ground resolved distances."""
 
-    results: tuple[GroupResult, ...]
-    """Verdicts by line and band, in the order of the lines."""
+    results: tuple[GroupResult, ...]  # verdicts by line and band, in the order of the lines
     grd_cm: dict[tuple[str, str], float | None]
     """Ground resolved distance by direction and band; None where no group is resolved."""
     grd_error_cm: dict[tuple[str, str], float | None]
     """Standard deviation of each, from those of the amplitudes of its group."""
     contrasts: dict[str, float]
     """Bars to gaps of the coarsest group, DN over DN, by band; those without one are missing."""
-    notices: tuple[Message, ...]
-    """What the user should know of the target as a whole."""
+    notices: tuple[Message, ...]  # what the user should know of the target as a whole
     scale_notice: Message | None = None
     """The one of them that says that the bars do not lie as the group numbers and the pixel size say."""
 

@@ -28,22 +28,17 @@ _GROUND = (0.55, 1.25)  # of a cycle from an outer bar's middle: where the groun
 class PlainPlace(Enum):
     """The place at which a target's plain brightness was measured."""
 
-    GROUPS = "groups"
-    """In its own bars and gaps, as the fall of the amplitude from group to group tells."""
-    GROUND = "ground"
-    """In the ground beside the bars."""
-    NOWHERE = "nowhere"
-    """Nowhere: the darkest place that was seen is taken."""
+    GROUPS = "groups"  # in its own bars and gaps, as the fall of the amplitude from group to group tells
+    GROUND = "ground"  # in the ground beside the bars
+    NOWHERE = "nowhere"  # nowhere: the darkest place that was seen is taken
 
 
 @dataclass(frozen=True)
 class Extreme:
     """The middle of a bar or of a gap."""
 
-    position: float
-    """px from the line's start, to a fraction of a pixel."""
-    value: float
-    """DN."""
+    position: float  # px from the line's start, to a fraction of a pixel
+    value: float  # DN
 
 
 @dataclass(frozen=True)
@@ -51,20 +46,15 @@ class BarReading:
     """The bars and gaps of a profile in one band."""
 
     profile: Profile
-    bright: bool
-    """Whether the bars are brighter than the ground."""
-    bars: tuple[Extreme, ...]
-    """The bars that stand out, in the order of the profile."""
-    gaps: tuple[Extreme, ...]
-    """The gap between each two neighbouring bars."""
+    bright: bool  # whether the bars are brighter than the ground
+    bars: tuple[Extreme, ...]  # the bars that stand out, in the order of the profile
+    gaps: tuple[Extreme, ...]  # the gap between each two neighbouring bars
     grounds: tuple[float, ...]
     """The ground beside the outer bars, within a cycle and as unlike the bars as it gets there, DN."""
     full_amplitude: float
     """What the amplitude is a share of, DN: to the darkest place seen, until the target as a whole puts it right."""
-    full_error: float
-    """Standard deviation of the full amplitude, DN."""
-    amplitude: float | None
-    """Mean of the inner bars less that of the gaps, DN; None for fewer than two bars."""
+    full_error: float  # standard deviation of the full amplitude, DN
+    amplitude: float | None  # mean of the inner bars less that of the gaps, DN; None for fewer than two bars
     amplitude_error: float | None
     """Standard deviation of the amplitude, DN: from the noise of the pixels, and from how much bars and gaps differ."""
     modulation: float | None
@@ -246,14 +236,10 @@ GREEN = "green"
 class BarLine:
     """One line of the user, in pixels of the raster."""
 
-    group: int | None
-    """Number of the group; None where none is given."""
-    direction: str
-    """``along`` or ``across`` the flight, or what was given instead."""
-    segment: Segment | None
-    """None where the line can't be used."""
-    reason: Message | None = None
-    """Why it can't be used."""
+    group: int | None  # number of the group; None where none is given
+    direction: str  # ``along`` or ``across`` the flight, or what was given instead
+    segment: Segment | None  # None where the line can't be used
+    reason: Message | None = None  # why it can't be used
     seen: Mapping[str, bool] = field(default_factory=dict)
     """Whether each observer who judged the group tells its bars apart."""
 
@@ -263,16 +249,12 @@ class MeasuredLine:
     """The readings of one line."""
 
     line: BarLine
-    segment: Segment | None
-    """The line turned to be perpendicular to the bars; None when it could not be measured."""
-    readings: dict[str, BarReading] = field(default_factory=dict)
-    """Readings by band."""
-    saturated: dict[str, float] = field(default_factory=dict)
-    """The DN that bars are clipped at, by band."""
+    segment: Segment | None  # the line turned to be perpendicular to the bars; None when it could not be measured
+    readings: dict[str, BarReading] = field(default_factory=dict)  # readings by band
+    saturated: dict[str, float] = field(default_factory=dict)  # the DN that bars are clipped at, by band
     shifts: dict[str, float] = field(default_factory=dict)
     """Displacement of a band's bars against those of green along the line, px, by band."""
-    reason: Message | None = None
-    """Why it could not be measured."""
+    reason: Message | None = None  # why it could not be measured
 
 
 def measure_line(raster: Raster, line: BarLine, bars: int, width: float, band: int | None = None) -> MeasuredLine:

@@ -22,10 +22,8 @@ _WIDTHS = np.geomspace(1.2, 40.0, 240)  # of the coarsest group's cycle, in stan
 class TargetLevels:
     """A target's plain brightness in one band, DN."""
 
-    gap: float
-    """Brightness of its gaps, where nothing blurs them."""
-    error: float
-    """Standard deviation of the gaps' brightness, DN."""
+    gap: float  # brightness of its gaps, where nothing blurs them
+    error: float  # standard deviation of the gaps' brightness, DN
     place: PlainPlace
 
 

@@ -23,12 +23,9 @@ Key = tuple[str, ...]
 class Observation:
     """The readings of one pass over the target."""
 
-    height_m: float
-    """Flying height above the target, m."""
-    grds_cm: tuple[float, ...]
-    """Ground resolved distance as each observer read it, cm; at least one."""
-    key: Key = ()
-    """What it is grouped by: sensor, type of image, direction."""
+    height_m: float  # flying height above the target, m
+    grds_cm: tuple[float, ...]  # ground resolved distance as each observer read it, cm; at least one
+    key: Key = ()  # what it is grouped by: sensor, type of image, direction
 
     @property
     def fault(self) -> Message | None:
@@ -54,14 +51,10 @@ class HeightResult:
     """The minimum height from the passes of one group."""
 
     key: Key
-    heights_m: tuple[float, ...]
-    """Minimum height by each pass, m."""
-    reference_m: float | None
-    """What it is compared with, m."""
-    notice: Message | None
-    """What to know about it."""
-    observers: int = 1
-    """How many readings the passes have together."""
+    heights_m: tuple[float, ...]  # minimum height by each pass, m
+    reference_m: float | None  # what it is compared with, m
+    notice: Message | None  # what to know about it
+    observers: int = 1  # how many readings the passes have together
     observer_spread_m: float | None = None
     """Standard deviation of one observer's height within a pass, m; None where no pass has several."""
 

@@ -37,10 +37,8 @@ _SAMPLE_PX = 0.125  # between the values of a profile
 class Segment:
     """A line across the bars, in pixels of the raster."""
 
-    start: Point
-    """Column and row, px."""
-    end: Point
-    """Column and row, px."""
+    start: Point  # column and row, px
+    end: Point  # column and row, px
 
     @property
     def length(self) -> float:
@@ -69,16 +67,11 @@ class Segment:
 class Patch:
     """The pixels around a line."""
 
-    bands: np.ndarray
-    """(bands, rows, columns) float64."""
-    valid: np.ndarray
-    """(rows, columns) bool."""
-    column: int
-    """Column of the patch's first pixel in the raster."""
-    row: int
-    """Row of the patch's first pixel in the raster."""
-    highest: float | None
-    """The largest value that the data type holds; None for floats."""
+    bands: np.ndarray  # (bands, rows, columns) float64
+    valid: np.ndarray  # (rows, columns) bool
+    column: int  # column of the patch's first pixel in the raster
+    row: int  # row of the patch's first pixel in the raster
+    highest: float | None  # the largest value that the data type holds; None for floats
 
     def distances(self, line: Segment) -> tuple[np.ndarray, np.ndarray]:
         """(rows, columns) each: how far every pixel's centre lies along the line from its start, and beside it."""
@@ -93,18 +86,12 @@ class Patch:
 class Profile:
     """Values across the bars, averaged along them."""
 
-    positions: np.ndarray
-    """(n,) px from the line's start, negative before it, in even steps."""
-    values: np.ndarray
-    """(n,) DN."""
-    length: float
-    """px: where the line ends. The profile goes on a little beyond both ends."""
-    noise: float
-    """Standard deviation of the pixels of the plain ground beside the bars, DN."""
-    scatter: float = 0.0
-    """Standard deviation of the pixels about the profile, DN."""
-    density: float = 1.0
-    """How many pixels a pixel's length of the line is averaged over."""
+    positions: np.ndarray  # (n,) px from the line's start, negative before it, in even steps
+    values: np.ndarray  # (n,) DN
+    length: float  # px: where the line ends. The profile goes on a little beyond both ends
+    noise: float  # standard deviation of the pixels of the plain ground beside the bars, DN
+    scatter: float = 0.0  # standard deviation of the pixels about the profile, DN
+    density: float = 1.0  # how many pixels a pixel's length of the line is averaged over
 
     def error_over(self, length: float) -> float:
         """Standard deviation of the mean of so long a piece, px, in DN."""

@@ -24,8 +24,7 @@ BAYER_PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")  # colours row by row: the fil
 DEMOSAICS = ("bilinear", "malvar", "edge_aware")  # the paper's; Malvar, He, Cutler 2004; OpenCV's, if installed
 
 
-DIRECTIONS = ("along", "across")
-"""To the flight: the direction in which a line crosses the bars."""
+DIRECTIONS = ("along", "across")  # to the flight: the direction in which a line crosses the bars
 GROUP, COARSEST = FULL_AMPLITUDES
 CYCLE, BAR = DISTANCES
 
@@ -40,22 +39,16 @@ def check_word(word: str, known: tuple[str, ...]) -> None:
 class Target:
     """A calibration target and the criterion that its groups are judged by (Walczykowski et al. 2009, section 4)."""
 
-    bars: int = DEFAULT_BARS
-    """Bars in each group."""
-    reference_group: int = DEFAULT_REFERENCE_GROUP
-    """Number of the group whose width is known."""
+    bars: int = DEFAULT_BARS  # bars in each group
+    reference_group: int = DEFAULT_REFERENCE_GROUP  # number of the group whose width is known
     reference_grd_cm: float = DEFAULT_REFERENCE_GRD_CM
     """Distance of the reference group, cm on the ground: of what ``grd_of`` says."""
-    step: float = DEFAULT_GROUP_STEP
-    """How many times as wide the next coarser group is."""
-    criterion: float = DEFAULT_CRITERION
-    """Share of the full amplitude that the bars of a resolved group keep."""
-    reversed: bool = False
-    """Whether higher numbers are coarser."""
+    step: float = DEFAULT_GROUP_STEP  # how many times as wide the next coarser group is
+    criterion: float = DEFAULT_CRITERION  # share of the full amplitude that the bars of a resolved group keep
+    reversed: bool = False  # whether higher numbers are coarser
     full_amplitude: str = GROUP
     """What the criterion is a share of: the bars of the ``group`` against plain gaps, or the ``coarsest`` one."""
-    grd_of: str = CYCLE
-    """What a distance is the width of: ``cycle``, a bar and a gap together; ``bar``, one of them."""
+    grd_of: str = CYCLE  # what a distance is the width of: ``cycle``, a bar and a gap together; ``bar``, one of them
 
     def check(self) -> None:
         """Raise SettingsError for a target that can't be."""

@@ -83,18 +83,12 @@ class Accuracy:
 class Adjustment:
     """A model fitted to control points and judged on all."""
 
-    request: ModelRequest
-    """The model that was asked for."""
-    points: Points
-    """Control and check points."""
-    fitted: FittedModel
-    """To the control points that are no blunders."""
-    residuals_px: np.ndarray
-    """(n, 2) model minus measured: column, row."""
-    residuals_m: np.ndarray
-    """(n, 2) model minus given, at the point's height: x, y."""
-    blunder: np.ndarray
-    """(n,) bool."""
+    request: ModelRequest  # the model that was asked for
+    points: Points  # control and check points
+    fitted: FittedModel  # to the control points that are no blunders
+    residuals_px: np.ndarray  # (n, 2) model minus measured: column, row
+    residuals_m: np.ndarray  # (n, 2) model minus given, at the point's height: x, y
+    blunder: np.ndarray  # (n,) bool
     sigma_px: float
     """Standard deviation of a control point's coordinate, from the residuals and the redundancy; NaN without any."""
 

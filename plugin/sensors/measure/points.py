@@ -46,20 +46,14 @@ _FEWEST_IN_FEET = 4
 class Points:
     """Places known on the ground and in the image."""
 
-    ids: tuple[str, ...]
-    """n names."""
-    image: np.ndarray
-    """(n, 2) column, row in px."""
+    ids: tuple[str, ...]  # n names
+    image: np.ndarray  # (n, 2) column, row in px
     ground: np.ndarray
     """(n, 3) x, y in the units of ``wkt`` and height in m above the ellipsoid; NaN where no height is known."""
-    wkt: str
-    """Reference system of x and y."""
-    sigma_px: np.ndarray
-    """(n,) standard deviation of a coordinate in the image; NaN where none is given."""
-    check: np.ndarray
-    """(n,) bool: whether a point only judges the fit."""
-    heights_wkt: str = ""
-    """Reference system that says what heights refer to, where ``wkt`` does not."""
+    wkt: str  # reference system of x and y
+    sigma_px: np.ndarray  # (n,) standard deviation of a coordinate in the image; NaN where none is given
+    check: np.ndarray  # (n,) bool: whether a point only judges the fit
+    heights_wkt: str = ""  # reference system that says what heights refer to, where ``wkt`` does not
 
     def __len__(self) -> int:
         return len(self.ids)
@@ -302,8 +296,7 @@ def _scatter(misses: np.ndarray, share: float = 0.5) -> float:
     return float(np.quantile(np.linalg.norm(misses - np.median(misses, axis=0), axis=1), share))
 
 
-ImageBox = tuple[float, float, float, float]
-"""First column, first row, last column, last row."""
+ImageBox = tuple[float, float, float, float]  # first column, first row, last column, last row
 
 
 @dataclass(frozen=True)

@@ -51,8 +51,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     """Parameters with many rasters, which are opened one by one and not by QGIS."""
     DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)
     """Outputs with charts: where they are asked for, the package that draws them has to be there."""
-    PAGES: tuple[str, ...] = (common.REPORT,)
-    """Outputs that are made from templates, likewise."""
+    PAGES: tuple[str, ...] = (common.REPORT,)  # outputs that are made from templates, likewise
     NAMED_BY_FORMAT: tuple[str, ...] = ()
     """Output files whose ending has to be one that is offered, beside pages; that of rasters always has."""
 

@@ -54,8 +54,7 @@ POINT = QgsProcessing.SourceType.TypeVectorPoint
 LINE = QgsProcessing.SourceType.TypeVectorLine
 POLYGON = QgsProcessing.SourceType.TypeVectorPolygon
 ANY_GEOMETRY = QgsProcessing.SourceType.TypeVectorAnyGeometry
-TABLE = QgsProcessing.SourceType.TypeVector
-"""With or without geometry."""
+TABLE = QgsProcessing.SourceType.TypeVector  # with or without geometry
 RASTER = QgsProcessing.SourceType.TypeRaster
 
 _LAYER_ADDRESS = re.compile(r"^delimitedtext:/*file:/{2}|^file:/{2}|[|?].*$", re.S)
@@ -107,8 +106,7 @@ def words(name: str, title: str) -> QgsProcessingParameterDefinition:
     return QgsProcessingParameterString(name, title, optional=True)
 
 
-_REMEMBERED = "seam_inspector/remembered/{}"
-"""The setting that keeps what was given for a parameter last, by its name."""
+_REMEMBERED = "seam_inspector/remembered/{}"  # the setting that keeps what was given for a parameter last, by its name
 
 
 def remembered_text(name: str, title: str) -> QgsProcessingParameterDefinition:
@@ -318,8 +316,7 @@ def without_rasters(
 
 
 Rules = TypeVar("Rules")
-_OWN = QT_TR_NOOP("Seam Inspector's own")
-"""The source of limits that no contract states."""
+_OWN = QT_TR_NOOP("Seam Inspector's own")  # the source of limits that no contract states
 _WORDS = ("name", "source", "kept_source")
 """The fields that people read: what rules are called, and where their limits come from."""
 

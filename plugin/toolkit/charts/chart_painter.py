@@ -31,8 +31,7 @@ class ChartPainter:
         self.room, self.style, self.font = room, style, font
         self.metrics = QFontMetricsF(font)
         self.line = self.metrics.height()
-        self.axes = QRectF(room)
-        """Between the axes."""
+        self.axes = QRectF(room)  # between the axes
 
     def paint(self, painter: QPainter) -> None:
         """All of it."""

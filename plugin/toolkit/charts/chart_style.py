@@ -5,10 +5,8 @@ from dataclasses import dataclass
 
 BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
 """Colours of bands that are drawn together."""
-MOST_NAMED = 12
-"""Curves in the legend of a chart; more would leave no room for the curves."""
-UNNAMED = "_"
-"""The label of a curve that no legend names."""
+MOST_NAMED = 12  # curves in the legend of a chart; more would leave no room for the curves
+UNNAMED = "_"  # the label of a curve that no legend names
 _LINE_STYLES = ("-", "--", ":", "-.")  # the next one when the colours are used up
 
 
@@ -16,16 +14,13 @@ _LINE_STYLES = ("-", "--", ":", "-.")  # the next one when the colours are used 
 class ChartStyle:
     """Colours of a chart, and how heavy its lines are."""
 
-    text: str
-    """Colour of words, axes and the mosaic's curve."""
+    text: str  # colour of words, axes and the mosaic's curve
     background: str
     grid: str
     limit: str
-    quiet: str
-    """Colour of what stands beside the curves."""
+    quiet: str  # colour of what stands beside the curves
     sources: tuple[str, ...]
-    scale: float = 1.0
-    """Factor on the widths of lines and the sizes of points."""
+    scale: float = 1.0  # factor on the widths of lines and the sizes of points
 
 
 PAPER = ChartStyle(
