@@ -149,8 +149,6 @@ def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: floa
 
 @dataclass(frozen=True, eq=False)
 class SampledItem:
-    """A piece that was drawn."""
-
     order: int  # place in the order of drawing, from 1
     piece: DeliveredPiece
     lot_size: int

@@ -37,8 +37,6 @@ _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
 
 
 class _Sheets:
-    """Outlines of sheets, found by place."""
-
     def __init__(self) -> None:
         self.outlines: list[tuple[str, QgsGeometry]] = []  # names and outlines in the order of the layer
         self._engines: dict[int, QgsGeometryEngine] = {}
@@ -46,7 +44,6 @@ class _Sheets:
         self._index = QgsSpatialIndex()
 
     def add(self, name: str, outline: QgsGeometry) -> None:
-        """One sheet more."""
         number = len(self.outlines)
         self.outlines.append((name, outline))
         if not outline.isEmpty():
@@ -62,7 +59,6 @@ class _Sheets:
 
 
 def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
-    """The parameter SHEETS."""
     algorithm.addDescribed(common.features(SHEETS, tr("Sheets"), common.POLYGON, optional=True), tr(
         "Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons "
         "with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says."

@@ -152,7 +152,6 @@ def _of_parameters(given: dict[str, Any]) -> AcceptanceRules:
 
 
 def _as_parameters(rules: AcceptanceRules) -> dict[str, object]:
-    """What a file says, in the parameters' units."""
     said: dict[str, object] = {MIN_KEPT: rules.least_kept, PLAN: ALL}
     for name, (check, scale) in _CHECKS.items():
         if (limit := rules.limit(check)) is not None:
@@ -169,7 +168,6 @@ _LARGEST_SEED = 2**31 - 1
 
 
 def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
-    """LOT_SIZE, AQL, LQ, INSPECTION_LEVEL and SEED."""
     algorithm.addDescribed(common.whole(LOT_SIZE, tr("Lot size"), 0, 0), tr(
         "How many pieces of seam the whole lot has; 0: as many as the layers hold."
     ))

@@ -85,7 +85,6 @@ class DrawnLayers:
         return find_seams(lines, image.grid.pixel_width) if has_map(image) else []
 
     def _grey_on(self, areas: QgsProcessingFeatureSource, image: Raster) -> list[GreyArea]:
-        """The grey areas: polygons alone."""
         from .measure.areas import GreyArea
 
         return [GreyArea(number, wkb) for number, wkb in self._wkb_on(areas, image, True) if wkb is not None]

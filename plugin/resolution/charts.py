@@ -31,7 +31,6 @@ def verdict_of(results: Sequence[GroupResult]) -> str:
 
 
 def verdict_word(verdict: str) -> str:
-    """A verdict for the user."""
     return {
         "resolved": tr("resolved"),
         "unresolved": tr("not resolved"),
@@ -157,7 +156,6 @@ def _draw_panel(
 
 
 def lines_of(results: Sequence[GroupResult]) -> list[list[GroupResult]]:
-    """The results of each line, over its bands."""
     lines: dict[int, list[GroupResult]] = {}
     for result in results:
         lines.setdefault(id(result.measured), []).append(result)

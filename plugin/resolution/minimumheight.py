@@ -53,7 +53,6 @@ def observation(row: QgsFeature, keys: Sequence[str], readings: Sequence[str]) -
 
 
 def height_table(results: Sequence[HeightResult], keys: Sequence[str]) -> tuple[QgsFields, list[QgsFeature]]:
-    """OUTPUT: one row per group of observations."""
     kinds = {
         "count": "integer", "mean": "real", "spread": "real", "observers": "integer", "observer_spread": "real",
         "reference": "real", "tolerance": "real", "notice": "text",

@@ -45,7 +45,6 @@ def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolut
 
 
 def _distances(resolution: TargetResolution) -> dict[str, object]:
-    """The bands, and a row for each direction."""
     known = resolution.grd_cm
     bands = list(dict.fromkeys(band for _, band in known))
 
@@ -117,7 +116,6 @@ def _settings(target: Target) -> list[tuple[str, str]]:
 
 
 def _row(result: GroupResult) -> tuple[object, ...]:
-    """The table's row on a line in one band."""
     reading = result.reading
 
     def rounded(value: float | None, digits: int) -> str:
@@ -133,7 +131,6 @@ def _row(result: GroupResult) -> tuple[object, ...]:
 
 
 def _names(result: GroupResult) -> tuple[object, str, str]:
-    """Group, direction and band."""
     line = result.measured.line
     group = "" if line.group is None else line.group
     return group, tr(line.direction), band_title(result.band) if result.band else ""

@@ -60,5 +60,4 @@ class SimulateBayer(SeamInspectorAlgorithm):
         return {OUTPUT: path}
 
     def _ways(self, run: Run) -> tuple[str, str]:
-        """Pattern and interpolation."""
         return run.word(PATTERN), run.word(DEMOSAIC)

@@ -96,8 +96,6 @@ class End(Enum):
 
 @dataclass(frozen=True)
 class Outcome:
-    """The end of a task, and why it failed."""
-
     end: End
     message: Message | None = None  # why it failed
 

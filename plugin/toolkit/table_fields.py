@@ -77,7 +77,6 @@ def attributes(rows: Iterable[QgsFeature], names: Sequence[str]) -> Iterator[Att
 
 
 def column_fields(columns: Iterable[Column[Result]], levels: int = 0) -> QgsFields:
-    """The fields of these columns."""
     return table_fields(*((name, column.kind) for column in columns for name in column.names(levels)))
 
 
@@ -90,7 +89,6 @@ def column_values(columns: Iterable[Column[Result]], result: Result, levels: int
 def column_features(
     columns: Sequence[Column[Result]], results: Iterable[Result], levels: int = 0
 ) -> Iterator[QgsFeature]:
-    """The rows of results."""
     fields = column_fields(columns, levels)
     for result in results:
         yield feature(fields, column_values(columns, result, levels))

@@ -134,7 +134,6 @@ _OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 
 
 def ready_files() -> dict[str, Path]:
-    """The ready files by their names."""
     return ready_rules(SUBJECT)
 
 

@@ -149,7 +149,6 @@ def _against_any(delivery: Delivery) -> Iterator[Doubt]:
 
 
 def _unsealed(delivery: Delivery) -> Iterator[Doubt]:
-    """Which layers are not as their scan left them."""
     names = {seal: [one.name for one in delivery.layers if one.seal is seal] for seal in Seal}
     advice = messages.WOULD_GIVE_LAYER()
     if changed := names[Seal.BROKEN]:
@@ -401,7 +400,6 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
 
 
 def _files(delivery: Delivery) -> Iterator[Message]:
-    """The rasters that were scanned."""
     files, settings = delivery.files, [one.settings for one in delivery.layers]
     if files.same:
         yield messages.FILES_AS_SCANNED(count=files.same)

@@ -31,7 +31,6 @@ class DecidedPiece:
     is_unclear: bool  # it was measured, and its 95 % interval holds the limit: it counts by its value
     run: int | None
     """The failure without a break it belongs to, by its ``FailureRun.number``; None where it did not fail."""
-    is_sampled: bool  # whether the decision by a plan looks at it; with all inspected every piece is
     windows: tuple[SeenWindow, ...] = ()  # inspected windows that lie over it, the one whose middle is nearest first
 
 
@@ -95,8 +94,6 @@ class MetreFigures:
 
 @dataclass(frozen=True)
 class RuleOutcome:
-    """One rule, held against the delivery."""
-
     check: str  # one of ``acceptance_rules.CHECKS``
     value: float | None
     """Share as a fraction of 1, length in metres, or nonconforming items; None where it can't be measured."""
@@ -112,8 +109,6 @@ class RuleOutcome:
 
 @dataclass(frozen=True)
 class PlanOutcome:
-    """What a plan of sampling decided."""
-
     plan: SamplingPlan
     characteristic: OperatingCharacteristic
     seed: int | None  # seed of the drawing; None where the sample came with the layer, or is the whole lot
@@ -201,7 +196,6 @@ class Defect:
 
     @property
     def worst(self) -> DecidedPiece:
-        """The piece that kept least."""
         return min(self.pieces, key=lambda one: float("inf") if one.piece.kept_1 is None else one.piece.kept_1)
 
     @property
@@ -221,7 +215,6 @@ class Defect:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What operators wrote of the windows on it."""
         return tuple(dict.fromkeys(words for one in self._windows() for words in (one.remark, one.remark_2) if words))
 
     def _windows(self) -> list[SeenWindow]:

@@ -58,8 +58,6 @@ class OrderedSheet:
 
 @dataclass(frozen=True)
 class CheckedSheet:
-    """What was found at a sheet."""
-
     sheet: OrderedSheet
     raster: Raster | None  # None where there is no file that can be read
     missing: float | None  # share of the outline without data, 0 to 1; None where that can't be told
@@ -196,7 +194,6 @@ def _checked(
     sheet: OrderedSheet, raster: Raster | None, trouble: tuple[Message, ...], form: OrderedForm,
     tell: Callable[[float], None],
 ) -> CheckedSheet:
-    """One sheet by itself."""
     missing, state = None, SheetState.SHOWN
     if raster is not None:
         try:

@@ -364,7 +364,6 @@ def _vertices(row: SeamRow) -> np.ndarray:
 
 
 def _number(value: object) -> float | None:
-    """A finite number."""
     try:
         found = float(str(value))
     except ValueError:

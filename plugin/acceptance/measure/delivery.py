@@ -54,11 +54,9 @@ class DeliveredPiece:
 
     @property
     def middle(self) -> tuple[float, float]:
-        """The point half-way along it."""
         return self.point(0.5)
 
     def point(self, share: float) -> tuple[float, float]:
-        """The point at a share of its length."""
         x, y = self.vertices.T
         along = vertex_stations(self.vertices)
         return float(np.interp(share * along[-1], along, x)), float(np.interp(share * along[-1], along, y))
@@ -152,8 +150,6 @@ class Seal(Enum):
 
 @dataclass(frozen=True)
 class DeliveredLayer:
-    """A layer that pieces were read from."""
-
     name: str
     seal: Seal  # anything but a whole one, where it is asked for, and nothing is accepted
     lacking_m: float  # metres that the scan had, or that lie between stations, and the layer does not have
@@ -199,8 +195,6 @@ class FileDoubts:
 
 @dataclass(frozen=True)
 class Delivery:
-    """All that is judged together."""
-
     pieces: tuple[DeliveredPiece, ...]  # pieces of all sheets, in order
     wkt: str  # the reference system of all coordinates
     windows: tuple[SeenWindow, ...] = ()  # that were inspected, and judged perhaps

@@ -37,7 +37,6 @@ class PiecePlaces:
         self._places = _united([*self._along_seams(), *joined], 2 * len(pieces)).reshape(-1, 2).tolist()
 
     def of(self, number: int) -> tuple[int, int]:
-        """Where a piece begins and ends."""
         start, stop = self._places[number]
         return start, stop
 

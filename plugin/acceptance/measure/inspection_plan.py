@@ -66,8 +66,6 @@ def plan_sentence(plan: SamplingPlan, risks: OperatingCharacteristic) -> Message
 
 @dataclass(frozen=True)
 class SampledLot:
-    """What a plan looks at and decides."""
-
     outcome: PlanOutcome
     rule_outcome: RuleOutcome
     pieces: set[int]  # numbers of the pieces of the sample

@@ -81,7 +81,6 @@ _ACCEPTANCE = {14: 0, 17: 1, 18: 2, 19: 3, 20: 5, 21: 7, 22: 10, 23: 14, 24: 21}
 
 
 def code_letter(lot_size: int, inspection_level: str) -> str:
-    """Code letter of a lot by table 1."""
     place = sum(lot_size > largest for largest in _LARGEST_LOTS)
     return _LETTERS_OF_LEVEL[inspection_level][place]
 

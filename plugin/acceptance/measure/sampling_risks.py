@@ -20,7 +20,6 @@ _LAST_DIGITS = 1e-9
 
 
 def operating_characteristic(plan: SamplingPlan) -> OperatingCharacteristic:
-    """Operating characteristic of the lot itself."""
     good, limiting = good_items(plan) / plan.lot_size, limiting_quality(plan)
     producers, consumers = 1 - acceptance_probability(plan, good), acceptance_probability(plan, limiting)
     return OperatingCharacteristic(good, float(producers), limiting, float(consumers))

@@ -91,7 +91,6 @@ class InspectionRecord:
 
     @property
     def defects(self) -> tuple[Defect, ...]:
-        """The longest failure first."""
         return defects_of(self.decision)
 
 

@@ -210,8 +210,6 @@ def _cut_pictures(
 
 @dataclass(frozen=True, eq=False)
 class _DecidedSheet:
-    """A row."""
-
     figures: MetreFigures
     outcome: AcceptanceOutcome | None  # None without seams, or where the delivery was decided on by a sample
     findings: tuple[str, ...]  # what is wrong with its file; none where that was not looked at

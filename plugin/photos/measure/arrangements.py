@@ -51,7 +51,6 @@ class Arrangement:
 
     @property
     def score(self) -> float:
-        """Grows with the number of marks and their correlation."""
         return float(sum(self.values.values()))
 
     @property
@@ -61,12 +60,10 @@ class Arrangement:
 
     @property
     def angle(self) -> float:
-        """Rotation of the frame in the photo, degrees clockwise."""
         return math.degrees(math.atan2(self.matrix[1, 0], self.matrix[0, 0]))
 
     @property
     def scale(self) -> float:
-        """Pixels per millimetre."""
         return float(math.hypot(self.matrix[0, 0], self.matrix[1, 0]))
 
     @property
@@ -288,7 +285,6 @@ class Candidate:
 
     @property
     def side(self) -> int:
-        """Side of the template, px."""
         return 2 * self.template.margin + 1 if isinstance(self.template, MarkShape) else min(self.template.pixels.shape)
 
     @property

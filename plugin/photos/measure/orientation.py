@@ -17,8 +17,6 @@ from .transformations import PlaneModel, Transformation
 
 @dataclass(frozen=True)
 class FittedTransformation:
-    """A transformation and its residuals."""
-
     to_mm: Transformation  # columns and rows to photo coordinates, mm
     to_pixels: Transformation  # back, fitted the same way's inverse
     marks: int  # how many took part
@@ -42,8 +40,6 @@ class MarkStatus(Enum):
 
 @dataclass(frozen=True)
 class OrientationSettings:
-    """The settings by which a photo is measured."""
-
     template: CutOut | None = None  # the user's own; else marks are drawn
     shapes: tuple[MarkShape, ...] = ()  # the marks that are drawn, their sizes of no meaning; none for all there are
     sign: int | None = None
@@ -57,8 +53,6 @@ class OrientationSettings:
 
 @dataclass(frozen=True)
 class GivenPosition:
-    """The user's position of a mark."""
-
     place: Place  # column and row, px, pixel centres at .5
     measure: bool = True  # whether it is approximate and to be measured; else it is taken as it is
 
@@ -78,8 +72,6 @@ class MarkResult:
 
 @dataclass(frozen=True)
 class PhotoOrientation:
-    """The result for one photo."""
-
     marks: tuple[MarkResult, ...]  # in the order of the calibration
     fitted: FittedTransformation | None  # the transformation; None where too few marks were found
     scan_orientation: ScanOrientation | None  # the way the photo lies in the scan; None where it is not known
@@ -92,7 +84,6 @@ class PhotoOrientation:
     """Places of the marks that failed, by the transformation, px."""
 
     def count(self, status: MarkStatus) -> int:
-        """Number of marks of a status."""
         return sum(mark.status is status for mark in self.marks)
 
 
@@ -109,5 +100,4 @@ class MarkSearch:
 
     @property
     def count(self) -> int:
-        """Number of marks that were measured."""
         return sum(mark.place is not None for mark in self.results.values())

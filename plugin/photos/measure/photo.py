@@ -147,13 +147,11 @@ class MarkFrame:
     rotation: float  # largest rotation, radians
 
     def only(self, wanted: Sequence[int]) -> MarkFrame:
-        """Some of its marks, by their numbers."""
         marks, areas = tuple(self.marks[k] for k in wanted), tuple(self.areas[k] for k in wanted)
         return replace(self, marks=marks, places=self.places[list(wanted)], areas=areas)
 
     @property
     def sites(self) -> dict[str, Place]:
-        """The places by mark."""
         return {mark: (float(x), float(y)) for mark, (x, y) in zip(self.marks, self.places)}
 
 

@@ -192,7 +192,6 @@ def matching_data_strip(
 
 
 def mark_number(mark: str) -> int | None:
-    """The number at the end of a mark's name."""
     ending = re.search(r"(\d+)\s*$", mark)
     return int(ending[1]) if ending else None
 

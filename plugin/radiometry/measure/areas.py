@@ -86,7 +86,6 @@ def sample_areas(
 
 
 def joined(parts: Sequence[Areas]) -> Areas:
-    """The areas of several blocks as those of one."""
     columns = zip(*((part.means, part.noise, part.uniform, part.corners) for part in parts))
     return Areas(*map(np.concatenate, columns))
 
@@ -132,8 +131,6 @@ class GreyArea:
 
 @dataclass(frozen=True)
 class GreyTone:
-    """The colour of a grey area on an image."""
-
     number: int  # number of the area, as in ``GreyArea``
     pixels: int  # valid ones
     means: tuple[float, float, float]  # means of red, green and blue, DN

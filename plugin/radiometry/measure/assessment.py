@@ -28,8 +28,6 @@ class Spot:
 
 @dataclass(frozen=True)
 class CheckedFigure:
-    """One figure of one band against its rule."""
-
     band: str  # name of the band as in ``Image.band_names``, or ``luminosity`` or ``all``
     rule: Rule
     value: float | None  # shares are fractions of 1; None when it can't be measured
@@ -61,11 +59,9 @@ class Assessment:
 
     @property
     def pixels(self) -> int:
-        """The number of valid pixels."""
         return min((histogram.pixels for histogram in self.histograms.values()), default=0)
 
     def measured(self, check: str) -> list[CheckedFigure]:
-        """The figures of a check that could be measured."""
         return [figure for figure in self.checked_figures if figure.rule.check == check and figure.value is not None]
 
 
@@ -250,14 +246,11 @@ class ImageDecision:
 
 @dataclass(frozen=True, eq=False)
 class RadiometricDecision:
-    """The decision on all images together."""
-
     outcome: RadiometricOutcome
     images: tuple[ImageDecision, ...]
     left_out: tuple[Message, ...]  # why images or windows were not looked at; nothing is accepted unseen
 
     def those(self, outcome: RadiometricOutcome) -> list[ImageDecision]:
-        """The images with this outcome."""
         return [image for image in self.images if image.outcome is outcome]
 
 

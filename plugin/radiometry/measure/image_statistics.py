@@ -65,7 +65,6 @@ class Histogram:
 
     @property
     def pixels(self) -> int:
-        """The number of valid pixels."""
         return int(self.counts.sum())
 
     @property
@@ -75,7 +74,6 @@ class Histogram:
 
     @property
     def deviation(self) -> float:
-        """Standard deviation of all valid pixels."""
         return math.sqrt(self.counts @ (self.values - self.mean) ** 2 / self.pixels) if self.pixels else math.nan
 
     @property
@@ -226,7 +224,6 @@ def own_range(image: Raster, given: ValueRange | None) -> ValueRange | None:
 
 
 def largest_value(histograms: Iterable[Histogram]) -> LargestValue:
-    """The largest value of an image's bands."""
     bands = list(histograms)
     largest = int(max(histogram.largest for histogram in bands))
     is_piled_up = False

@@ -20,8 +20,6 @@ MIN_STATISTICS_PIXELS = 4096  # 64 x 64: a histogram of fewer is no picture of a
 
 @dataclass(frozen=True, eq=False)
 class MeasuredImage:
-    """The statistics of an image."""
-
     image: Raster
     window_id: int | None  # None for the whole image
     seams: tuple[SeamStep, ...] | None = None  # with the bands of ``areas``; None without seamlines
@@ -34,7 +32,6 @@ class MeasuredImage:
 
     @property
     def pixels(self) -> int:
-        """The number of valid pixels."""
         return min((histogram.pixels for histogram in self.histograms.values()), default=0)
 
     @property

@@ -49,8 +49,6 @@ _OTHER_BAND = re.compile(r"band_[1-9]\d*")
 
 @dataclass(frozen=True)
 class Rule:
-    """One figure and its limits."""
-
     check: str  # one of ``CHECKS``
     least: float | None  # smallest value that passes; None for no such limit
     most: float | None  # largest value that passes; None for no such limit
@@ -61,11 +59,9 @@ class Rule:
 
     @property
     def has_limit(self) -> bool:
-        """Whether there is anything to pass."""
         return self.least is not None or self.most is not None
 
     def passes(self, value: float) -> bool:
-        """Whether a value is within the limits."""
         return (self.least is None or value >= self.least) and (self.most is None or value <= self.most)
 
     def bands_of(self, names: Sequence[str]) -> Sequence[str]:
@@ -77,8 +73,6 @@ class Rule:
 
 @dataclass(frozen=True)
 class RuleSet:
-    """All rules of one specification."""
-
     name: str
     rules: tuple[Rule, ...]
     value_range: ValueRange | None = None  # lowest and highest value that pixels could have; None: as the files say

@@ -17,8 +17,6 @@ _RUN = 512  # px of seam read at a time
 
 @dataclass(frozen=True)
 class SeamStep:
-    """The step at one seam."""
-
     seam_id: int  # number of the seam, as in ``Seam``
     stations: int  # pieces of 16 px along the seam that have valid pixels on both sides
     steps: tuple[float, ...]
@@ -60,7 +58,6 @@ def seam_steps(
 
 
 def worst_step(steps: Sequence[SeamStep], band: int) -> SeamStep:
-    """The seam at which a band's tone steps most."""
     return max(steps, key=lambda step: abs(step.steps[band]))
 
 

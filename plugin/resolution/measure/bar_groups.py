@@ -46,7 +46,6 @@ class GroupResult:
 
     @property
     def key(self) -> tuple[str, str]:
-        """Direction and band."""
         return self.measured.line.direction, self.band
 
     @property
@@ -119,7 +118,6 @@ class TargetResolution:
         return tuple(dict.fromkeys(name for result in self.results for name in result.measured.line.seen))
 
     def worst_error(self, direction: str) -> float | None:
-        """Standard deviation of that distance; None without one."""
         worst = self.worst(direction)
         errors = [
             self.grd_error_cm.get(key) for key, value in self.grd_cm.items() if key[0] == direction and value == worst
@@ -129,7 +127,6 @@ class TargetResolution:
 
     @property
     def mean_error(self) -> float | None:
-        """Standard deviation of the geometric mean."""
         parts = [(self.worst(direction), self.worst_error(direction)) for direction in DIRECTIONS]
         relative = [error / grd for grd, error in parts if grd and error is not None]
         return self.mean * math.hypot(*relative) / 2 if self.mean is not None and len(relative) == 2 else None
@@ -141,7 +138,6 @@ class TargetResolution:
 
     @property
     def mean(self) -> float | None:
-        """Geometric mean of both directions."""
         along, across = (self.worst(direction) for direction in DIRECTIONS)
         return None if along is None or across is None else math.sqrt(along * across)
 

@@ -74,12 +74,10 @@ class BarReading:
 
     @property
     def share(self) -> float | None:
-        """The amplitude's share of the full amplitude."""
         return None if self.amplitude is None or self.full_amplitude <= 0 else self.amplitude / self.full_amplitude
 
     @property
     def share_error(self) -> float | None:
-        """The share's standard deviation."""
         if self.share is None or not self.amplitude or self.amplitude_error is None:
             return None
         errors = self.amplitude_error / self.amplitude, self.full_error / self.full_amplitude
@@ -246,8 +244,6 @@ class BarLine:
 
 @dataclass(frozen=True)
 class MeasuredLine:
-    """The readings of one line."""
-
     line: BarLine
     segment: Segment | None  # the line turned to be perpendicular to the bars; None when it could not be measured
     readings: dict[str, BarReading] = field(default_factory=dict)  # readings by band

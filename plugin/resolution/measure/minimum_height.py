@@ -21,8 +21,6 @@ Key = tuple[str, ...]
 
 @dataclass(frozen=True)
 class Observation:
-    """The readings of one pass over the target."""
-
     height_m: float  # flying height above the target, m
     grds_cm: tuple[float, ...]  # ground resolved distance as each observer read it, cm; at least one
     key: Key = ()  # what it is grouped by: sensor, type of image, direction
@@ -60,7 +58,6 @@ class HeightResult:
 
     @property
     def mean_m(self) -> float:
-        """Mean of the passes, m (equation 2)."""
         return statistics.fmean(self.heights_m)
 
     @property

@@ -42,17 +42,14 @@ class Segment:
 
     @property
     def length(self) -> float:
-        """Length of the line, px."""
         return math.dist(self.start, self.end)
 
     @property
     def middle(self) -> Point:
-        """Place half-way, px."""
         return (self.start[0] + self.end[0]) / 2, (self.start[1] + self.end[1]) / 2
 
     @property
     def along(self) -> Point:
-        """Unit vector of the direction."""
         return (self.end[0] - self.start[0]) / self.length, (self.end[1] - self.start[1]) / self.length
 
     def turned(self, angle: float) -> Segment:

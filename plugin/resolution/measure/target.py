@@ -51,7 +51,6 @@ class Target:
     grd_of: str = CYCLE  # what a distance is the width of: ``cycle``, a bar and a gap together; ``bar``, one of them
 
     def check(self) -> None:
-        """Raise SettingsError for a target that can't be."""
         if self.bars < MIN_BARS:
             raise SettingsError(messages.TOO_FEW_BARS(bars=self.bars, least=MIN_BARS))
         if not 0 < self.reference_grd_cm < math.inf:

@@ -94,12 +94,10 @@ class Adjustment:
 
     @property
     def control(self) -> Accuracy:
-        """Accuracy on the control points that took part."""
         return accuracy(self.residuals_px, self.residuals_m, ~self.points.check & ~self.blunder)
 
     @property
     def check(self) -> Accuracy:
-        """Accuracy on the check points that are no blunders."""
         return accuracy(self.residuals_px, self.residuals_m, self.points.check & ~self.blunder)
 
 
@@ -227,8 +225,6 @@ def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
 
 @dataclass(frozen=True)
 class JudgedModel:
-    """One model of the table."""
-
     request: ModelRequest
     errors: Accuracy | None  # on points that the fit has not seen; None where it could not be fitted
     control: Accuracy | None  # on the control points themselves

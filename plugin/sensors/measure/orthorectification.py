@@ -93,8 +93,6 @@ class OrthoRequest:
 
 @dataclass(frozen=True)
 class Ortho:
-    """An orthoimage as made."""
-
     path: Path  # its file
     wkt: str  # its reference system
     extent: Extent  # xmin, ymin, xmax, ymax, map units
@@ -213,7 +211,6 @@ def _plan(request: OrthoRequest) -> _Plan:
 
 
 def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
-    """The orthoimage's pixels."""
     centre = plan.footprint[len(plan.footprint) // 2]
     wkt = request.target_wkt or utm_wkt(float(centre[0]), float(centre[1]))
     places = transform_points(plan.footprint, WGS84, wkt)

@@ -59,12 +59,10 @@ class Points:
         return len(self.ids)
 
     def only(self, mask: np.ndarray) -> Points:
-        """The points of a mask (n,)."""
         parts = {name: getattr(self, name)[mask] for name in ("image", "ground", "sigma_px", "check")}
         return replace(self, ids=tuple(self.named(mask)), **parts)
 
     def named(self, mask: np.ndarray) -> list[str]:
-        """The names of the points of a mask (n,)."""
         return [name for name, chosen in zip(self.ids, mask) if chosen]
 
     @property
@@ -76,7 +74,6 @@ class Points:
 
     @property
     def sigma_known(self) -> bool:
-        """Whether any point comes with its standard deviation."""
         return bool((self.sigma_px > 0).any())
 
 
@@ -327,7 +324,6 @@ def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
 
 
 def coverage_warnings(coverage: ControlCoverage) -> list[Message]:
-    """Warnings of points that cover too little."""
     if coverage.spread < MIN_SPREAD:
         return [messages.CONTROL_ON_A_LINE(share=coverage.extrapolated)]
     if coverage.extrapolated > MAX_EXTRAPOLATED:

@@ -63,7 +63,6 @@ class Domain:
 
     @property
     def middle_and_corners(self) -> np.ndarray:
-        """(5, 2) column and row."""
         (left, right), (top, bottom) = self.columns, self.rows
         middle = ((left + right) / 2, (top + bottom) / 2)
         return np.array([middle, (left, top), (right, top), (left, bottom), (right, bottom)])

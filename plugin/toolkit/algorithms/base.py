@@ -100,7 +100,6 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self.addParameter(definition)
 
     def addNumbers(self, titles: Mapping[str, str]) -> None:
-        """Add numbers to the results, by name."""
         for name, title in titles.items():
             self.addOutput(QgsProcessingOutputNumber(name, title))
 

@@ -32,8 +32,6 @@ _OF_DATABASES = ("-wal", "-shm", "-journal")
 
 @dataclass
 class _OpenSink:
-    """A layer that is being written."""
-
     sink: QgsFeatureSink
     destination: str
     place: DataPlace | None  # None for one in memory or on a server
@@ -43,7 +41,6 @@ class _OpenSink:
 
     @property
     def path(self) -> str:
-        """The place of the finished layer."""
         return self.destination if self.place is None else self.place.path
 
     def count(self, has_closed: bool) -> int:
@@ -56,8 +53,6 @@ class _OpenSink:
 
 @dataclass
 class FeatureSinks:
-    """The layers of one run."""
-
     lost: dict[str, Message] = field(default_factory=dict)
     """What to say of those that could not be written, by their destinations; known when they are closed."""
     beside: dict[str, tuple[str, Message]] = field(default_factory=dict)

@@ -90,7 +90,6 @@ def whole(
     name: str, title: str, default: int | None, least: int | None = None, most: int | None = None,
     optional: bool = False,
 ) -> QgsProcessingParameterDefinition:
-    """A whole number."""
     number = real(name, title, default, least, most, optional, None)
     number.setDataType(QgsProcessingParameterNumber.Type.Integer)
     return number
@@ -102,7 +101,6 @@ def flag(name: str, title: str, default: bool = False, optional: bool = False) -
 
 
 def words(name: str, title: str) -> QgsProcessingParameterDefinition:
-    """A text, which may be left out."""
     return QgsProcessingParameterString(name, title, optional=True)
 
 
@@ -123,7 +121,6 @@ def with_last_value(definition: QgsProcessingParameterDefinition) -> QgsProcessi
 
 
 def remember(values: Mapping[str, str]) -> None:
-    """Keep texts for their parameters' forms."""
     for name, value in values.items():
         QgsSettings().setValue(_REMEMBERED.format(name), value)
 
@@ -131,7 +128,6 @@ def remember(values: Mapping[str, str]) -> None:
 def file(
     name: str, title: str, extension: str | None = None, optional: bool = False
 ) -> QgsProcessingParameterDefinition:
-    """A file that is read."""
     return QgsProcessingParameterFile(name, title, extension=extension, optional=optional)
 
 
@@ -141,7 +137,6 @@ def folder(name: str, title: str, optional: bool = False) -> QgsProcessingParame
 
 
 def raster(name: str, title: str, optional: bool = False) -> QgsProcessingParameterDefinition:
-    """A raster that is read."""
     return QgsProcessingParameterRasterLayer(name, title, optional=optional)
 
 

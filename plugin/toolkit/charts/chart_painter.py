@@ -34,7 +34,6 @@ class ChartPainter:
         self.axes = QRectF(room)  # between the axes
 
     def paint(self, painter: QPainter) -> None:
-        """All of it."""
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.font)
@@ -49,7 +48,6 @@ class ChartPainter:
         self, painter: QPainter, start: tuple[float, float], end: tuple[float, float], colour: str,
         width: float = 1.0, dashes: Qt.PenStyle = Qt.PenStyle.SolidLine,
     ) -> None:
-        """A straight line, its width in px."""
         painter.setPen(QPen(QColor(colour), width, dashes, Qt.PenCapStyle.FlatCap))
         painter.drawLine(QLineF(*start, *end))
 

@@ -42,6 +42,5 @@ DARK = ChartStyle(
 
 
 def source_look(number: int, style: ChartStyle) -> tuple[str, str]:
-    """Colour and line style of a source."""
     count = len(style.sources)
     return style.sources[number % count], _LINE_STYLES[number // count % len(_LINE_STYLES)]

@@ -108,7 +108,6 @@ class ClippedLabel(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
-        """All of the text."""
         return self._text
 
     def shown_text(self) -> str:

@@ -65,12 +65,10 @@ class HowMeasured:
 
     @property
     def listed(self) -> Sequence[MeasuredRaster]:
-        """The rasters that a report lists."""
         return self.rasters[:MOST_RASTERS]
 
     @property
     def left_out(self) -> int:
-        """The number of rasters beyond those listed."""
         return len(self.rasters) - len(self.listed)
 
 
