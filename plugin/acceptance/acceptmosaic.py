@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from ..imagery.rasters import Raster, RasterRef
     from .measure.decision import Decision
-    from .paper.proofs import Prover
+    from .paper.defect_files import Prover
 
 SEAMS, WINDOWS, JUDGE = "SEAMS", "WINDOWS", "JUDGE"
 TOOL, OBSERVER = "tool", "observer"

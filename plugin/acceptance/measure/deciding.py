@@ -70,7 +70,7 @@ def decide(
         DecidedPiece(
             piece, state,
             not by_observer and state in (PieceState.PASSED, PieceState.FAILED) and is_unclear(piece, rules.least_kept),
-            of_run.get(piece.number), lot is None or piece.number in lot.pieces, over,
+            of_run.get(piece.number), over,
         )
         for piece, state, over in zip(delivery.pieces, states, windows)
     )  # fmt: skip
@@ -87,7 +87,7 @@ def decide(
     longest_rule = None if delivery.is_part else rules.rule(LONGEST_FAILURE)
     unknown = () if longest_rule is None else tuple(run for run in unknown if not longest_rule.passes(run.length_m))
     if lot is not None:
-        outcomes.insert(0, lot.rule_outcome)
+        outcomes.insert(0, lot[1])
     outcome, sure = outcome_of(outcomes), [*_against_any(delivery)]
     lacking = [*_lacking(delivery, whole, rules), *_unseen(delivery, sheets if lot is None else (), rules)]
     unsealed = [*_unsealed(delivery)]
@@ -105,12 +105,12 @@ def decide(
         *_figures(whole, runs, rules),
         *_unknown_rows(unknown),
         *_sample_sentences(delivery, lot is not None),
-        *(() if lot is None else lot.notices),
+        *(() if lot is None else lot[2]),
         *(_by_observer(delivery) if by_observer else ()),
     )
     return Decision(
         outcome, why, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), tuple(sheet_outcomes), pieces,
-        runs, unknown, None if lot is None else lot.outcome, by_observer,
+        runs, unknown, None if lot is None else lot[0], by_observer,
     )  # fmt: skip
 
 

@@ -41,7 +41,6 @@ class FailureRun:
     number: int  # 1 for the longest
     length_m: float  # length of its pieces together
     pieces: tuple[int, ...]  # the pieces' numbers, in the order in which they follow each other
-    turned: tuple[bool, ...]  # whether the failure runs against its line, for each piece
     sheets: tuple[str, ...]  # that it lies in
     place: tuple[float, float]  # a point half-way along it, in the delivery's reference system
 

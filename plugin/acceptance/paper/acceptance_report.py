@@ -20,10 +20,9 @@ from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, PlanOutcome
 from ..measure.seen_ground import SeenGround
 from .charts import STATE_COLOURS, pale, profile_figure, seams_figure
-from .defect_files import DefectPicture
+from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name
 from .paper_head import iso_date
-from .proofs import CUT_PANEL, MOSAIC_PANEL
 from .words import (
     DIGEST_STANDARD,
     NOTHING,

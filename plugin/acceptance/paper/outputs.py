@@ -46,7 +46,7 @@ from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS
 from .words import rounded
 
 if TYPE_CHECKING:
-    from .proofs import Proving
+    from .defect_files import Proving
 
 ScannedLoss = tuple[Raster, Mapping[str, str]]  # a picture of losses, and how its scan says it was measured
 
