@@ -156,9 +156,6 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         from .measure.heights import with_heights
         from .measure.points import check_against_rpc, check_inside, check_plausible, choose_check_points
 
-        share = run.real(CHECK_SHARE)
-        if not 0 <= share <= MOST_CHECK_SHARE:
-            raise SettingsError(messages.CHECK_SHARE_UNSOUND(share=share, most=MOST_CHECK_SHARE))
         points, with_roles, notices = self._points_given(run, image)
         run.tell(*notices)
         check_plausible(points)
@@ -174,7 +171,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             run.tell(*check_against_rpc(points, rpc))
         if with_roles:
             return points
-        points = choose_check_points(points, share)
+        points = choose_check_points(points, run.real(CHECK_SHARE))
         total, count = len(points), int((~points.check).sum())
         if request is not None and count < (fewest := request.variant.fewest) <= total:
             few = messages.TOO_FEW_AFTER_SPLIT(total=total, count=count, model=request.name, fewest=fewest)

@@ -30,6 +30,9 @@ WINDOWS_RESHAPED = Message(
 NOT_A_SYSTEM = Message("'{parameter}' is {value}, which is not a coordinate reference system; choose one.")
 NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
 NO_NUMBER = Message("'{parameter}' is '{value}', which is no number; write it with a point, such as 0.7.")
+NUMBER_TOO_SMALL = Message("'{parameter}' is {value:g}; give {least:g} or more.")
+NUMBER_BEYOND = Message("'{parameter}' is {value:g}; give a number from {least:g} to {most:g}.")
+WORD_UNKNOWN = Message("'{parameter}' is '{value}'; known are {known}.")
 NUMBER_TOO_LARGE = Message("'{parameter}' is {value:g}; give a whole number between -{most} and {most}.")
 # lists of rasters
 NO_RASTERS = Message("No rasters are given; choose at least one.")

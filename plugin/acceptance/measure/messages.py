@@ -41,7 +41,6 @@ LOT_SMALLER_THAN_GIVEN = Message(
     "The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is "
     "given."
 )
-COUNT_NOT_POSITIVE = Message("A sample of {count} pieces was asked for; give 1 or more.")
 WINDOWS_WITHOUT_MOSAIC = Message("Windows are placed on the mosaic's pixels; give MOSAIC, or take pieces as the unit.")
 MOSAIC_SMALLER_THAN_WINDOW = Message(
     "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE."
@@ -328,12 +327,6 @@ NOT_TRANSFORMED = Message(
 )
 LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
-QUALITY_UNKNOWN = Message("The {parameter} {value} is none of the standard's; known are {known}.")
-LQ_UNKNOWN = Message(
-    "{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; take the next smaller one, or "
-    "inspect the whole lot (PLAN all)."
-)
-WORD_UNKNOWN = Message("{parameter} is '{value}'; known are {known}.")
 
 
 DEFECTS_NOT_WRITTEN = Message(

@@ -3,13 +3,6 @@ from __future__ import annotations
 
 from ...imagery.errors import INFO, WARNING, Message
 
-# the target and how it is measured
-TOO_FEW_BARS = Message("A group of {bars} bars can't be measured; a target has at least {least} bars in a group.")
-GRD_NOT_POSITIVE = Message("The ground resolved distance is {grd} cm; give a positive number of centimetres.")
-STEP_TOO_SMALL = Message("The step from group to group is {step}; give a factor above 1, such as 1.1225.")
-CRITERION_OUT_OF_RANGE = Message("The criterion is {criterion}; give a share of the full amplitude between 0 and 1.")
-CHOICE_UNKNOWN = Message("'{word}' is none of {known}; choose one of them.")
-BAR_WIDTH_OUT_OF_RANGE = Message("The profile is averaged over {width} px either side; give 0 to {most}.")
 # the layer of lines
 NO_BAR_IMAGE = Message("No image of a bar target is chosen; choose one above, then draw a line across its bars.", INFO)
 NO_BAR_LINES = Message("The layer has no lines; draw one across the bars of each group.")
@@ -93,9 +86,6 @@ NO_LINE_MEASURED = Message(
     "across the bars of one group, on the image."
 )
 # the minimum height
-REQUIRED_GRD_IMPOSSIBLE = Message(
-    "The required distance is {grd:g} cm; give a positive number of centimetres from {least:g} to {most:g}."
-)
 REFERENCE_HEIGHT_UNREADABLE = Message(
     "'{word}' is no reference height; give metres, or a name and metres for each group, as 'DMC 2714; RC20 2015'."
 )

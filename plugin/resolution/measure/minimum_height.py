@@ -87,10 +87,8 @@ def read_references(text: str) -> dict[str, float]:
     return heights
 
 
-def check_heights(required_cm: float, references: References) -> None:
-    """Raise SettingsError for numbers that no flight has."""
-    if not MIN_GRD_CM <= required_cm <= MAX_GRD_CM:
-        raise SettingsError(messages.REQUIRED_GRD_IMPOSSIBLE(grd=required_cm, least=MIN_GRD_CM, most=MAX_GRD_CM))
+def check_references(references: References) -> None:
+    """Raise SettingsError for heights that no flight has."""
     for height in references.values():
         if not 0 < height <= MAX_HEIGHT_M:
             raise SettingsError(messages.REFERENCE_HEIGHT_IMPOSSIBLE(height=height, highest=MAX_HEIGHT_M))
@@ -115,9 +113,9 @@ def minimum_heights(
 ) -> list[HeightResult]:
     """The minimum height of every group of passes, in the order in which the groups first come.
 
-    Raises SettingsError for a required distance or a reference that no flight has, or one of a group that is not there.
+    Raises SettingsError for a reference that no flight has, or one of a group that is not there.
     """
-    check_heights(required_cm, references)
+    check_references(references)
     groups: dict[Key, list[Observation]] = {}
     for observation in observations:
         groups.setdefault(observation.key, []).append(observation)

@@ -156,6 +156,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
         pages = [name for name in self.PAGES if self.parameterDefinition(name) is not None]
+        common.check_values(self, self.for_check(parameters), context)
         return _refused(self, [*pages, *self.NAMED_BY_FORMAT], parameters, context)
 
     def check(self, run: Run) -> None:
@@ -268,6 +269,7 @@ class ReadyModel(QgsProcessingModelAlgorithm):
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Raise SeamInspectorError for what no step is to be asked for."""
         common.check_rasters(self, parameters)
+        common.check_values(self, parameters, context)
         files = [
             definition.name() for definition in self.destinationParameterDefinitions()
             if isinstance(definition, QgsProcessingParameterFileDestination)
@@ -282,7 +284,6 @@ def _refused(
     whose ending says something else than is written."""
     common.check_files(algorithm, parameters)
     leads = refuse_outputs(algorithm, parameters, context)
-    common.check_values(algorithm, parameters, context)
     run = Run(algorithm, parameters, context)
     run.leads = leads
     run.check_endings(named)

@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 import os
 import re
+import sys
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar
@@ -229,14 +230,19 @@ def report(description: str, filters: str = "HTML (*.html)", by_default: bool = 
 
 
 def check_values(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:
-    """Raise SettingsError for what QGIS lets pass: NaN, infinite numbers, whole ones that are too large, words where a
-    number may be left out, and reference systems that there are not."""
+    """Raise SettingsError for words that are none of a choice and numbers beyond their limits, which QGIS refuses
+    without saying why and models not at all, and for what QGIS lets pass: NaN, infinite numbers, whole ones that are
+    too large, words where a number may be left out, and reference systems that there are not."""
     for definition in algorithm.parameterDefinitions():
         title, given = definition.description(), values.get(definition.name())
         is_text = isinstance(given, str) and bool(given.strip())
         is_system = is_text and isinstance(definition, QgsProcessingParameterCrs)
         if is_system and not algorithm.parameterAsCrs(values, definition.name(), context).isValid():
             raise SettingsError(messages.NOT_A_SYSTEM(parameter=title, value=given))
+        word = str(given) if isinstance(given, (str, int, float)) else ""
+        if isinstance(definition, QgsProcessingParameterEnum) and word and word not in definition.options():
+            known = ", ".join(definition.options())
+            raise SettingsError(messages.WORD_UNKNOWN(parameter=title, value=word, known=known))
         if not isinstance(definition, QgsProcessingParameterNumber):
             continue
         if is_text and not _is_number(str(given)):
@@ -246,6 +252,11 @@ def check_values(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], cont
             raise SettingsError(messages.NOT_A_NUMBER(parameter=title, value=value))
         if definition.dataType() == QgsProcessingParameterNumber.Type.Integer and abs(value) > LARGEST_WHOLE:
             raise SettingsError(messages.NUMBER_TOO_LARGE(parameter=title, value=value, most=LARGEST_WHOLE))
+        least, most = definition.minimum(), definition.maximum()
+        if not least <= value <= most and given is not None and given != "":
+            is_open = most >= sys.float_info.max / 2
+            raise SettingsError(messages.NUMBER_TOO_SMALL(parameter=title, value=value, least=least) if is_open else (
+                messages.NUMBER_BEYOND(parameter=title, value=value, least=least, most=most)))
 
 
 def _is_number(text: str) -> bool:
