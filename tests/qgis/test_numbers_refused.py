@@ -1,5 +1,5 @@
-"""No algorithm takes NaN, an infinite number, one beyond its limits or too large for any parameter, a word that is none of
-a choice, or a reference system that there is not."""
+"""No algorithm takes NaN, an infinite number, one beyond its limits or too large for any parameter, a word that is none
+of a choice, or a reference system that there is not."""
 from __future__ import annotations
 
 import math
