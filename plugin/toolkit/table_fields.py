@@ -18,8 +18,7 @@ from .version_differences import field
 if TYPE_CHECKING:
     from ..imagery.records import Column, Result  # with numpy, which is not loaded when QGIS starts
 
-LARGEST_WHOLE = 2**31 - 1
-"""The largest number that a field of whole numbers holds, and Qt's int; of a larger one QGIS makes another."""
+LARGEST_WHOLE = 2**31 - 1  # the largest that a field of whole numbers holds, and Qt's int
 _NO = ("0", "0.0", "false", "no", "off", "f", "n", "")
 
 

@@ -34,9 +34,7 @@ KEY_OF_LIMIT = {KEPT: "least", MEASURED_SHARE: "least", FAILED_SHARE: "most", LO
 class SamplingRule:
     """Single sampling by attributes as ISO 2859-1 plans it in normal inspection, or ISO 2859-2 for an isolated lot."""
 
-    aql: str
-    """Acceptance quality limit as the standard writes it: nonconforming pieces per hundred; empty for an isolated
-    lot."""
+    aql: str  # acceptance quality limit: nonconforming pieces per hundred; empty for an isolated lot
     inspection_level: str  # S-1..S-4, I, II or III
     source: str  # where the plan comes from
     lq: str = ""  # limiting quality of an isolated lot as the standard writes it: nonconforming pieces per hundred

@@ -423,16 +423,14 @@ def _seen(layer: DeliveredLayer) -> Iterator[Message]:
         yield messages.SOURCES_NOT_GIVEN(name=layer.name, names=names)
 
 
-TOLD_UNEXPLAINED = 0.03
-"""Share of a mosaic without an orthoimage behind it, from which on it is told: where the scan tells it, too."""
+TOLD_UNEXPLAINED = 0.03  # share of a mosaic without orthoimage that is told, as the scan does
 MOST_AT_ENDS = 0.2
 """Share of the metres that may fail, which the ends of failures inside of pieces may leave open: with more the pieces
 are too coarse, as nothing above 1.25 times the allowed share is to be accepted nor below 0.8 times rejected."""
 MOST_OF_RUN = 1.5
 """Times the longest failure that is allowed: how long a piece of a scan with such a PIECE may be. A longer one averages
 a failure with what is sound beside it. Where no piece may fail its length does not matter."""
-MOST_DOUBLED = 0.1
-"""Share of all metres that may lie on others, as where sheets meet: with more two scans of one mosaic were given."""
+MOST_DOUBLED = 0.1  # share of all metres that lie on others: with more a mosaic was scanned twice
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
 """What makes figures of one layer differ from those of another."""
 

@@ -29,8 +29,7 @@ class DecidedPiece:
     piece: DeliveredPiece  # the piece as it was delivered
     state: PieceState  # passed, failed, not measured, or on ground without detail
     is_unclear: bool  # it was measured, and its 95 % interval holds the limit: it counts by its value
-    run: int | None
-    """The failure without a break it belongs to, by its ``FailureRun.number``; None where it did not fail."""
+    run: int | None  # the ``FailureRun.number`` of the failure that it belongs to; None where it did not fail
     windows: tuple[SeenWindow, ...] = ()  # inspected windows that lie over it, the one whose middle is nearest first
 
 
@@ -53,17 +52,13 @@ class MetreFigures:
     piece_count: int  # all pieces
     failed_count: int  # pieces that failed
     total_m: float  # metres of all seams
-    no_detail_m: float
-    """Metres of the pieces on ground without detail, which has nothing to lose: no part of what is judged."""
+    no_detail_m: float  # metres on ground without detail, which has nothing to lose and is not judged
     measured_m: float  # metres of the pieces that could be measured
     failed_m: float  # metres of the pieces that failed
     unclear_m: float  # in pieces of which the interval holds the limit, failed or passed
-    longest_failure_m: float | None
-    """Metres of the pieces in the longest failure without a break, these alone; None where they are a sample."""
+    longest_failure_m: float | None  # metres of the failed pieces in the longest failure; None where they are a sample
     failed_unclear_m: float = 0.0  # metres that failed, in pieces whose interval reaches above the limit
-    longest_unknown_m: float = 0.0
-    """Metres of the longest row of pieces that were not measured, with those that failed among them: so long a failure
-    may be."""
+    longest_unknown_m: float = 0.0  # metres of the longest row of pieces that failed or were not measured
 
     @property
     def judged_m(self) -> float:
@@ -94,15 +89,13 @@ class MetreFigures:
 @dataclass(frozen=True)
 class RuleOutcome:
     check: str  # one of ``acceptance_rules.CHECKS``
-    value: float | None
-    """Share as a fraction of 1, length in metres, or nonconforming items; None where it can't be measured."""
+    value: float | None  # share of 1, metres, or nonconforming items; None where it can't be measured
     limit: float  # the smallest or largest value that passes
     is_least: bool  # whether ``limit`` is the smallest one
     passed: bool | None  # None where it can't be told
     source: str  # where the limit comes from
     sentence: Message  # the outcome in words
-    low: float | None = None
-    """The smallest that the value may be, by what is not known; None where nothing is told of that."""
+    low: float | None = None  # the smallest that the value may be, by what is not known; None: nothing is told of that
     high: float | None = None  # the largest one
 
 

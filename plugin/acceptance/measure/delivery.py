@@ -38,13 +38,10 @@ class DeliveredPiece:
     right_source: str = ""
     left_date: str = ""  # when the orthoimage on the left hand was taken, as the layer has it
     right_date: str = ""
-    sample_number: int | None = None
-    """Place in the order in which its sample was drawn, from 1; None where the layer is no sample."""
+    sample_number: int | None = None  # place in the order of drawing, from 1; None where the layer is no sample
     scan: str = ""  # what seam_id numbers the seams of, where that is not the sheet: a scan of many sheets
-    visibility: float | None = None
-    """The loss in just noticeable differences of contrast at 2x; None where the scan says nothing of it."""
-    profile: tuple[KeptBeside, ...] = ()
-    """The judged strip, then what is kept step by step from the seam; empty where the layer does not say."""
+    visibility: float | None = None  # the loss in just noticeable differences at 2x; None where the scan does not say
+    profile: tuple[KeptBeside, ...] = ()  # the judged strip, then step by step from the seam; empty where unknown
     has_detail: bool = True  # False on ground that has nothing to lose, as the scan says
 
     @property
@@ -117,8 +114,7 @@ class SheetState(Enum):
 
     SHOWN = "shown"  # the mosaic shows all of it
     DAMAGED = "damaged"  # some of its pixels can't be read
-    OVERLAPS = "overlaps"
-    """It and another sheet show different things where they overlap, and the mosaic shows one of them."""
+    OVERLAPS = "overlaps"  # it and another sheet differ where they overlap, and the mosaic shows one of them
     LEFT_OUT = "left_out"  # it was ordered, and is no part of the mosaic
     NOT_ORDERED = "not_ordered"  # it was not ordered, and is no part of the mosaic
 

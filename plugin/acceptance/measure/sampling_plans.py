@@ -22,12 +22,10 @@ class SamplingPlan:
 
     lot_size: int  # items: pieces of seam
     sample_size: int
-    acceptance_number: int
-    """Ac: the lot is accepted up to so many nonconforming items in the sample, and rejected with more."""
+    acceptance_number: int  # Ac: with so many nonconforming items in the sample the lot is still accepted
     aql: float | None  # acceptance quality limit: nonconforming items per hundred; None for one of an isolated lot
     inspection_level: str
-    code_letter: str
-    """Letter of the table's row that the plan was taken from, arrows followed; empty where there are no letters."""
+    code_letter: str  # of the table's row that the plan was taken from, arrows followed; empty where there are none
     lq: float | None = None
     """Limiting quality of an isolated lot: nonconforming items per hundred with which it is hardly ever accepted."""
 
@@ -53,8 +51,7 @@ class OperatingCharacteristic:
     limiting_quality: float
     """The smallest share of nonconforming items at which a lot is accepted with 10 % at most (LQ, LTPD); of an isolated
     lot that of its plan, in whole items."""
-    consumers_risk: float
-    """With which it is then: 10 %, or what whole items of a lot leave below; up to 13 % for an isolated lot."""
+    consumers_risk: float  # probability that it is accepted then: some 10 %, by whole items up to 13 %
 
 
 INSPECTION_LEVELS = ("S-1", "S-2", "S-3", "S-4", "I", "II", "III")

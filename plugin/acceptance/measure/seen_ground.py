@@ -42,8 +42,7 @@ class SeenGround:
     seams: frozenset[str]  # given, found; empty where nothing says
     is_known: bool  # whether it was looked at what the ground follows
     unchanged_m: float = 0.0  # metres of given seams along which the mosaic does not change its orthoimage
-    unseen_m: float = 0.0
-    """Metres of border between two orthoimages of which no seam tells, in places as long as a piece."""
+    unseen_m: float = 0.0  # metres of border of which no seam tells, in places as long as a piece
     longest_unseen_m: float = 0.0
     hidden_m: float = 0.0  # those of them along which no orthoimage explains the mosaic
     longest_hidden_m: float = 0.0

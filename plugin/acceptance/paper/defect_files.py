@@ -44,8 +44,7 @@ class ProofPanel:
 
     kind: str  # mosaic, cut (the composite: the same orthoimages cut hard) or image (an orthoimage)
     name: str  # name of the orthoimage's file; empty for the others
-    pixels: np.ndarray
-    """(rows, columns, 3) uint8, a pixel of the mosaic each; all panels of a place are stretched alike."""
+    pixels: np.ndarray  # (rows, columns, 3) uint8, pixel by pixel; all panels of a place are stretched alike
 
 
 Prover = Callable[[Raster, PixelWindow, tuple[str, str]], Sequence[ProofPanel]]
@@ -108,12 +107,10 @@ _HELD = 8  # open sheets
 class DefectPicture:
     """The mosaic around a failure, and pixel by pixel the middle of its piece that kept least, beside orthoimages."""
 
-    around: np.ndarray
-    """(rows, columns, 3) uint8: where it lies, with dashes along it and a frame around what the panels show."""
+    around: np.ndarray  # (rows, columns, 3) uint8: where it lies, dashes along it, a frame around the panels' place
     side_m: float  # what that shows across
     is_whole: bool  # whether all of the failure is on it
-    panels: tuple[ProofPanel, ...]
-    """The mosaic first; alone where nobody has orthoimages. The seam is marked where it enters and leaves."""
+    panels: tuple[ProofPanel, ...]  # the mosaic first, alone without orthoimages; the seam is marked at both edges
 
     def jpeg(self) -> bytes:
         """A JPEG of all: below the picture the panels at 2x in a row."""

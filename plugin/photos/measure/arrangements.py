@@ -280,8 +280,7 @@ class Candidate:
     arrangement: Arrangement
     template: MarkShape | CutOut
     fitness: float = 1.0  # how like the figure its marks are: the median correlation, less where marks are missing
-    others: tuple[Arrangement, ...] = ()
-    """Arrangements of the same figure that lie as the calibration says when it is turned another way."""
+    others: tuple[Arrangement, ...] = ()  # of the same figure, for the calibration turned another way
 
     @property
     def side(self) -> int:

@@ -47,8 +47,7 @@ class MeasuredMark:
     """A mark as measured, or why it could not be."""
 
     place: Place | None = None  # column and row, px, pixel centres at .5; None where it could not be measured
-    correlation: float | None = None
-    """With the template at its very place, 1 at most; of a mark that failed the best one, where there was any."""
+    correlation: float | None = None  # with the template at its very place; of a failed mark the best one
     reason: Message | None = None  # why it could not be measured
 
 

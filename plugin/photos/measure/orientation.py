@@ -46,8 +46,7 @@ class OrientationSettings:
     """1 for marks lighter than their ground (or like the template), -1 for darker ones; None for either."""
     search_mm: float = limits.DEFAULT_SEARCH_MM  # distance around a position within which its mark is looked for, mm
     min_correlation: float = limits.DEFAULT_MIN_CORRELATION  # smallest correlation of a measured mark
-    surface: SurfaceBasis = SurfaceBasis.CORRELATION
-    """The values of the surface that places a mark to a fraction of a pixel."""
+    surface: SurfaceBasis = SurfaceBasis.CORRELATION  # what a mark is placed to a fraction of a pixel by
     model: PlaneModel = PlaneModel.AFFINE  # the transformation from the scan to the calibration
 
 
@@ -80,8 +79,7 @@ class PhotoOrientation:
     notices: tuple[Message, ...] = ()  # warnings and remarks for the user
     views: Mapping[str, PhotoView] = field(default_factory=dict)
     """The surroundings of each mark, for pictures; of a failed one where it should be."""
-    expected: Mapping[str, Place] = field(default_factory=dict)
-    """Places of the marks that failed, by the transformation, px."""
+    expected: Mapping[str, Place] = field(default_factory=dict)  # where failed marks should be, px
 
     def count(self, status: MarkStatus) -> int:
         return sum(mark.status is status for mark in self.marks)
@@ -91,8 +89,7 @@ class PhotoOrientation:
 class MarkSearch:
     """The marks that were looked for, as measured or failed."""
 
-    results: Mapping[str, MeasuredMark] = field(default_factory=dict)
-    """Measured marks by the calibration's names; marks with a given place are not among them."""
+    results: Mapping[str, MeasuredMark] = field(default_factory=dict)  # by the calibration's names, but for given marks
     template: MarkShape | CutOut | None = None  # what they were measured with
     scan_orientation: ScanOrientation | None = None  # how the photo lies, where the search told
     evidence: OrientationEvidence | None = None  # what told

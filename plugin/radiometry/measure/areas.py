@@ -141,9 +141,7 @@ class GreyTone:
 class ColourBalance:
     """The difference of the colours of grey areas from grey."""
 
-    value: float
-    """Largest difference between the means of red, green and blue over all areas, each counted once, as a share of
-    the range."""
+    value: float  # largest difference between the means of red, green and blue of all areas, share of the range
     means: tuple[float, float, float]  # means of red, green and blue over all areas, DN
     tones: tuple[GreyTone, ...]  # tones of the areas that counted
     worst: GreyTone  # the area whose bands differ most

@@ -50,8 +50,7 @@ class Assessment:
     window_id: int | None  # None for the whole image
     checked_figures: tuple[CheckedFigure, ...]
     available: ValueRange | None  # the range that shares are shares of; None where nobody says it
-    histograms: Mapping[str, Histogram]
-    """Histograms by band name, and luminosity; empty when the values can't be counted."""
+    histograms: Mapping[str, Histogram]  # by band name, and luminosity; empty when the values can't be counted
     seams: tuple[SeamStep, ...] = ()
     notices: tuple[Message, ...] = ()
     maybe_grey: MaybeGrey | None = None  # what may be grey, where no grey areas were given
@@ -222,8 +221,7 @@ def _checked(measured: MeasuredImage, rule: Rule, band: str, figure: _Found | Me
 class RadiometricOutcome(Enum):
     """The decision on an image, or on all."""
 
-    ACCEPTED = "accepted"
-    """Every figure that has a limit keeps it, those apart that could not be measured and that no rule requires."""
+    ACCEPTED = "accepted"  # every limit is kept, but for figures that are not measurable and not required
     REJECTED = "rejected"  # at least one figure is beyond its limit
     UNDECIDED = "undecided"  # nothing is beyond its limit, and something that a rule requires is not known
 

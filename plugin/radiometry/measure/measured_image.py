@@ -24,10 +24,8 @@ class MeasuredImage:
     window_id: int | None  # None for the whole image
     seams: tuple[SeamStep, ...] | None = None  # with the bands of ``areas``; None without seamlines
     grey: tuple[GreyTone, ...] | None = None  # empty where no grey area lies on the image; None where none were given
-    bands: tuple[str, ...] = ()
-    """The bands that areas and seams are measured in: those of the image, and luminosity where a rule asks for it."""
-    histograms: Mapping[str, Histogram] = field(default_factory=dict)
-    """Histograms by band name, and luminosity; empty where the values can't be counted."""
+    bands: tuple[str, ...] = ()  # of areas and seams: the image's, and luminosity where a rule asks for it
+    histograms: Mapping[str, Histogram] = field(default_factory=dict)  # by band name, and luminosity; empty without
     areas: Areas | None = None  # None where the values can't be counted
 
     @property

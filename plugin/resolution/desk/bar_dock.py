@@ -122,8 +122,7 @@ def row(*widgets: QWidget) -> QWidget:
     return box
 
 
-MeasuredLines = dict[tuple[Optional["Segment"], int, float], MeasuredLine]
-"""Measured lines by place, bars in a group and width."""
+MeasuredLines = dict[tuple[Optional["Segment"], int, float], MeasuredLine]  # by place, bars in a group, width
 
 
 def image_job(ref: RasterRef) -> Job:

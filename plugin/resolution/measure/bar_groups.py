@@ -33,10 +33,8 @@ class GroupResult:
     resolved: bool = False
     spurious: bool = False  # whether bars are seen there that are aliasing
     reason: Message | None = None  # why it is not resolved, or what to know about it
-    grd_error_cm: float | None = None
-    """Standard deviation of the distance, from those of the amplitudes; None where there are none."""
-    may_pass: bool = False
-    """Whether its bars stand out and their share of the full amplitude may reach the criterion (95 %)."""
+    grd_error_cm: float | None = None  # its standard deviation, from those of the amplitudes
+    may_pass: bool = False  # whether its bars stand out and their share may reach the criterion (95 %)
     may_fail: bool = True  # whether it is not resolved, or its share may lie below the criterion (95 %)
 
     @property
@@ -60,15 +58,11 @@ class TargetResolution:
     """The verdicts on all groups of a target, and its ground resolved distances."""
 
     results: tuple[GroupResult, ...]  # verdicts by line and band, in the order of the lines
-    grd_cm: dict[tuple[str, str], float | None]
-    """Ground resolved distance by direction and band; None where no group is resolved."""
-    grd_error_cm: dict[tuple[str, str], float | None]
-    """Standard deviation of each, from those of the amplitudes of its group."""
-    contrasts: dict[str, float]
-    """Bars to gaps of the coarsest group, DN over DN, by band; those without one are missing."""
+    grd_cm: dict[tuple[str, str], float | None]  # by direction and band; None where no group is resolved
+    grd_error_cm: dict[tuple[str, str], float | None]  # its standard deviation, from those of the amplitudes
+    contrasts: dict[str, float]  # bars to gaps of the coarsest group, DN over DN, by band that has one
     notices: tuple[Message, ...]  # what the user should know of the target as a whole
-    scale_notice: Message | None = None
-    """The one of them that says that the bars do not lie as the group numbers and the pixel size say."""
+    scale_notice: Message | None = None  # says that bars do not lie as numbers and pixel size say
 
     def worst(self, direction: str) -> float | None:
         """The largest distance of a direction over its bands; None unless every band resolves a group."""

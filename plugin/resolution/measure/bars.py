@@ -49,18 +49,13 @@ class BarReading:
     bright: bool  # whether the bars are brighter than the ground
     bars: tuple[Extreme, ...]  # the bars that stand out, in the order of the profile
     gaps: tuple[Extreme, ...]  # the gap between each two neighbouring bars
-    grounds: tuple[float, ...]
-    """The ground beside the outer bars, within a cycle and as unlike the bars as it gets there, DN."""
-    full_amplitude: float
-    """What the amplitude is a share of, DN: to the darkest place seen, until the target as a whole puts it right."""
+    grounds: tuple[float, ...]  # the ground beside the outer bars, within a cycle and as unlike them as it gets, DN
+    full_amplitude: float  # what the amplitude is a share of, DN: to the darkest place, until the target puts it right
     full_error: float  # standard deviation of the full amplitude, DN
     amplitude: float | None  # mean of the inner bars less that of the gaps, DN; None for fewer than two bars
-    amplitude_error: float | None
-    """Standard deviation of the amplitude, DN: from the noise of the pixels, and from how much bars and gaps differ."""
-    modulation: float | None
-    """(max - min)/(max + min) of the bars and the gaps between them; None for fewer than two bars."""
-    plain: PlainPlace | None = None
-    """The place of the gaps' plain brightness; None before the target as a whole put the full amplitude right."""
+    amplitude_error: float | None  # its standard deviation, DN: from the noise, and from how much bars and gaps differ
+    modulation: float | None  # (max - min)/(max + min) of bars and gaps; None for fewer than two bars
+    plain: PlainPlace | None = None  # where the gaps' plain brightness is; None until the target puts it right
 
     @property
     def spacing(self) -> float | None:
@@ -238,8 +233,7 @@ class BarLine:
     direction: str  # ``along`` or ``across`` the flight, or what was given instead
     segment: Segment | None  # None where the line can't be used
     reason: Message | None = None  # why it can't be used
-    seen: Mapping[str, bool] = field(default_factory=dict)
-    """Whether each observer who judged the group tells its bars apart."""
+    seen: Mapping[str, bool] = field(default_factory=dict)  # whether each observer tells its bars apart
 
 
 @dataclass(frozen=True)
@@ -248,8 +242,7 @@ class MeasuredLine:
     segment: Segment | None  # the line turned to be perpendicular to the bars; None when it could not be measured
     readings: dict[str, BarReading] = field(default_factory=dict)  # readings by band
     saturated: dict[str, float] = field(default_factory=dict)  # the DN that bars are clipped at, by band
-    shifts: dict[str, float] = field(default_factory=dict)
-    """Displacement of a band's bars against those of green along the line, px, by band."""
+    shifts: dict[str, float] = field(default_factory=dict)  # px along the line against the bars of green, by band
     reason: Message | None = None  # why it could not be measured
 
 

@@ -53,8 +53,7 @@ class HeightResult:
     reference_m: float | None  # what it is compared with, m
     notice: Message | None  # what to know about it
     observers: int = 1  # how many readings the passes have together
-    observer_spread_m: float | None = None
-    """Standard deviation of one observer's height within a pass, m; None where no pass has several."""
+    observer_spread_m: float | None = None  # of one observer within a pass; None where no pass has several
 
     @property
     def mean_m(self) -> float:

@@ -34,13 +34,11 @@ class Target:
 
     bars: int = DEFAULT_BARS  # bars in each group
     reference_group: int = DEFAULT_REFERENCE_GROUP  # number of the group whose width is known
-    reference_grd_cm: float = DEFAULT_REFERENCE_GRD_CM
-    """Distance of the reference group, cm on the ground: of what ``grd_of`` says."""
+    reference_grd_cm: float = DEFAULT_REFERENCE_GRD_CM  # cm on the ground, of what ``grd_of`` says
     step: float = DEFAULT_GROUP_STEP  # how many times as wide the next coarser group is
     criterion: float = DEFAULT_CRITERION  # share of the full amplitude that the bars of a resolved group keep
     reversed: bool = False  # whether higher numbers are coarser
-    full_amplitude: str = GROUP
-    """What the criterion is a share of: the bars of the ``group`` against plain gaps, or the ``coarsest`` one."""
+    full_amplitude: str = GROUP  # the criterion's: the ``group``'s bars against plain gaps, or the ``coarsest``'s
     grd_of: str = CYCLE  # what a distance is the width of: ``cycle``, a bar and a gap together; ``bar``, one of them
 
     def grd_cm(self, group: int) -> float:

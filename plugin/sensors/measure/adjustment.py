@@ -89,8 +89,7 @@ class Adjustment:
     residuals_px: np.ndarray  # (n, 2) model minus measured: column, row
     residuals_m: np.ndarray  # (n, 2) model minus given, at the point's height: x, y
     blunder: np.ndarray  # (n,) bool
-    sigma_px: float
-    """Standard deviation of a control point's coordinate, from the residuals and the redundancy; NaN without any."""
+    sigma_px: float  # of a control point's coordinate, from residuals and redundancy; NaN without any
 
     @property
     def control(self) -> Accuracy:

@@ -99,8 +99,7 @@ class Ortho:
     pixel_size: float  # map units
     columns: int  # number of columns, px
     rows: int  # number of rows, px
-    rms_px: float
-    """RMS error of the RPC that stands for the model, in pixels of the image; 0 for an RPC itself, and for a photo."""
+    rms_px: float  # of the RPC that stands for the model, px of the image; 0 for an RPC itself, and a photo
     max_px: float  # the largest of the same
     uncovered: float  # share of the image without terrain heights
     notices: tuple[Message, ...]  # warnings and remarks for the user

@@ -48,8 +48,7 @@ class Points:
 
     ids: tuple[str, ...]  # n names
     image: np.ndarray  # (n, 2) column, row in px
-    ground: np.ndarray
-    """(n, 3) x, y in the units of ``wkt`` and height in m above the ellipsoid; NaN where no height is known."""
+    ground: np.ndarray  # (n, 3) x, y in units of ``wkt``, height in m above the ellipsoid; NaN where unknown
     wkt: str  # reference system of x and y
     sigma_px: np.ndarray  # (n,) standard deviation of a coordinate in the image; NaN where none is given
     check: np.ndarray  # (n,) bool: whether a point only judges the fit

@@ -47,13 +47,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     NAME: str
     GROUP = SEAM_INSPECTION
     HELP: str
-    RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)
-    """Parameters with many rasters, which are opened one by one and not by QGIS."""
-    DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)
-    """Outputs with charts: where they are asked for, the package that draws them has to be there."""
+    RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)  # parameters with many rasters, which QGIS is not to open
+    DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)  # outputs with charts, which need matplotlib
     PAGES: tuple[str, ...] = (common.REPORT,)  # outputs that are made from templates, likewise
-    NAMED_BY_FORMAT: tuple[str, ...] = ()
-    """Output files whose ending has to be one that is offered, beside pages; that of rasters always has."""
+    NAMED_BY_FORMAT: tuple[str, ...] = ()  # output files whose ending has to be one that is offered, beside pages
 
     _leads: Mapping[str, str] = {}  # a run's
 

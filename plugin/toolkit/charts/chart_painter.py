@@ -12,8 +12,7 @@ from qgis.PyQt.QtSvg import QSvgGenerator
 from ..painting import painting
 from .chart_style import ChartStyle
 
-PT = 100 / 72
-"""Widths of lines and sizes of points are given in points, of which a screen of 100 dpi shows so many pixels."""
+PT = 100 / 72  # px of a point, on a screen of 100 dpi
 
 
 def paper_font(pixels: float) -> QFont:
