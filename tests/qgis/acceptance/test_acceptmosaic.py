@@ -67,13 +67,6 @@ def test_metres_share_and_longest_failure() -> None:
     assert f"is {found['LONGEST_FAILURE']:.1f} m and the limit is only 50 m" in decision(outcome)
 
 
-def test_a_run_alone_rejects() -> None:
-    outcome = decide(seams([F] * 3 + [P] * 200))
-    assert outcome.results["ACCEPTED"] == 0
-    assert outcome.results["LONGEST_FAILURE"] == 75
-    assert f"is {outcome.results['LONGEST_FAILURE']:.1f} m and the limit is only 50 m" in decision(outcome)
-
-
 def test_several_sheets_make_a_lot_and_runs_cross_their_borders() -> None:
     west, east = seams([P, P, F, F], name="west"), seams([F, P, P], start=100, name="east")
     outcome = decide(west, east, MAX_SHARE=50)
@@ -83,12 +76,6 @@ def test_several_sheets_make_a_lot_and_runs_cross_their_borders() -> None:
     assert any(f"{longest:.1f} m at" in said and "west" in said and "east" in said for said in outcome.log.infos)
     apart = decide(west, seams([F, P, P], start=101, name="east"), MAX_SHARE=50)
     assert apart.results["LONGEST_FAILURE"] == 50
-
-
-def test_the_limit_itself_passes() -> None:
-    assert decide(seams([0.7] * 10)).results["FAILED_METRES"] == 0
-    assert decide(seams([0.7] * 10), MIN_KEPT=0.71).results["FAILED_METRES"] == 250
-    assert decide(seams([F]), seams([P] * 49, y=50), MAX_SHARE=2).results["ACCEPTED"] == 1
 
 
 def test_what_could_not_be_measured_is_not_passed() -> None:
@@ -104,15 +91,6 @@ def test_what_could_not_be_measured_is_not_passed() -> None:
     nothing = decide(seams([None] * 3))
     assert nothing.results["DECISION"] == "undecided"
     assert nothing.results.keys().isdisjoint({"ACCEPTED", "FAILED_SHARE"})
-
-
-@pytest.mark.parametrize(("failed", "accepted"), [(2, 1), (3, 0)])
-def test_a_plan_of_the_standard(failed: int, accepted: int) -> None:
-    made = seams([F] * failed + [P] * (80 - failed))
-    outcome = decide(made, PLAN="iso2859", LOT_SIZE=1000, AQL="1.0", INSPECTION_LEVEL="II")
-    assert outcome.results["ACCEPTED"] == accepted
-    assert f"{failed} of 80 inspected pieces failed" in decision(outcome)
-    assert "code letter J" in decision(outcome)
 
 
 @pytest.mark.parametrize(("failed", "accepted"), [(1, 1), (2, 0)])
@@ -139,21 +117,6 @@ def test_an_isolated_lot_has_a_plan_of_its_own(
 def test_an_aql_may_be_a_number(aql: object) -> None:
     outcome = decide(seams([P] * 80), PLAN="iso2859", LOT_SIZE=1000, AQL=aql)
     assert outcome.results["ACCEPTED"] == 1
-
-
-def test_pieces_that_were_not_measured_leave_a_plan_its_lot() -> None:
-    outcome = decide(seams([None] + [P] * 39), PLAN="iso2859")
-    assert outcome.results["ACCEPTED"] == 1
-    assert "lot of 39" in decision(outcome)
-    ready = decide(seams([None] * 2 + [P] * 48), READY_RULES="iso2859_level_II_aql_1_0")
-    assert ready.results["ACCEPTED"] == 1
-
-
-def test_a_sample_is_drawn_with_a_seed() -> None:
-    made = seams([F] * 100 + [P] * 900)
-    found = [decision(decide(made, PLAN="iso2859", SEED=seed)) for seed in (4, 4, 5, 6, 7)]
-    assert found[0] == found[1]
-    assert len(set(found)) > 1
 
 
 def test_ready_rules_and_a_file_of_ones_own(tmp_path: Path) -> None:
@@ -313,16 +276,6 @@ def test_a_filtered_layer_is_refused(tmp_path: Path) -> None:
         assert_refused("acceptmosaic", "is filtered .*kept_1 > 0.7.* remove the filter", SEAMS=[given])
 
 
-def test_seams_that_lack_between_stations_leave_it_open() -> None:
-    made = seams([P] * 4 + [F] + [P] * 45)
-    whole = decide(made, MAX_SHARE=10)
-    assert whole.results["DECISION"] == "accepted"
-    made.dataProvider().deleteFeatures([row.id() for row in made.getFeatures() if row["kept_1"] == F])
-    outcome = decide(made, MAX_SHARE=10)
-    assert outcome.results["DECISION"] == "undecided"
-    assert "the layers lack 25 m of seam" in decision(outcome)
-
-
 def test_features_without_a_line_are_told() -> None:
     made = layer(
         "LineString", [straight(0, 25), None, QgsGeometry.fromWkt(f"LINESTRING({X} {Y}, {X} {Y})")], UTM33,
@@ -331,12 +284,6 @@ def test_features_without_a_line_are_told() -> None:
     outcome = decide(made)
     assert outcome.results["TOTAL_METRES"] == pytest.approx(25, rel=1e-3)
     assert_sentence(outcome.log.warnings[0], r"made: features without a line are left out \(2\)")
-
-
-@pytest.mark.parametrize("kept", ["nan", "inf", "-inf"])
-def test_what_is_no_number_was_not_measured(kept: str) -> None:
-    outcome = decide(seams([float(kept)] + [P] * 3))
-    assert outcome.results["MEASURED_METRES"] == 75
 
 
 def test_text_that_is_a_number_is_one(tmp_path: Path) -> None:
@@ -384,12 +331,6 @@ def test_a_lot_smaller_than_its_pieces_is_refused() -> None:
     outcome = decide(seams([P] * 80), PLAN="iso2859", LOT_SIZE=10)
     assert_sentence(outcome.complaint, "The lot size is 10 and the layers hold 80 pieces")
     assert_sentence(decide(seams([P]), PLAN="iso2859").complaint, "at least 2")
-
-
-def test_nothing_is_written_over_the_seams(tmp_path: Path) -> None:
-    path = file(seams([P] * 4), tmp_path / "seams.gpkg")
-    for given in (path, f"{path}|layername=seams"):
-        assert_refused("acceptmosaic", "would be written over", SEAMS=[given], DEFECTS=path)
 
 
 @pytest.mark.parametrize("number", [float("nan"), float("inf")])

@@ -1,7 +1,6 @@
 """A layer that is not as a scan left it is never accepted; a row of pieces that nobody measured may be a failure."""
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,7 +10,7 @@ from osgeo import gdal, ogr
 from qgis.core import QgsCoordinateReferenceSystem, QgsVectorLayer
 
 from tests.pages import outline
-from tests.qgis.acceptance.seam_scenes import X, Y, file, sealed, seams
+from tests.qgis.acceptance.seam_scenes import file, sealed, seams
 from tests.qgis.runs import Run, run
 from tests.qgis.scenes import saved
 
@@ -171,44 +170,6 @@ def test_a_sample_is_sealed_as_what_it_was_drawn_of(tmp_path: Path) -> None:
 
 
 # --- rows of pieces that were not measured ------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("row", "metres"),
-    [
-        ([None] * 3, 75), ([None, None, F], 75), ([None] * 2, 0), ([None, None, P, None], 0), ([F, None, F, None], 100),
-    ],
-)
-def test_a_row_that_was_not_measured_leaves_the_longest_failure_open(
-    row: list[float | None], metres: float, tmp_path: Path
-) -> None:
-    paper = {"REPORT": str(tmp_path / "r.html"), "QUALITY": str(tmp_path / "q.xml")}
-    outcome = decide(seams([P] * 60 + row + [P] * 60), **paper)
-    assert outcome.results["DECISION"] == ("undecided" if metres else "accepted")
-    page = outline((tmp_path / "r.html").read_text(encoding="utf-8"))
-    (rule,) = (cells for cells in page.rows if cells[0] == "longest failure without a break")
-    assert rule[-1] == ("can't be told" if metres else "passed")
-    text = (tmp_path / "q.xml").read_text(encoding="utf-8")
-    if metres:
-        words = f"it may be {metres:.1f} m by a row of pieces that were not measured"
-        x, y = X + 25 * 60 + metres / 2, Y
-        place = f"{metres:.1f} m at {x:.1f}, {y:.1f} in seams"
-        assert words in decision(outcome)
-        assert any(place in text for text in outcome.log.warnings)
-        assert place in page.words
-        assert any(cells[0] == "seams" and cells[-1] == f"{x:.1f} {y:.1f}" for cells in page.rows)
-        assert place in text
-        (element,) = (one for one in ET.fromstring(text).iterfind(".//*[@id='longest_failure']"))
-        assert words in "".join(element.itertext())
-    else:
-        assert "Rows that were not measured" not in page.words
-
-
-def test_a_row_that_was_not_measured_is_looked_at_across_sheets() -> None:
-    west, east = seams([P] * 60 + [None] * 2, name="west"), seams([None] + [P] * 60, start=1550, name="east")
-    outcome = decide(west, east, SHEETS_OUT="TEMPORARY_OUTPUT")
-    assert "it may be 75.0 m by a row" in decision(outcome)
-    assert outcome.column("verdict", "SHEETS_OUT") == ["accepted", "accepted"]
 
 
 # --- failures that are surely failures ------------------------------------------------------------------------------
