@@ -157,10 +157,8 @@ def best_arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], rea
     single mark's best candidate is taken as it is. Every pair of candidates of two marks gives a shift, a rotation and
     a scale, which say where the others are.
 
-    Parameters
-    ----------
-    candidates : the peaks that may be each mark of the frame, columns and rows in the photo
-    reach : how far a candidate may lie from where the pair puts it, px
+    ``candidates``: the peaks that may be each mark of the frame (columns and rows in the photo). ``reach``: how far one
+    may lie from where the pair puts it, px.
     """
     count = len(frame.marks)
     if count == 1:

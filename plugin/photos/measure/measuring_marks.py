@@ -83,10 +83,8 @@ def measure_mark(
     the extremum is at the middle of the pixels it is computed from, where it has no bias. No second place in the whole
     window may fit nearly as well.
 
-    Parameters
-    ----------
-    near, reach : where the mark should be (column and row in the photo) and how far from there it may be, px
-    least : smallest correlation of a mark that is measured
+    ``near``: where the mark should be (column and row in the photo). ``reach``: how far from there it may be, px.
+    ``least``: smallest correlation of a mark that is measured.
     """
     field = correlate(window.pixels, template.at((0.0, 0.0)))
     if field.size == 0:

@@ -49,14 +49,8 @@ def sample_areas(
 ) -> Areas:
     """The areas of a block of pixels that lie in even steps and have no invalid pixel.
 
-    Parameters
-    ----------
-    bands : (bands, rows, columns)
-    invalid : (rows, columns) of bool, or None
-    step : int
-        px between the upper left corners of areas.
-    corner : (column, row)
-        Place of the block's first pixel in the raster.
+    ``bands``: (bands, rows, columns). ``step``: px between upper left corners. ``corner``: column and row of the
+    block's first pixel in the raster.
     """
     side = limits.AREA_PX
     if min(bands.shape[1:]) < side:

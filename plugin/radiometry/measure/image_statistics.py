@@ -118,16 +118,10 @@ def stream_statistics(
 ) -> tuple[dict[str, Histogram], Areas] | None:
     """Histograms and areas of a window of a raster, read block by block, every block once and one ahead.
 
-    Parameters
-    ----------
-    counted : tuple of str
-        Names of the bands, and ``luminosity``, that have histograms, at least one.
-    looked_at : tuple of str
-        The bands of areas of 16 x 16 px, spread over the window, those with an invalid pixel left out.
-    given : (lowest, highest) DN, optional
-        The range over which values other than 8 and 16 bit are counted.
-    progress : callable
-        Gets the share that is done after each block, and ends the work by returning False: then there is no result.
+    ``counted``: names of the bands, and ``luminosity``, that have histograms, at least one. ``looked_at``: the bands of
+    areas of 16 x 16 px, spread over the window, those with an invalid pixel left out. ``given``: the range (DN) over
+    which values other than 8 and 16 bit are counted. ``progress`` gets the share that is done after each block, and
+    ends the work by returning False: then there is no result.
 
     Raises RasterError when the pixels can't be read.
     """

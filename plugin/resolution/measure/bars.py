@@ -90,15 +90,7 @@ class BarReading:
 
 
 def read_bars(profile: Profile, bars: int, bright: bool | None = None) -> BarReading:
-    """Find the bars of a group in a profile.
-
-    Parameters
-    ----------
-    profile : Profile
-    bars : int
-        Bars in a group of the target.
-    bright : bool, optional
-        Whether the bars are brighter than the ground; None for whichever there are ``bars`` of.
+    """Find the bars of a group, ``bright`` (than the ground) or dark, None for whichever there are ``bars`` of.
 
     A bar stands out by a quarter of the profile's range, on the side of a gap at least: the ground beside the outer
     bars may be as bright as they are. Its brightness and place are those of the vertex of a parabola through its middle
@@ -249,18 +241,8 @@ class MeasuredLine:
 def measure_line(raster: Raster, line: BarLine, bars: int, width: float, band: int | None = None) -> MeasuredLine:
     """Profiles across the bars of one group and what they show; never raises for a line that can't be measured.
 
-    Parameters
-    ----------
-    line : BarLine
-        In pixels of the raster.
-    bars : int
-        Bars in a group of the target.
-    width : float
-        px either side of the line that the profile is averaged over.
-    band : int, optional
-        The place of the only band that is measured; None for all.
-
-    Raises RasterError when the raster can't be read.
+    ``line``: in pixels of the raster. ``width``: px either side of it that are averaged over. ``band``: the place of
+    the only one that is measured, None for all. Raises RasterError when the raster can't be read.
     """
     if line.segment is None or line.reason is not None:
         return MeasuredLine(line, None, reason=line.reason)

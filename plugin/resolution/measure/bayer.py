@@ -70,19 +70,9 @@ def _strips(source: OpenRaster, pattern: str, demosaic: str) -> Iterator[tuple[i
 
 
 def filtered(colours: np.ndarray, pattern: str) -> np.ndarray:
-    """The values that the chip records.
+    """What the chip records (rows, columns) of a scene's red, green and blue (3, rows, columns).
 
-    Parameters
-    ----------
-    colours : (3, rows, columns)
-        Red, green and blue of the scene.
-    pattern : str
-        Colours of the filter over the first two pixels of the first row, then of the second.
-
-    Returns
-    -------
-    (rows, columns)
-        Of each pixel the colour of its filter.
+    ``pattern``: colours of the filter over the first two pixels of the first row, then of the second.
     """
     return np.asarray(np.choose(_colour_indices(pattern, colours.shape[1:]), colours))
 

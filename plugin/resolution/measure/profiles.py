@@ -154,18 +154,7 @@ def perpendicular_line(patch: Patch, bands: list[int], line: Segment, width: flo
 
 
 def bar_profile(patch: Patch, band: int, line: Segment, width: float) -> Profile:
-    """The profile along a line.
-
-    Parameters
-    ----------
-    patch : Patch
-        The pixels around the line.
-    band : int
-        The place of the band among those of the patch.
-    line : Segment
-        Perpendicular to the bars, px of the raster.
-    width : float
-        px either side of the line that are averaged over.
+    """The profile along a line perpendicular to the bars (px of the raster), ``width`` px either side of it averaged.
 
     A smooth curve (cubic splines, knots every half pixel) is fitted to the values of the pixels themselves at their
     distances along the line, so nothing is resampled first, and a line that crosses the bars at many phases of the
