@@ -11,7 +11,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsVectorLayer
 
 from tests.pages import outline
 from tests.qgis.acceptance.seam_scenes import file, sealed, seams
-from tests.qgis.runs import Run, run
+from tests.qgis.runs import Run, assert_refused, run
 from tests.qgis.scenes import saved
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -85,6 +85,7 @@ def other_system(path: Path) -> None:
         (sql("UPDATE seams SET kept_1 = 0.95, kept_low = 0.9, kept_high = 1.0 WHERE kept_1 < 0.7"), CHANGED),
         (sql("UPDATE seams SET verdict = 'not_comparable' WHERE kept_1 < 0.7"), CHANGED),
         (sql("DELETE FROM seams WHERE kept_1 < 0.7"), CHANGED),
+        (sql("UPDATE seams SET level = 'stretch' WHERE kept_1 < 0.7"), CHANGED),
         (stripped, UNSEALED), (without_failures, UNSEALED), (other_settings, CHANGED),
         (other_system, "another reference system than their scan gave them: 1 (seams)"),
     ],
@@ -103,6 +104,12 @@ def test_a_layer_that_was_changed_is_not_accepted(
     assert outcome.results["DECISION"] == "undecided"
     assert words in decision(outcome)
     assert any("in the GeoPackages themselves or copies of these files" in text for text in outcome.log.warnings)
+
+
+def test_a_layer_of_which_no_row_is_a_piece_of_seam_any_more_is_refused(tmp_path: Path) -> None:
+    file(sealed(seams([P] * 9)), path := tmp_path / "seams.gpkg")
+    sql("UPDATE seams SET level = 'stretch'")(path)
+    assert_refused("acceptmosaic", "none of their rows is a piece of seam", SEAMS=[str(path)])
 
 
 def test_each_layer_of_a_lot_is_looked_at(tmp_path: Path) -> None:
