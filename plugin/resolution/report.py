@@ -12,10 +12,10 @@ from matplotlib.figure import Figure
 from ..imagery.grids import PixelWindow
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
+from ..toolkit.charts.chart_style import band_colour
 from ..toolkit.charts.figure_files import plain_figure, svg_text
 from ..toolkit.pages.templates import HowMeasured, measured_raster, save_page, sentences_once
 from ..toolkit.translation import band_title, filled, percent, sentence, shown_number, tr
-from .band_colours import band_colour
 from .charts import VERDICT_COLOURS, lines_of, profile_rows, verdict_of, verdict_word
 from .distance_words import direction_title, distance_number, distance_text, target_distances
 from .measure.bar_groups import GroupResult, TargetResolution
@@ -82,7 +82,7 @@ def _bands(results: Sequence[GroupResult]) -> list[tuple[str, str]]:
     names = list(dict.fromkeys(result.band for result in results if result.band))
     if len(names) < 2:
         return []
-    return [(band_colour(name, place, len(names)), band_title(name)) for place, name in enumerate(names)]
+    return [(band_colour(name, place, False), band_title(name)) for place, name in enumerate(names)]
 
 
 def _observers(resolution: TargetResolution) -> list[tuple[str, ...]]:

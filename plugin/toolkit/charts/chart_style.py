@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
+BAND_COLOURS = {"red": "#d55e00", "green": "#009e73", "blue": "#0072b2", "nir": "#cc79a7"}
 """Colours of bands that are drawn together."""
 MOST_NAMED = 12  # curves in the legend of a chart; more would leave no room for the curves
 UNNAMED = "_"  # the label of a curve that no legend names
@@ -39,6 +39,11 @@ DARK = ChartStyle(
     quiet="#a8b0b8",
     sources=("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00"),  # theirs that show on black
 )
+
+
+def band_colour(band: str, place: int, is_alone: bool, style: ChartStyle = PAPER) -> str:
+    """The colour of a band by its name, else that of words where it stands out, else by its place among those drawn."""
+    return BAND_COLOURS.get(band) or (style.text if is_alone else style.sources[place % len(style.sources)])
 
 
 def source_look(number: int, style: ChartStyle) -> tuple[str, str]:
