@@ -109,6 +109,14 @@ class SeenWindow:
     remark_2: str = ""
 
 
+def numbers_in(text: str) -> list[float]:
+    """The numbers of a text, between blanks, or commas where several scans say one each; none where a word is none."""
+    try:
+        return [float(word) for word in text.replace(",", " ").split()]
+    except ValueError:
+        return []
+
+
 class SheetState(Enum):
     """What a sheet is to the mosaic of all sheets. The values are words of the checked layer."""
 
@@ -157,23 +165,17 @@ class DeliveredLayer:
     @property
     def unexplained(self) -> float:
         """Share of its mosaic that follows none of the orthoimages, in which no seam is found; 0 where nothing says."""
-        return self._number("unexplained")
+        return max(numbers_in(self.settings.get("unexplained", "")), default=0.0)
 
     @property
     def unseen_m(self) -> float:
         """Metres of border around that: as much seam may be in no figure; 0 where nothing says."""
-        return self._number("unexplained_border")
+        return sum(numbers_in(self.settings.get("unexplained_border", "")))
 
     @property
     def unread(self) -> float:
         """Share of its mosaic that its scan could not read; 0 where nothing says."""
-        return self._number("unread")
-
-    def _number(self, setting: str) -> float:
-        try:
-            return float(self.settings.get(setting, 0))
-        except ValueError:
-            return 0.0
+        return max(numbers_in(self.settings.get("unread", "")), default=0.0)
 
 
 @dataclass(frozen=True)

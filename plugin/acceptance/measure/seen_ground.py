@@ -13,7 +13,7 @@ from ...imagery.errors import Message, Stated
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, AcceptanceRules
 from .decision import MetreFigures
-from .delivery import Delivery
+from .delivery import Delivery, numbers_in
 
 MOST_APART = 0.05
 """Share of the metres that only the scan or only the seamlines may have as a seam: sound seamlines, and what a scan
@@ -58,10 +58,10 @@ class SeenGround:
     def of_settings(cls, settings: Mapping[str, str]) -> SeenGround:
         """What a scan wrote beside its rows."""
         def figures(name: str, nothing: float) -> list[float]:
-            return _numbers(settings.get(name, "").replace(",", " ")) or [nothing]
+            return numbers_in(settings.get(name, "")) or [nothing]
 
         def places(name: str) -> tuple[SeenPlace, ...]:
-            held = map(_numbers, settings.get(name, "").replace(",", ";").split(";"))
+            held = map(numbers_in, settings.get(name, "").replace(",", ";").split(";"))
             return tuple(SeenPlace(*one) for one in held if len(one) in (2, 4))
 
         return cls(
@@ -137,11 +137,3 @@ def ground_sentences(name: str, settings: Mapping[str, str]) -> Iterator[Message
 
 def _first(places: tuple[SeenPlace, ...]) -> str:
     return str(places[0]) if places else "-"
-
-
-def _numbers(text: str) -> list[float]:
-    """Words of a text as numbers, where all of them are; none otherwise."""
-    try:
-        return [float(word) for word in text.split()]
-    except ValueError:
-        return []
