@@ -27,7 +27,7 @@ from ...imagery.statistics import DECIDED
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, RuleOutcome
-from .delivery import DeliveredLayer, Delivery, Seal, SheetState
+from .delivery import Delivery, Seal, SheetState
 from .failure_runs import failure_runs, unknown_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
@@ -388,7 +388,7 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
     if names := [one.name for one in layers if not SeenGround.of_settings(one.settings).is_known]:
         yield messages.SEAMS_ELSEWHERE_UNKNOWN(names=_first_names(names))
     for one in layers:
-        yield from _seen(one)
+        yield from ground_sentences(one.name, one.settings)
     if names := [one.name for one in layers if one.settings.get("seams") == "found"]:
         yield messages.SEAMS_FOUND(name=_first_names(names))
     if names := [one.name for one in layers if one.settings.get("seams") == "given"]:
@@ -413,17 +413,6 @@ def _files(delivery: Delivery) -> Iterator[Message]:
         yield messages.SOURCES_BELIEVED()
 
 
-def _seen(layer: DeliveredLayer) -> Iterator[Message]:
-    """Where its scan could not find or measure seams."""
-    if layer.unexplained >= TOLD_UNEXPLAINED:
-        place = "; ".join(map(str, SeenGround.of_settings(layer.settings).unexplained_at))
-        yield messages.SCAN_UNEXPLAINED(name=layer.name, share=layer.unexplained, place=place)
-    yield from ground_sentences(layer.name, layer.settings)
-    if names := layer.settings.get("not_given"):
-        yield messages.SOURCES_NOT_GIVEN(name=layer.name, names=names)
-
-
-TOLD_UNEXPLAINED = 0.03  # share of a mosaic without orthoimage that is told, as the scan does
 MOST_AT_ENDS = 0.2
 """Share of the metres that may fail, which the ends of failures inside of pieces may leave open: with more the pieces
 are too coarse, as nothing above 1.25 times the allowed share is to be accepted nor below 0.8 times rejected."""
