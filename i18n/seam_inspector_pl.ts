@@ -19,12 +19,12 @@
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="225"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="219"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="218"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="212"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
@@ -39,7 +39,7 @@
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="219"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="213"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
@@ -84,42 +84,42 @@
         <translation>Kontrola linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/feature_sinks.py" line="105"/>
+        <location filename="../plugin/toolkit/algorithms/feature_sinks.py" line="97"/>
         <source>A result can&apos;t be written; is the disk full?</source>
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="105"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="104"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="186"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="180"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="107"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="192"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="186"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="198"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="192"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="199"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="193"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="206"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="200"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
@@ -129,7 +129,7 @@
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="212"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="206"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
@@ -159,7 +159,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="59"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="58"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
@@ -399,27 +399,27 @@
         <translation>{name} nie jest plikiem odczytywanym przez GDAL, lecz pochodzi z usługi sieciowej; wybierz sam plik rastra.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="18"/>
+        <location filename="../plugin/toolkit/messages.py" line="16"/>
         <source>The window has no outline; draw it anew.</source>
         <translation>Okno nie ma obrysu; narysuj je od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="19"/>
+        <location filename="../plugin/toolkit/messages.py" line="17"/>
         <source>The window is not a polygon; draw it as a rectangle.</source>
         <translation>Okno nie jest poligonem; narysuj je jako prostokąt.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="20"/>
+        <location filename="../plugin/toolkit/messages.py" line="18"/>
         <source>The window has several parts; split it into one window each.</source>
         <translation>Okno składa się z kilku części; podziel je tak, aby każda część była osobnym oknem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="21"/>
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
         <source>The outline of the window crosses itself; draw it anew as a rectangle.</source>
         <translation>Obrys okna przecina sam siebie; narysuj okno od nowa jako prostokąt.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="16"/>
+        <location filename="../plugin/toolkit/messages.py" line="14"/>
         <source>The window layer is empty; draw windows or place them along the seamlines first.</source>
         <translation>Warstwa okien jest pusta; najpierw narysuj okna albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
@@ -429,12 +429,12 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="41"/>
+        <location filename="../plugin/toolkit/messages.py" line="40"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos; or leave the scheduler empty.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="58"/>
+        <location filename="../plugin/toolkit/messages.py" line="52"/>
         <source>The Dask scheduler at {address} has no workers; start some or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
@@ -449,12 +449,12 @@
         <translation>tło</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="182"/>
+        <location filename="../plugin/noise/charts.py" line="179"/>
         <source>level</source>
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="183"/>
+        <location filename="../plugin/noise/charts.py" line="180"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
@@ -469,7 +469,7 @@
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="332"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="324"/>
         <source>Read pictures</source>
         <translation>Wczytaj obrazy</translation>
     </message>
@@ -499,7 +499,7 @@
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -609,7 +609,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="94"/>
+        <location filename="../plugin/radiometry/report.py" line="93"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
@@ -624,7 +624,7 @@
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="192"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="184"/>
         <source>new layer</source>
         <translation>nowa warstwa</translation>
     </message>
@@ -669,7 +669,7 @@
         <translation>brak: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/layer_box.py" line="57"/>
+        <location filename="../plugin/toolkit/desk/layer_box.py" line="56"/>
         <source>can&apos;t be used: {name}</source>
         <translation>nie można użyć: {name}</translation>
     </message>
@@ -784,7 +784,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="323"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -869,7 +869,7 @@
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="110"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="108"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
@@ -1079,7 +1079,7 @@
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="331"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="323"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
     </message>
@@ -1109,7 +1109,7 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="38"/>
+        <location filename="../plugin/toolkit/messages.py" line="37"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -1119,32 +1119,32 @@
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="137"/>
+        <location filename="../plugin/toolkit/translation.py" line="134"/>
         <source>luminance</source>
         <translation>luminancja</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="138"/>
+        <location filename="../plugin/toolkit/translation.py" line="135"/>
         <source>red</source>
         <translation>czerwony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="139"/>
+        <location filename="../plugin/toolkit/translation.py" line="136"/>
         <source>green</source>
         <translation>zielony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="140"/>
+        <location filename="../plugin/toolkit/translation.py" line="137"/>
         <source>blue</source>
         <translation>niebieski</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="141"/>
+        <location filename="../plugin/toolkit/translation.py" line="138"/>
         <source>near infrared</source>
         <translation>bliska podczerwień</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="143"/>
+        <location filename="../plugin/toolkit/translation.py" line="140"/>
         <source>band {number}</source>
         <translation>kanał {number}</translation>
     </message>
@@ -1279,82 +1279,82 @@
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="190"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="182"/>
         <source>no image</source>
         <translation>brak obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="69"/>
         <source> cm</source>
         <translation> cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="195"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="187"/>
         <source>along</source>
         <translation>wzdłuż</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="195"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="187"/>
         <source>across</source>
         <translation>w poprzek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="188"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="180"/>
         <source>Draw a line across the bars of the group: drag, or click at both ends.</source>
         <translation>Narysuj linię w poprzek pasków grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="300"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="292"/>
         <source>Measure a bar group</source>
         <translation>Zmierz grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="363"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="355"/>
         <source>Number of the group that is drawn next; it goes up by one with every line.</source>
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="76"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="73"/>
         <source>How many bars each group of the target has.</source>
         <translation>Ile pasków ma każda grupa testu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="77"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="74"/>
         <source>Number of the group whose distance is known. Higher numbers are finer.</source>
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="366"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="358"/>
         <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="367"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="359"/>
         <source>Lines</source>
         <translation>Linie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="101"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="96"/>
         <source>Bars</source>
         <translation>Paski</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="102"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="97"/>
         <source>Reference</source>
         <translation>Odniesienie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="369"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="361"/>
         <source>Group</source>
         <translation>Grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="36"/>
+        <location filename="../plugin/resolution/charts.py" line="34"/>
         <source>resolved</source>
         <translation>rozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="98"/>
+        <location filename="../plugin/resolution/charts.py" line="96"/>
         <source>along the line, px</source>
         <translation>wzdłuż linii, px</translation>
     </message>
@@ -1404,17 +1404,17 @@
         <translation>Porównaj modele sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="113"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="106"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="112"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="105"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="61"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="60"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
@@ -1574,87 +1574,87 @@
         <translation>Linie w poprzek pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="70"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="71"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="73"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="73"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="75"/>
         <source>Bars in a group</source>
         <translation>Liczba pasków w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="77"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="78"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="81"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="83"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="89"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="92"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="90"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="93"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="92"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="95"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="93"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="96"/>
         <source>Share of the full amplitude that the bars of a resolved group keep.</source>
         <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="99"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="102"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="100"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="103"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="102"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="105"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="103"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="106"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="231"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="225"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="105"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="108"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="107"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="110"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
@@ -1864,67 +1864,67 @@
         <translation>Potrzebne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="98"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="96"/>
         <source>Minimum flying height</source>
         <translation>Minimalna wysokość lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="101"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="99"/>
         <source>Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each pass its height times the required distance over the one that was read, then the mean of each group of passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2).</source>
         <translation>Oblicza z przelotów nad testem paskowym, jak nisko może lecieć sensor, aby nie rozróżniał więcej, niż uzgodniono: dla każdego przelotu jego wysokość razy wymagana terenowa zdolność rozdzielcza przez odczytaną, a następnie średnią każdej grupy przelotów, jej rozrzut i odległość od wartości odniesienia (Walczykowski i in. 2009, wzory 1 i 2).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="107"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="105"/>
         <source>Observations</source>
         <translation>Obserwacje</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="112"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="110"/>
         <source>Required distance (cm)</source>
         <translation>Wymagana GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="113"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="111"/>
         <source>The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies.</source>
         <translation>Terenowa zdolność rozdzielcza, poniżej której nie wolno zejść: 30 cm dla kamer optycznych w Open Skies.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="115"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="113"/>
         <source>Reference height (metres)</source>
         <translation>Wysokość odniesienia (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="119"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="117"/>
         <source>Keep flying heights apart</source>
         <translation>Rozdziel wysokości lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="120"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="118"/>
         <source>Rows of different &apos;height&apos; make groups of their own, as in tables 4A and 4B of the paper.</source>
         <translation>Wiersze o różnym polu „height” tworzą osobne grupy, jak w tabelach 4A i 4B artykułu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="122"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="120"/>
         <source>Minimum heights</source>
         <translation>Minimalne wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="126"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="124"/>
         <source>Heights by pass</source>
         <translation>Wysokości z przelotów</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="127"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="125"/>
         <source>The observations that were used, each with its minimum height &apos;h_min&apos;.</source>
         <translation>Użyte obserwacje, każda ze swoją minimalną wysokością „h_min”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="129"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="127"/>
         <source>Groups</source>
         <translation>Grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="166"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="163"/>
         <source>all passes</source>
         <translation>wszystkie przeloty</translation>
     </message>
@@ -2104,27 +2104,27 @@
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="175"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="164"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="74"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="68"/>
         <source>Ground control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="121"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="114"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="122"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="115"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="84"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="77"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
@@ -2134,32 +2134,32 @@
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="110"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="89"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="82"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="114"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="107"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="115"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="108"/>
         <source>Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="118"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="111"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="119"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="112"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
@@ -2169,7 +2169,7 @@
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="125"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="118"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
@@ -2334,7 +2334,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="118"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="117"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
@@ -2359,112 +2359,112 @@
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="115"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="114"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="125"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="124"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="126"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="125"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="131"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="130"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="62"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="61"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="63"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="62"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="58"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="57"/>
         <source>Reference system</source>
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="133"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="132"/>
         <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="68"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="70"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="134"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="133"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="135"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="134"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="72"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="72"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="75"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="74"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="76"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="75"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="136"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="135"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="137"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="136"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="140"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="139"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="141"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="140"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="142"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="141"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="208"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="206"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
@@ -2559,7 +2559,7 @@
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="99"/>
+        <location filename="../plugin/toolkit/messages.py" line="85"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
@@ -2634,7 +2634,7 @@
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="35"/>
+        <location filename="../plugin/toolkit/messages.py" line="34"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
@@ -2649,7 +2649,7 @@
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="36"/>
+        <location filename="../plugin/toolkit/messages.py" line="35"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -2749,64 +2749,39 @@
         <translation>Obiekt</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="19"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="17"/>
         <source>not measurable: {why}</source>
         <translation>niemierzalne: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="20"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="18"/>
         <source>{count} pixels are valid and at least {least} are needed; choose a larger part.</source>
         <translation>liczba pikseli z danymi wynosi {count}, a potrzeba co najmniej {least}; wybierz większą część.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="35"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="30"/>
         <source>fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such areas.</source>
         <translation>znaleziono mniej niż {least} jednorodnych obszarów {side} × {side} px o średnich tonach; narysuj okna na takich obszarach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="39"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="33"/>
         <source>the uniform areas do not vary at all; a photograph would, so check how the image was made.</source>
         <translation>obszary jednorodne wcale się nie zmieniają; na zdjęciu tak nie bywa, więc sprawdź, jak powstał obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="54"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="44"/>
         <source>it has no red, green and blue.</source>
         <translation>brak kanałów czerwonego, zielonego i niebieskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="57"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="47"/>
         <source>no seam runs across valid pixels of it for {pixels} px or more.</source>
         <translation>żadna linia mozaikowania nie biegnie przez piksele z danymi na długości {pixels} px lub większej.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="58"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="48"/>
         <source>The rules set no limit; give one in the rules file.</source>
         <translation>Reguły nie określają żadnej granicy; podaj ją w pliku reguł.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="7"/>
-        <source>A group of {bars} bars can&apos;t be measured; a target has at least {least} bars in a group.</source>
-        <translation>Nie można zmierzyć grupy złożonej z {bars} {bars:paska|pasków|pasków}; test ma w grupie co najmniej {least}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="8"/>
-        <source>The ground resolved distance is {grd} cm; give a positive number of centimetres.</source>
-        <translation>Terenowa zdolność rozdzielcza wynosi {grd} cm; podaj dodatnią liczbę centymetrów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="9"/>
-        <source>The step from group to group is {step}; give a factor above 1, such as 1.1225.</source>
-        <translation>Krok między grupami wynosi {step}; podaj mnożnik większy niż 1, np. 1,1225.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="10"/>
-        <source>The criterion is {criterion}; give a share of the full amplitude between 0 and 1.</source>
-        <translation>Kryterium wynosi {criterion}; podaj część pełnej amplitudy między 0 a 1.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="12"/>
-        <source>The profile is averaged over {width} px either side; give 0 to {most}.</source>
-        <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="34"/>
@@ -2814,162 +2789,162 @@
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="19"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="11"/>
         <source>The layer has no field &apos;{field}&apos;; add it and fill it in.</source>
         <translation>Warstwa nie ma pola „{field}”; dodaj je i wypełnij.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="15"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="8"/>
         <source>The layer has no lines; draw one across the bars of each group.</source>
         <translation>Warstwa nie ma linii; narysuj po jednej w poprzek pasków każdej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="21"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="13"/>
         <source>The line has no geometry; draw it anew across the bars of the group.</source>
         <translation>Linia nie ma geometrii; narysuj ją na nowo w poprzek pasków grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="22"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="14"/>
         <source>The line has several parts; draw one line across the bars of the group.</source>
         <translation>Linia składa się z kilku części; narysuj jedną linię w poprzek pasków grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="23"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="15"/>
         <source>The line is not straight; draw it with two points across the bars of the group.</source>
         <translation>Linia nie jest prosta; narysuj ją dwoma punktami w poprzek pasków grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="24"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="16"/>
         <source>The line leaves {name}; draw it on the image, across the bars of the group.</source>
         <translation>Linia wychodzi poza raster {name}; narysuj ją na obrazie, w poprzek pasków grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="25"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="17"/>
         <source>The line crosses pixels of {name} without data; draw it where the image is.</source>
         <translation>Linia przecina piksele rastra {name} bez danych; narysuj ją tam, gdzie jest obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="27"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="19"/>
         <source>The line is {length:.1f} px long, and {bars} bars with their gaps need {least} px at least; draw it from the ground on one side of the bars to that on the other.</source>
         <translation>Linia ma długość {length:.1f} px, a {bars} {bars:pasek|paski|pasków} z przerwami {bars:wymaga|wymagają|wymaga} co najmniej {least} px; narysuj ją od tła po jednej stronie pasków do tła po drugiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="31"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="22"/>
         <source>The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only.</source>
         <translation>Linia ma długość {length:.0f} px, a największa dopuszczalna to {most} px; narysuj ją w poprzek pasków tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="33"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="23"/>
         <source>The line has no whole number in its field &apos;group&apos;; fill in the group&apos;s number.</source>
         <translation>Linia nie ma liczby całkowitej w polu „group”; wpisz numer grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="34"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="24"/>
         <source>The line&apos;s direction is &apos;{direction}&apos;; fill in &apos;along&apos; or &apos;across&apos;.</source>
         <translation>Kierunek linii to „{direction}”; wpisz „along” lub „across”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="39"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="28"/>
         <source>Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its number.</source>
         <translation>Grupę {group} (kierunek „{direction}”) narysowano dwa razy; liczy się pierwsza linia, więc usuń tę albo popraw jej numer.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="43"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="31"/>
         <source>No bars stand out on the line; draw it across the bars of one group.</source>
         <translation>Na linii nie widać pasków; narysuj ją w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="44"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="32"/>
         <source>The bars can&apos;t be told apart: {found} of {bars} stand out.</source>
         <translation>Pasków nie można rozróżnić: widać {found} z {bars}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="45"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="33"/>
         <source>{found} bars stand out and a group has {bars}; draw the line across one group only.</source>
         <translation>Widać {found} {found:pasek|paski|pasków}, a grupa ma ich {bars}; narysuj linię w poprzek tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="46"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="34"/>
         <source>The amplitude is {share:.0%} of the full one and the criterion is {criterion:.0%}.</source>
         <translation>Amplituda wynosi {share:.0%} pełnej, a kryterium {criterion:.0%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="48"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="36"/>
         <source>The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.</source>
         <translation>Amplituda {amplitude:.1f} DN nie przekracza trzykrotności szumu {noise:.1f} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="51"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="38"/>
         <source>A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not counted.</source>
         <translation>Pasek i przerwa zajmują {cycle:.2f} px, mniej niż dwa: to, co tam widać, to aliasing i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="55"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="41"/>
         <source>The bars seem {spacing:.1f} px apart, which can&apos;t be told from aliasing in an image without scale; draw lines across coarser groups too.</source>
         <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, czego w obrazie bez skali nie można odróżnić od aliasingu; narysuj linie także w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="59"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="44"/>
         <source>The bars seem {spacing:.1f} px apart and the group&apos;s are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
         <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, a w tej grupie powinien wynosić {cycle:.1f} px: to, co widać, to aliasing albo inna grupa i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="62"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="46"/>
         <source>A coarser group, {group}, is not resolved, so this one is aliasing and is not counted.</source>
         <translation>Grubsza grupa {group} nie jest rozróżniona, więc ta to aliasing i nie jest liczona.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="64"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="48"/>
         <source>The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a shorter exposure.</source>
         <translation>Paski są przesycone przy {value:g} DN, więc pełna amplituda jest większa niż zmierzona; użyj obrazu o krótszej ekspozycji.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="69"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="52"/>
         <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves are taken, so check the reference group, its distance and the raster&apos;s pixel size.</source>
         <translation>Odstęp pasków jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej GRD i wielkość piksela rastra.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="73"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="55"/>
         <source>The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear it.</source>
         <translation>Paski są coraz szersze tam, gdzie według numerów grup powinny być drobniejsze; włącz REVERSED dla tego testu albo wyłącz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="58"/>
         <source>No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.</source>
         <translation>W kanale {band} żadna grupa w kierunku „{direction}” względem lotu nie jest rozróżniona, więc nie ma terenowej zdolności rozdzielczej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="124"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="91"/>
         <source>{count} passes over the target; the Open Skies treaty asks for {least} at least.</source>
         <translation>Liczba przelotów nad testem: {count}; traktat o otwartych przestworzach (Open Skies) wymaga co najmniej {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="108"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="78"/>
         <source>No row has a height and a distance to compute with; fill in &apos;height&apos; and &apos;grd&apos;.</source>
         <translation>Żaden wiersz nie ma wysokości i GRD do obliczeń; wypełnij „height” i „grd”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="109"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="79"/>
         <source>Row {row} is left out: {why}</source>
         <translation>Wiersz {row} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="110"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
         <source>&apos;height&apos; or &apos;grd&apos; holds no number; fill in both.</source>
         <translation>„height” lub „grd” nie zawiera liczby; wypełnij oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="134"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="99"/>
         <source>{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="17"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="10"/>
         <source>No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy grup pasków w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="14"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="7"/>
         <source>No image of a bar target is chosen; choose one above, then draw a line across its bars.</source>
         <translation>Nie wybrano obrazu testu paskowego; wybierz go powyżej, a potem narysuj linię w poprzek pasków.</translation>
     </message>
@@ -2984,42 +2959,42 @@
         <translation>Wszystkie piksele wzorca są jednakowe; wytnij go tam, gdzie jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="69"/>
+        <location filename="../plugin/photos/measure/messages.py" line="68"/>
         <source>the surface around the best place is flat, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest płaska, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="70"/>
+        <location filename="../plugin/photos/measure/messages.py" line="69"/>
         <source>the surface around the best place is a saddle, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest siodłowa, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="71"/>
+        <location filename="../plugin/photos/measure/messages.py" line="70"/>
         <source>the extremum of the surface lies outside the pixels it was computed from</source>
         <translation>ekstremum powierzchni leży poza pikselami, z których ją obliczono</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="73"/>
+        <location filename="../plugin/photos/measure/messages.py" line="72"/>
         <source>the template is larger than the piece of the photo around the mark</source>
         <translation>wzorzec jest większy niż fragment zdjęcia wokół znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="74"/>
+        <location filename="../plugin/photos/measure/messages.py" line="73"/>
         <source>the best correlation is {value:.2f} and at least {least:.2f} is asked for</source>
         <translation>największa korelacja wynosi {value:.2f}, a wymagana jest co najmniej {least:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="75"/>
+        <location filename="../plugin/photos/measure/messages.py" line="74"/>
         <source>two places look nearly alike, with correlations of {best:.2f} and {second:.2f}</source>
         <translation>dwa miejsca wyglądają niemal tak samo, z korelacjami {best:.2f} i {second:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="77"/>
+        <location filename="../plugin/photos/measure/messages.py" line="76"/>
         <source>the mark lies at the edge of the photo and is cut off</source>
         <translation>znaczek leży na brzegu zdjęcia i nie jest cały widoczny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="79"/>
+        <location filename="../plugin/photos/measure/messages.py" line="78"/>
         <source>parts of the mark differ by {shift:.1f} px and at most {most:.1f} px is trusted: dirt, a scratch or no mark</source>
         <translation>części znaczka różnią się o {shift:.1f} px, a dopuszcza się najwyżej {most:.1f} px: zabrudzenie, rysa albo to nie znaczek</translation>
     </message>
@@ -3064,12 +3039,12 @@
         <translation>Kalibracja ma za mało znaczków: {count}, a model {model} wymaga {least}; uzupełnij ją albo użyj innego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="96"/>
+        <location filename="../plugin/photos/measure/messages.py" line="95"/>
         <source>Marks measured or given: {count}, and the {model} model needs {least}; measure the others by hand and give them as positions with their measurement off.</source>
         <translation>Znaczki zmierzone lub podane: {count}, a model {model} wymaga {least}; zmierz pozostałe ręcznie i podaj je jako położenia z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="99"/>
+        <location filename="../plugin/photos/measure/messages.py" line="98"/>
         <source>The marks are at one place or on one line, so the {model} model can&apos;t be determined; give further marks.</source>
         <translation>Znaczki są w jednym miejscu albo na jednej prostej, więc nie można wyznaczyć modelu {model}; podaj dalsze znaczki.</translation>
     </message>
@@ -3114,57 +3089,57 @@
         <translation>Nic nie mówi, jak zdjęcie leży w skanerze, więc przyjęto, że leży prosto i nie jest odbite lustrzanie; jeśli to błąd, podaj położenia trzech znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="72"/>
+        <location filename="../plugin/photos/measure/messages.py" line="71"/>
         <source>nothing around the position looks like a mark</source>
         <translation>wokół położenia nic nie wygląda jak znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="82"/>
+        <location filename="../plugin/photos/measure/messages.py" line="81"/>
         <source>no places in the photo that look like marks lie as the calibration says</source>
         <translation>żadne miejsca na zdjęciu podobne do znaczków nie leżą zgodnie z kalibracją</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="81"/>
+        <location filename="../plugin/photos/measure/messages.py" line="80"/>
         <source>it would lie outside the photo</source>
         <translation>leżałby poza zdjęciem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="86"/>
+        <location filename="../plugin/photos/measure/messages.py" line="85"/>
         <source>it was found at the same place as &apos;{other}&apos;</source>
         <translation>znaleziono go w tym samym miejscu co „{other}”</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="87"/>
+        <location filename="../plugin/photos/measure/messages.py" line="86"/>
         <source>it lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is the most</source>
         <translation>leży {worst:.2f} mm od miejsca wynikającego z pozostałych znaczków, a dopuszcza się najwyżej {limit:.2f} mm</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="92"/>
+        <location filename="../plugin/photos/measure/messages.py" line="91"/>
         <source>the marks lie up to {worst:.2f} mm from where the calibration places them, {limit:.2f} mm is the most, and it can&apos;t be told which is wrong</source>
         <translation>znaczki leżą do {worst:.2f} mm od miejsc wynikających z kalibracji, dopuszcza się najwyżej {limit:.2f} mm i nie można ustalić, który jest błędny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="101"/>
+        <location filename="../plugin/photos/measure/messages.py" line="100"/>
         <source>The {model} model takes all of its {count} marks, so the residuals are 0 and say nothing about its accuracy; measure more marks or use a simpler model.</source>
         <translation>Model {model} wykorzystuje wszystkie swoje znaczki ({count}), więc odchyłki są zerowe i nic nie mówią o jego dokładności; zmierz więcej znaczków albo użyj prostszego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="76"/>
+        <location filename="../plugin/photos/measure/messages.py" line="75"/>
         <source>the surface&apos;s extremum leads away from where the mark was found</source>
         <translation>ekstremum powierzchni prowadzi z dala od miejsca, w którym znaleziono znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="84"/>
+        <location filename="../plugin/photos/measure/messages.py" line="83"/>
         <source>only {count} places that look like marks lie as the calibration says, and without positions {least} are needed</source>
         <translation>liczba miejsc podobnych do znaczków i zgodnych z kalibracją wynosi tylko {count}, a bez położeń potrzeba {least}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="103"/>
+        <location filename="../plugin/photos/measure/messages.py" line="102"/>
         <source>There is no transformation to write; give the positions of more marks.</source>
         <translation>Nie ma transformacji do zapisania; podaj położenia większej liczby znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="105"/>
+        <location filename="../plugin/photos/measure/messages.py" line="104"/>
         <source>{name} has no transformation ({why}); its marks are in the output, but no parameters and no world file were written.</source>
         <translation>Raster {name} nie ma transformacji ({why}); jego znaczki są w wyniku, ale nie zapisano parametrów ani pliku world.</translation>
     </message>
@@ -3184,12 +3159,12 @@
         <translation>Warstwa położeń nie zawiera punktu z nazwą w polu „mark”; zdigitalizuj takie punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="116"/>
+        <location filename="../plugin/photos/measure/messages.py" line="115"/>
         <source>The layer {layer} has no field &apos;mark&apos;; choose layers of measured marks.</source>
         <translation>Warstwa {layer} nie ma pola „mark”; wybierz warstwy ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="125"/>
+        <location filename="../plugin/photos/measure/messages.py" line="124"/>
         <source>The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the fields x_mm and y_mm.</source>
         <translation>Wielkość piksela nie jest znana, więc odległości podano tylko w pikselach; podaj wielkość piksela albo warstwy z polami x_mm i y_mm.</translation>
     </message>
@@ -3264,112 +3239,112 @@
         <translation>Punkty wyłączone w georeferencerze i pominięte: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="64"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="63"/>
         <source>Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take polynomial_2d.</source>
         <translation>Niektóre punkty nie mają wysokości, której wymaga model {model}; dodaj pole z, wybierz NMT albo użyj polynomial_2d.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="67"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="66"/>
         <source>There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model with fewer unknowns.</source>
         <translation>{count:Jest|Są|Jest} {count} {count:fotopunkt|fotopunkty|fotopunktów}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="70"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="69"/>
         <source>Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
         <translation>Z {total} {total:punktu|punktów|punktów} jako fotopunkty zostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="73"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="72"/>
         <source>The control points lie on one line, so the model {model} can&apos;t be fitted; add points to both sides of it.</source>
         <translation>Fotopunkty leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="75"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="74"/>
         <source>The control points lie on one plane, so the terms in Z of the model {model} can&apos;t be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
         <translation>Fotopunkty leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="78"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="77"/>
         <source>{count} control points contradict the others, and too few are left to fit the model {model}; check the points, above all that columns and rows are not interchanged.</source>
         <translation>{count} {count:fotopunkt jest sprzeczny|fotopunkty są sprzeczne|fotopunktów jest sprzecznych} z innymi, a pozostałych jest za mało, aby dopasować model {model}; sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="85"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
         <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
         <translation>Fotopunkty leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="88"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="87"/>
         <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
         <translation>Fotopunkty pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="94"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="93"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="98"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="97"/>
         <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="101"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="100"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="108"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="107"/>
         <source>No scan line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
         <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="113"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="112"/>
         <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
         <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="122"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="121"/>
         <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="116"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="115"/>
         <source>The image has no RPC of its own; give the file that came with it, or choose a model that needs none.</source>
         <translation>Obraz nie ma własnego RPC; podaj plik dostarczony z obrazem albo wybierz model, który go nie wymaga.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="117"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="116"/>
         <source>{name} holds no complete RPC; get the file anew from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="124"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="123"/>
         <source>No RPC is written: {why}</source>
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="126"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="125"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="128"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="127"/>
         <source>The RPC is the model itself.</source>
         <translation>RPC jest samym modelem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="132"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="131"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="135"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="134"/>
         <source>{name} is not a sensor model file; choose one that Fit sensor model has written.</source>
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="137"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
@@ -3379,67 +3354,67 @@
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="209"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="208"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="211"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="230"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="229"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="233"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="232"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="236"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="235"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="224"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="138"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="137"/>
         <source>Both a model file and an RPC file are given; choose one of them.</source>
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
@@ -3449,7 +3424,7 @@
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="279"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -3603,7 +3578,7 @@
         <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layers.py" line="178"/>
+        <location filename="../plugin/resolution/line_layers.py" line="176"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę pasków</translation>
     </message>
@@ -3742,7 +3717,7 @@
         <translation> i odbite lustrzanie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="133"/>
+        <location filename="../plugin/photos/report.py" line="130"/>
         <source>correlation {value:.2f}</source>
         <translation>korelacja {value:.2f}</translation>
     </message>
@@ -3792,47 +3767,47 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="52"/>
+        <location filename="../plugin/noise/charts.py" line="49"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="126"/>
+        <location filename="../plugin/noise/charts.py" line="123"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="143"/>
+        <location filename="../plugin/noise/charts.py" line="140"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="13"/>
+        <location filename="../plugin/resolution/distance_words.py" line="12"/>
         <source>along the flight</source>
         <translation>wzdłuż kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="13"/>
+        <location filename="../plugin/resolution/distance_words.py" line="12"/>
         <source>across the flight</source>
         <translation>w poprzek kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="37"/>
+        <location filename="../plugin/resolution/charts.py" line="35"/>
         <source>not resolved</source>
         <translation>nierozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="38"/>
+        <location filename="../plugin/resolution/charts.py" line="36"/>
         <source>aliasing</source>
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="332"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="150"/>
+        <location filename="../plugin/resolution/charts.py" line="148"/>
         <source>group {group}, {grd:.2f} cm: {verdict}</source>
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
@@ -3911,12 +3886,12 @@
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="127"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="120"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="127"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="120"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
@@ -3925,7 +3900,7 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="201"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
@@ -3965,17 +3940,17 @@
         <translation>wynik</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="67"/>
+        <location filename="../plugin/radiometry/words.py" line="65"/>
         <source>{least} to {most}</source>
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="102"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="97"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="102"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="97"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -4055,7 +4030,7 @@
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="51"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="50"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
@@ -4372,7 +4347,7 @@
         <translation>Powody</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="98"/>
+        <location filename="../plugin/resolution/report.py" line="103"/>
         <source>No group is resolved in every band.</source>
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
@@ -4403,7 +4378,7 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="252"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="235"/>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -4438,22 +4413,22 @@
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="175"/>
+        <location filename="../plugin/radiometry/report.py" line="173"/>
         <source>value (DN)</source>
         <translation>wartość (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="176"/>
+        <location filename="../plugin/radiometry/report.py" line="174"/>
         <source>pixels (%)</source>
         <translation>piksele (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="209"/>
+        <location filename="../plugin/radiometry/report.py" line="207"/>
         <source>largest step at a seam (% of the largest value)</source>
         <translation>największy skok na linii mozaikowania (% największej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="210"/>
+        <location filename="../plugin/radiometry/report.py" line="208"/>
         <source>contrast beside the seams (% of the range)</source>
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
@@ -4473,62 +4448,62 @@
         <translation>{what}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>affine</source>
         <translation>transformacji afinicznej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>similarity</source>
         <translation>transformacji przez podobieństwo</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>projective</source>
         <translation>transformacji rzutowej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>Measured</source>
         <translation>Zmierzony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>Given</source>
         <translation>Podany</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>Failed</source>
         <translation>Odrzucony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>positions</source>
         <translation>podanych położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>dots</source>
         <translation>kropek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>data strip</source>
         <translation>paska danych</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>residuals</source>
         <translation>odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
         <source>marks</source>
         <translation>układu znaczków</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
         <source>assumed</source>
         <translation>założenia</translation>
     </message>
@@ -4844,17 +4819,17 @@
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="59"/>
+        <location filename="../plugin/toolkit/messages.py" line="53"/>
         <source>The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="61"/>
+        <location filename="../plugin/toolkit/messages.py" line="55"/>
         <source>The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} od {seconds:.0f} s nie ma procesów roboczych; uruchom je, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="68"/>
+        <location filename="../plugin/toolkit/messages.py" line="60"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
@@ -4909,7 +4884,7 @@
         <translation>Obraz strat (częściowy)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="113"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="112"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
@@ -5669,7 +5644,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="80"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="78"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -6236,12 +6211,12 @@
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -6336,22 +6311,22 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="101"/>
+        <location filename="../plugin/noise/charts.py" line="98"/>
         <source>{field}: {value}</source>
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="102"/>
+        <location filename="../plugin/noise/charts.py" line="99"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="125"/>
+        <location filename="../plugin/noise/charts.py" line="122"/>
         <source>1 window</source>
         <translation>1 okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="126"/>
+        <location filename="../plugin/noise/charts.py" line="123"/>
         <source>{name}: mean and range of {count} windows</source>
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
@@ -6361,7 +6336,7 @@
         <translation>warstwa tymczasowa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/pages/templates.py" line="125"/>
+        <location filename="../plugin/toolkit/pages/templates.py" line="116"/>
         <source>about {size:.3g} m</source>
         <translation>około {size:.3g} m</translation>
     </message>
@@ -6431,157 +6406,152 @@
         <translation>Według RPC obrazu punkty zmierzono na obrazie odbitym lub obróconym; licz kolumny i wiersze od lewego górnego narożnika obrazu, do którego należy RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="61"/>
-        <source>The share of check points is {share:g}; give a number from 0 to {most:g}.</source>
-        <translation>Udział punktów kontrolnych wynosi {share:g}; podaj liczbę od 0 do {most:g}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="102"/>
         <source>Terms kept, numerator / denominator of scaled coordinates: {terms}.</source>
         <translation>Zachowane wyrazy, licznik / mianownik współrzędnych przeskalowanych: {terms}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="105"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="104"/>
         <source>The fit diverges from all of these points; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="119"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="118"/>
         <source>The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it is worst; the model corrects that.</source>
         <translation>RPC jest przesunięte w środku obrazu o {columns:.2f} kolumny i {rows:.2f} wiersza, a w najgorszym miejscu o {most:.2f} px; model to koryguje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="130"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
         <source>No image with the RPC is written, as there is no image to copy; choose the image.</source>
         <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="143"/>
         <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
         <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="151"/>
         <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the orthoimage lies.</source>
         <translation>Wszystkie kąty w {name} są mniejsze od 3,15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="167"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="166"/>
         <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
         <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="175"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="174"/>
         <source>{name} does not name the image {image} just once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="187"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="186"/>
         <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
         <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="191"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="190"/>
         <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="194"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="193"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="199"/>
         <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="205"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="206"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="205"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="214"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="213"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="217"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="216"/>
         <source>{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="221"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="224"/>
         <source>The constant height is {height:.6g} m, which no place on earth has; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="227"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
         <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="242"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="241"/>
         <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="245"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
         <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="258"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="257"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="259"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="262"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="261"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="265"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
@@ -6671,7 +6641,7 @@
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="55"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="54"/>
         <source>Pixel size (metres)</source>
         <translation>Wielkość piksela (metry)</translation>
     </message>
@@ -6691,7 +6661,7 @@
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="188"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="160"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
@@ -6711,47 +6681,47 @@
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="132"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="124"/>
         <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
         <translation>Kąt wychylenia od pionu w środku obrazu (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="133"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="125"/>
         <source>Azimuth that the image was taken from (degrees)</source>
         <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="134"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="126"/>
         <source>Displacement of the image&apos;s middle by the error of terrain heights (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="75"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="69"/>
         <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, a GeoJSON of orthority, or a TIFF that holds such points. Empty: those inside the image.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS, GeoJSON programu orthority lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="92"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="85"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="102"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="95"/>
         <source>Error of terrain heights (metres)</source>
         <translation>Błąd wysokości terenu (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="96"/>
         <source>The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="96"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="89"/>
         <source>Grid of the geoid</source>
         <translation>Siatka geoidy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="97"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="90"/>
         <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
@@ -6801,32 +6771,32 @@
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="117"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="116"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="40"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="39"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="49"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="48"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="50"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="49"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="52"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="51"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="53"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="52"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
@@ -6856,192 +6826,187 @@
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="32"/>
+        <location filename="../plugin/resolution/distance_words.py" line="30"/>
         <source>geometric mean</source>
         <translation>średnia geometryczna</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="93"/>
+        <location filename="../plugin/resolution/report.py" line="98"/>
         <source>all of them</source>
         <translation>wszyscy razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="100"/>
+        <location filename="../plugin/resolution/report.py" line="105"/>
         <source>Ground resolved distance: one bar of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="101"/>
+        <location filename="../plugin/resolution/report.py" line="106"/>
         <source>Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek i jedna przerwa najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="105"/>
+        <location filename="../plugin/resolution/report.py" line="110"/>
         <source>higher</source>
         <translation>wyższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="105"/>
+        <location filename="../plugin/resolution/report.py" line="110"/>
         <source>lower</source>
         <translation>niższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="106"/>
+        <location filename="../plugin/resolution/report.py" line="111"/>
         <source>the group&apos;s own bars against plain gaps</source>
         <translation>własne paski grupy względem gładkich przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="106"/>
+        <location filename="../plugin/resolution/report.py" line="111"/>
         <source>that of the coarsest group</source>
         <translation>amplituda najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="108"/>
+        <location filename="../plugin/resolution/report.py" line="113"/>
         <source>group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide</source>
         <translation>szerokość grupy {group} wynosi {grd:.2f} cm, a grupa o następnym numerze ({coarser}) jest {step:.3f} razy szersza</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="110"/>
+        <location filename="../plugin/resolution/report.py" line="115"/>
         <source>bars in each group</source>
         <translation>paski w każdej grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="111"/>
+        <location filename="../plugin/resolution/report.py" line="116"/>
         <source>widths</source>
         <translation>szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="113"/>
+        <location filename="../plugin/resolution/report.py" line="118"/>
         <source>widths are of</source>
         <translation>szerokości dotyczą</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="74"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
         <source>one bar</source>
         <translation>jeden pasek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="113"/>
+        <location filename="../plugin/resolution/report.py" line="118"/>
         <source>a bar and a gap together</source>
         <translation>pasek i przerwa razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="114"/>
+        <location filename="../plugin/resolution/report.py" line="119"/>
         <source>criterion</source>
         <translation>kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="115"/>
+        <location filename="../plugin/resolution/report.py" line="120"/>
         <source>full amplitude</source>
         <translation>pełna amplituda</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="74"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
         <source>bar and gap</source>
         <translation>pasek i przerwa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="75"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
         <source>of the group</source>
         <translation>danej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="75"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
         <source>of the coarsest group</source>
         <translation>najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="78"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="75"/>
         <source>Distance of the reference group: the width of what is chosen beside it.</source>
         <translation>GRD grupy odniesienia: szerokość tego, co wybrano obok.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="80"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="77"/>
         <source>What a distance is the width of: a bar and a gap together, as resolution is defined, or one bar, as some targets and reports count.</source>
         <translation>Czego szerokością jest wymiar: paska i przerwy razem, zgodnie z definicją rozdzielczości, czy jednego paska, jak w niektórych testach i raportach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="84"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="81"/>
         <source>What the amplitude has to be half of: the group&apos;s own bars against plain gaps, or the full amplitude of the coarsest group, which is stricter.</source>
         <translation>Połową czego musi być amplituda: własnych pasków grupy względem gładkich przerw czy pełnej amplitudy najgrubszej grupy, co jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="103"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="98"/>
         <source>Full amplitude</source>
         <translation>Pełna amplituda</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="72"/>
+        <location filename="../plugin/resolution/distance_words.py" line="70"/>
         <source>Group {group}, {distance}</source>
         <translation>Grupa {group}, {distance}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="77"/>
+        <location filename="../plugin/resolution/distance_words.py" line="75"/>
         <source>(amplitude {share:.0%} of the full one)</source>
         <translation>(amplituda {share:.0%} pełnej)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="81"/>
+        <location filename="../plugin/resolution/distance_words.py" line="79"/>
         <source>All lines: {distances}</source>
         <translation>Wszystkie linie: {distances}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="36"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="26"/>
         <source>Group {group} is too far from the reference group {reference} to have a width; correct one of the numbers.</source>
         <translation>Grupa {group} jest za daleko od grupy odniesienia {reference}, by mieć szerokość; popraw jeden z numerów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="60"/>
         <source>Bars and gaps of the coarsest group differ by a factor of {contrast:.1f} and the method asks for {least:g} at least, so the distance may be coarser than the sensor&apos;s best; haze and a low sun lower the contrast.</source>
         <translation>Paski i przerwy najgrubszej grupy różnią się {contrast:.1f} razy, a metoda wymaga co najmniej {least:g}, więc GRD może być gorsza od najlepszej dla tego sensora; zamglenie i niskie słońce obniżają kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="84"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="63"/>
         <source>No plain area of the target shows the full amplitude, so the groups may seem better resolved than they are; draw lines across coarser groups too.</source>
         <translation>Żadne jednolite miejsce testu nie wyznacza pełnej amplitudy, więc grupy mogą wydawać się lepiej rozróżnione, niż są; narysuj też linie w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="92"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="69"/>
         <source>None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each across the bars of one group, on the image.</source>
         <translation>Żadna z narysowanych linii (liczba: {count}) nie pokazuje pasków, które można zmierzyć, więc nie ma terenowej zdolności rozdzielczej; narysuj każdą na obrazie w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="97"/>
-        <source>The required distance is {grd:g} cm; give a positive number of centimetres from {least:g} to {most:g}.</source>
-        <translation>Wymagana GRD wynosi {grd:g} cm; podaj dodatnią liczbę centymetrów od {least:g} do {most:g}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="106"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
         <source>The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty.</source>
         <translation>Wysokość odniesienia wynosi {height:g} m; podaj dodatnią liczbę metrów do {highest:g} albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="111"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="81"/>
         <source>&apos;{word}&apos; is not a number; give metres and centimetres.</source>
         <translation>„{word}” nie jest liczbą; podaj metry i centymetry.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="113"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="83"/>
         <source>Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to {highest:g} and centimetres from {least:g} to {most:g}.</source>
         <translation>Z wysokości {height:g} m i GRD {grd:g} cm nie można obliczyć minimalnej wysokości; podaj liczby dodatnie: metry do {highest:g} i centymetry od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="117"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="86"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; &apos;height&apos; is in metres and &apos;grd&apos; in centimetres, so check whether both are interchanged.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest gorsza niż jakiejkolwiek kamery; „height” jest w metrach, a „grd” w centymetrach, sprawdź więc, czy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="121"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="89"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; &apos;grd&apos; is in centimetres, so check whether it holds metres.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest lepsza niż jakiejkolwiek kamery na samolocie; „grd” jest w centymetrach, sprawdź więc, czy nie zawiera metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="127"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="94"/>
         <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych „python -m pip install opencv-python-headless”); zainstaluj ją albo wybierz malvar lub bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="131"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="97"/>
         <source>The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz malvar lub bilinear.</translation>
     </message>
@@ -7061,27 +7026,27 @@
         <translation>Jedna linia w poprzek pasków każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do pasków. Obok może być zapisane, co widzieli obserwatorzy, „visible” lub „invisible”, w polach „observer”, „observer_2” i tak dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="71"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="72"/>
         <source>How far on either side of the line the profile is averaged; less where the bars are shorter.</source>
         <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="82"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="84"/>
         <source>Of the reference group, in centimetres on the ground; the next parameter says of what it is the width.</source>
         <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="85"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="87"/>
         <source>Distances are widths of</source>
         <translation>GRD to szerokość</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="86"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="88"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
         <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="96"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="99"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
         <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
@@ -7116,42 +7081,42 @@
         <translation>Kontrast testu, paski do przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="108"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="106"/>
         <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres), several observers&apos; in &apos;grd&apos;, &apos;grd_2&apos;, &apos;grd_3&apos; and so on: their heights are averaged within the pass. Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
         <translation>Jeden wiersz na przelot z polami „height” (metry nad testem) i „grd” (centymetry), a dla kilku obserwatorów „grd”, „grd_2”, „grd_3” i tak dalej: ich wysokości są uśredniane w ramach przelotu. Wiersze zgodne w polach „sensor”, „image_type” i „direction”, o ile takie pola istnieją, tworzą grupę.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="123"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="121"/>
         <source>One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it.</source>
         <translation>Jeden wiersz na grupę: liczba, średnia i rozrzuty (metry), tolerancja (%) oraz uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="50"/>
+        <location filename="../plugin/resolution/distance_words.py" line="48"/>
         <source>seen by all observers {direction}: {grd:.2f} cm</source>
         <translation>widoczne dla wszystkich obserwatorów {direction}: {grd:.2f} cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="54"/>
+        <location filename="../plugin/resolution/distance_words.py" line="52"/>
         <source>contrast of the target {contrast:.1f}:1</source>
         <translation>kontrast testu {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="57"/>
+        <location filename="../plugin/resolution/distance_words.py" line="55"/>
         <source>contrast of the target, bars to gaps, {band}: {contrast:.1f}:1</source>
         <translation>kontrast testu, paski do przerw, {band}: {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="146"/>
+        <location filename="../plugin/resolution/charts.py" line="144"/>
         <source>group {group} {direction}</source>
         <translation>grupa {group} {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="147"/>
+        <location filename="../plugin/resolution/charts.py" line="145"/>
         <source>{grd:.2f} cm: {verdict}</source>
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -7181,42 +7146,42 @@
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="98"/>
+        <location filename="../plugin/radiometry/words.py" line="96"/>
         <source>The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}.</source>
         <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="107"/>
+        <location filename="../plugin/radiometry/words.py" line="105"/>
         <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Area {area} has the most colour: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
         <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}; {green:.1f}; {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="131"/>
+        <location filename="../plugin/radiometry/words.py" line="129"/>
         <source>Beyond their limits: {images}; by {checks}.</source>
         <translation>Poza granicami: {images}; reguły: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="134"/>
+        <location filename="../plugin/radiometry/words.py" line="132"/>
         <source>Not measurable and required: {checks}; in {images}.</source>
         <translation>Niemierzalne i wymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="138"/>
+        <location filename="../plugin/radiometry/words.py" line="136"/>
         <source>Not looked at: {count}.</source>
         <translation>Nie sprawdzono: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="142"/>
+        <location filename="../plugin/radiometry/words.py" line="140"/>
         <source>Not measurable and not required: {checks}; in {images}.</source>
         <translation>Niemierzalne i niewymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="145"/>
+        <location filename="../plugin/radiometry/words.py" line="143"/>
         <source>All figures keep their limits.</source>
         <translation>Wszystkie wartości mieszczą się w granicach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="152"/>
+        <location filename="../plugin/radiometry/words.py" line="150"/>
         <source>{names} and {count} more</source>
         <translation>{names} i jeszcze {count}</translation>
     </message>
@@ -7301,72 +7266,72 @@
         <translation>{place} w pliku {name}: „band” musi mieć wartość luminosity, each albo nazwę kanału, np. red, nir lub band_4.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="13"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="12"/>
         <source>{place} in {name}: &apos;value_range&apos; has to be two numbers, the smaller one first.</source>
         <translation>{place} w pliku {name}: „value_range” muszą tworzyć dwie liczby, najpierw mniejsza.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="22"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="20"/>
         <source>values of type {data_type} have no range of their own; give the range of values, or &apos;value_range&apos; in the rules file.</source>
         <translation>wartości typu {data_type} nie mają własnego zakresu; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="26"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="23"/>
         <source>the files do not say how many bits their values have. The largest value of all such images ({count}) is {largest}, so {possible} bits are possible. Give the range of values, as 0 to 4095 for 12 bits, or &apos;value_range&apos; in the rules file.</source>
         <translation>pliki nie podają, ile bitów mają ich wartości. Największa wartość wszystkich takich obrazów ({count}) wynosi {largest}, więc możliwa liczba bitów to {possible}. Podaj zakres wartości, np. od 0 do 4095 dla 12 bitów, albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="31"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="27"/>
         <source>the file says that its values have {bits} bits and holds values up to {largest}; give the range of values, or &apos;value_range&apos; in the rules file.</source>
         <translation>według pliku liczba bitów jego wartości to {bits}, a zawiera on wartości do {largest}; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="42"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="35"/>
         <source>no grey areas are given, and none that may be grey were found; draw roads or roofs and give them as grey areas.</source>
         <translation>nie podano obszarów szarych i nie znaleziono takich, które mogą być szare; narysuj drogi lub dachy i podaj je jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="46"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="38"/>
         <source>no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near {x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which a cast can do and the colour of the ground as well. Look at them and give those that are grey.</source>
         <translation>nie podano obszarów szarych. Znaleziono obszary 16 px, które mogą być szare: {count} ({share:.1%} obejrzanych, w pobliżu {x:.1f}, {y:.1f}); ich kanały czerwony, zielony i niebieski różnią się o {difference:.1%}, co może powodować zarówno dominanta barwna, jak i barwa terenu. Obejrzyj je i podaj te, które są szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="51"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="42"/>
         <source>the grey areas show fewer than {least} valid pixels of it that are neither too dark nor too bright; draw more.</source>
         <translation>w obszarach szarych jest mniej niż {least} jego pikseli z danymi, które nie są ani zbyt ciemne, ani zbyt jasne; narysuj więcej obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="55"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="45"/>
         <source>it has no red, green and blue to mix; name one of its bands in the rules.</source>
         <translation>nie ma czerwonego, zielonego i niebieskiego do zmieszania; podaj w regułach nazwę jednego z jego kanałów.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="56"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="46"/>
         <source>it has no band {band}.</source>
         <translation>nie ma kanału {band}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="60"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="50"/>
         <source>{name}: what depends on the range of values is not judged: {why}</source>
         <translation>{name}: to, co zależy od zakresu wartości, nie jest oceniane: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="62"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="52"/>
         <source>{name}: {share:.2%} of the pixels lie beyond the range of {low:g} to {high:g} that was given, and count as clipped; check the range.</source>
         <translation>{name}: {share:.2%} pikseli leży poza podanym zakresem od {low:g} do {high:g} i liczy się jako obcięte; sprawdź zakres.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="69"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="57"/>
         <source>seam {number}</source>
         <translation>linia mozaikowania {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="70"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="58"/>
         <source>seam {number} (feature {features} of {layer})</source>
         <translation>linia mozaikowania {number} (obiekt {features} warstwy {layer})</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="71"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="59"/>
         <source>grey area {area} with {share:.1%}, the most of all</source>
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
@@ -7406,92 +7371,92 @@
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="45"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="43"/>
         <source>least: {least:g}</source>
         <translation>najmniej: {least:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="48"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="46"/>
         <source>failed: {share:.2f} %</source>
         <translation>niezgodne: {share:.2f} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="50"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="48"/>
         <source>share of detail kept (kept_1)</source>
         <translation>zachowana część detali (kept_1)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="51"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="49"/>
         <source>metres that kept less (%)</source>
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="135"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="109"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="342"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="345"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="347"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="349"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="398"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="400"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="313"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="106"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="105"/>
         <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
         <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="125"/>
         <source>Failures</source>
         <translation>Usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="127"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="126"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="135"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="134"/>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="138"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="139"/>
         <source>The figures and the decision for a metadata catalogue: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
@@ -7521,182 +7486,182 @@
         <translation>niezgodne odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="85"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="81"/>
         <source>A piece of seam fails where the operator saw a loss in its window, whatever it kept.</source>
         <translation>Odcinek jest niezgodny tam, gdzie operator widział stratę w jego oknie, niezależnie od tego, ile zachował.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="87"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="83"/>
         <source>A piece of seam fails where it keeps less than {least} of the detail.</source>
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="119"/>
         <source>can&apos;t be told</source>
         <translation>nie da się określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="294"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="292"/>
         <source>The seams were measured (scanmosaic): {settings}.</source>
         <translation>Linie mozaikowania zmierzono (scanmosaic): {settings}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="296"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="294"/>
         <source>The delivery was decided on (acceptmosaic) by the rules &apos;{rules}&apos;.</source>
         <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="147"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="181"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="187"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="189"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="189"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="301"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="296"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="303"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="298"/>
         <source>what the operator saw</source>
         <translation>co widział operator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="303"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="298"/>
         <source>no loss in the window of a piece</source>
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="308"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="303"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="418"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="413"/>
         <source>plan</source>
         <translation>plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="419"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="414"/>
         <source>code letter</source>
         <translation>znak literowy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="420"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="415"/>
         <source>lot</source>
         <translation>partia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="420"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="415"/>
         <source>{count} pieces of seam</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="421"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="416"/>
         <source>sample</source>
         <translation>próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="421"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="416"/>
         <source>{count} pieces of seam, of which {measured} were measured</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="423"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="418"/>
         <source>accepted up to</source>
         <translation>przyjęcie do</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="423"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="418"/>
         <source>{count} failed pieces in the sample</source>
         <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="424"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="419"/>
         <source>found</source>
         <translation>stwierdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="425"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="420"/>
         <source>producer&apos;s risk</source>
         <translation>ryzyko dostawcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="427"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="422"/>
         <source>consumer&apos;s risk</source>
         <translation>ryzyko odbiorcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="431"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="426"/>
         <source>seed of the drawing</source>
         <translation>ziarno losowania</translation>
     </message>
@@ -7776,12 +7741,12 @@
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="48"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="47"/>
         <source>Sheets</source>
         <translation>Arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/sheet_index.py" line="68"/>
+        <location filename="../plugin/acceptance/sheet_index.py" line="40"/>
         <source>Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says.</source>
         <translation>Obrysy arkuszy, gdy wszystkie zbadano jako jedną ortofotomapę: skorowidz w postaci, którą zapisuje gdaltindex, albo poligony z polem sheet lub name. Puste pole: arkuszem jest każda warstwa linii mozaikowania albo to, co podaje jej pole sheet.</translation>
     </message>
@@ -7791,284 +7756,264 @@
         <translation>Warstwa arkuszy nie podaje ich nazw; potrzebuje jednego z pól {fields}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="11"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="10"/>
         <source>No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system.</source>
         <translation>W żadnym arkuszu nie leży ani jeden odcinek linii mozaikowania; wybierz skorowidz tej dostawy i sprawdź jego układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="18"/>
         <source>{name} has two rules for &apos;{check}&apos; ({place} is the second); keep one.</source>
         <translation>Plik {name} zawiera dwie reguły dla „{check}” ({place} to druga); zostaw jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="23"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="19"/>
         <source>{name} does not say what a piece must keep; add a rule with the check &apos;kept&apos;.</source>
         <translation>W pliku {name} nie ma nic o tym, ile odcinek musi zachować; dodaj regułę z kontrolą „kept”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="25"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
         <source>{name} has nothing to decide by; add a rule &apos;failed_share&apos;, &apos;longest_failure&apos; or &apos;sampling&apos;.</source>
         <translation>W pliku {name} nie ma niczego, według czego można zdecydować; dodaj regułę „failed_share”, „longest_failure” lub „sampling”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="27"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="23"/>
         <source>{place} in {name}: the check &apos;{check}&apos; needs &apos;{key}&apos;; give it.</source>
         <translation>{place} w pliku {name}: kontrola „{check}” wymaga „{key}”; podaj tę wartość.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="28"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="24"/>
         <source>{place} in {name}: &apos;{key}&apos; is {limit:g} and a share is at most 1; write 2 % as 0.02.</source>
         <translation>{place} w pliku {name}: „{key}” wynosi {limit:g}, a część to najwyżej 1; zapisz 2 % jako 0.02.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="28"/>
         <source>{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.</source>
         <translation>{parameter} wynosi {value}, a reguły w pliku {name} podają: {ruled}; wpisz tę wartość do pliku albo nie podawaj pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="29"/>
         <source>Both the ready rules &apos;{ready}&apos; and the rules in {name} are given; choose one of them.</source>
         <translation>Podano gotowe reguły „{ready}” i reguły z pliku {name}; zostaw jedne z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="36"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
         <source>nothing of it</source>
         <translation>nic o tym</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="38"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="32"/>
         <source>The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.</source>
         <translation>Liczność partii wynosi {size}, a plan kontroli wymaga co najmniej 2; skontroluj całą partię.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="40"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="34"/>
         <source>The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is given.</source>
         <translation>Liczność partii wynosi {size}, a liczba odcinków w warstwach {given}; podaj liczność całej partii albo 0, aby wziąć to, co podano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
-        <source>A sample of {count} pieces was asked for; give 1 or more.</source>
-        <translation>Podano próbę o liczności {count}; podaj 1 lub więcej odcinków.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="44"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="36"/>
         <source>Windows are placed on the mosaic&apos;s pixels; give MOSAIC, or take pieces as the unit.</source>
         <translation>Okna są rozmieszczane na pikselach ortofotomapy; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="38"/>
         <source>The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.</source>
         <translation>Ortofotomapa jest mniejsza niż okno o boku {pixels} px, potędze dwójki, która obejmuje {side:g} m; podaj krótszy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="49"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="40"/>
         <source>A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.</source>
         <translation>Okno o boku {side:g} m ma {pixels} px, a potrzeba co najmniej {least}; podaj dłuższy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="41"/>
         <source>No layer of seams has the field {field}; choose one that says which sheet it is.</source>
         <translation>Żadna warstwa linii nie ma pola {field}; wybierz takie, które mówi, jaki to arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="42"/>
         <source>{count} pieces do not lie on the mosaic and are no part of the lot.</source>
         <translation>Odcinki, które nie leżą na ortofotomapie i nie należą do partii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="53"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
         <source>None of the seams lies on the mosaic; check the reference systems of both.</source>
         <translation>Żadna z linii mozaikowania nie leży na ortofotomapie; sprawdź układy współrzędnych obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="47"/>
         <source>The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.</source>
         <translation>Plan wymaga odcinków w liczbie {size}, a warstwy zawierają {drawn}; wylosuj pozostałe z reszty partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
         <source>{why}; {also}</source>
         <translation>{why}; {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="77"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="65"/>
         <source>{value:.2%} of the measured metres failed and only {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się tylko {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>nothing was measured, so it can&apos;t be decided</source>
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="171"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="140"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
-        <source>A piece fails when it keeps less than 0, which none can, so every measured piece passes.</source>
-        <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="267"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
         <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
         <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="226"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="288"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
         <source>The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok do {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="292"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="293"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="233"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="295"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="296"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
-        <source>The layers of seams are empty; choose those of a scan that found seams.</source>
-        <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="300"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="309"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
         <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
-        <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
-        <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="43"/>
@@ -8161,212 +8106,212 @@
         <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="33"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="32"/>
         <source>Plan an inspection</source>
         <translation>Zaplanuj kontrolę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="43"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="42"/>
         <source>Layers &apos;Seams&apos; of scans, a sheet each, or plain seamlines: these are cut into pieces first.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="51"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="50"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
         <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="52"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="51"/>
         <source>Unit</source>
         <translation>Jednostka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="53"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="52"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
         <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="56"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
         <source>What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same seed, windows and pieces are one sample.</source>
         <translation>Na czym rozmieszczane są okna; odcinki, które na niej nie leżą, nie należą do partii. Z nią i przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="62"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="61"/>
         <source>Length of a piece (metres)</source>
         <translation>Długość odcinka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="63"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="62"/>
         <source>Plain seamlines are cut into pieces of about this length; those of a scan stay as they are.</source>
         <translation>Zwykłe linie mozaikowania są dzielone na odcinki mniej więcej tej długości; odcinki z badania pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="65"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="64"/>
         <source>Field of the sheets</source>
         <translation>Pole arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="66"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="65"/>
         <source>The sample is drawn from each of its values in proportion. Empty: layer by layer.</source>
         <translation>Pole, którego wartości są w próbie reprezentowane proporcjonalnie. Puste: warstwa po warstwie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="68"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="67"/>
         <source>Sample</source>
         <translation>Próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="69"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="68"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; says of how many.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="72"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="71"/>
         <source>Pieces in the sample</source>
         <translation>Odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="73"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="72"/>
         <source>How many of them may fail</source>
         <translation>Ile z nich może być niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="74"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="73"/>
         <source>Pieces in the lot</source>
         <translation>Odcinki w partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="76"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="75"/>
         <source>Code letter of the plan</source>
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="222"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="219"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="222"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="219"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="173"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="145"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="174"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="146"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="177"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="149"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="185"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="157"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="186"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="158"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="189"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="161"/>
         <source>Of the drawing: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="41"/>
+        <location filename="../plugin/photos/report.py" line="39"/>
         <source>photo</source>
         <translation>zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="57"/>
+        <location filename="../plugin/photos/report.py" line="54"/>
         <source>marks measured</source>
         <translation>znaczki zmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="57"/>
+        <location filename="../plugin/photos/report.py" line="54"/>
         <source>marks given</source>
         <translation>znaczki podane</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="58"/>
+        <location filename="../plugin/photos/report.py" line="55"/>
         <source>marks failed</source>
         <translation>znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="63"/>
+        <location filename="../plugin/photos/report.py" line="60"/>
         <source>root mean square of the residuals</source>
         <translation>średnia kwadratowa odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="96"/>
+        <location filename="../plugin/photos/report.py" line="93"/>
         <source>pixel size</source>
         <translation>wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="97"/>
+        <location filename="../plugin/photos/report.py" line="94"/>
         <source>rotation</source>
         <translation>obrót</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="98"/>
+        <location filename="../plugin/photos/report.py" line="95"/>
         <source>shear</source>
         <translation>nieortogonalność osi</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="99"/>
+        <location filename="../plugin/photos/report.py" line="96"/>
         <source>principal point</source>
         <translation>punkt główny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="103"/>
+        <location filename="../plugin/photos/report.py" line="100"/>
         <source>focal length</source>
         <translation>ogniskowa</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="109"/>
+        <location filename="../plugin/photos/report.py" line="106"/>
         <source>calibration</source>
         <translation>kalibracja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="112"/>
+        <location filename="../plugin/photos/report.py" line="109"/>
         <source>marks drawn as</source>
         <translation>znaczki narysowane jako</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="115"/>
+        <location filename="../plugin/photos/report.py" line="112"/>
         <source>template</source>
         <translation>wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="119"/>
+        <location filename="../plugin/photos/report.py" line="116"/>
         <source>smallest correlation</source>
         <translation>najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="120"/>
+        <location filename="../plugin/photos/report.py" line="117"/>
         <source>search</source>
         <translation>zasięg szukania</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="121"/>
+        <location filename="../plugin/photos/report.py" line="118"/>
         <source>surface</source>
         <translation>powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="122"/>
+        <location filename="../plugin/photos/report.py" line="119"/>
         <source>largest distance of a mark from its place</source>
         <translation>największe dopuszczalne odchylenie znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="131"/>
+        <location filename="../plugin/photos/report.py" line="128"/>
         <source>failed; it should be here</source>
         <translation>odrzucony; powinien być tutaj</translation>
     </message>
@@ -8376,87 +8321,87 @@
         <translation>Znaczek „{mark}” odstaje: pozostałe, które są ze sobą zgodne, wskazują miejsce odległe o {worst:.2f} mm; obejrzyj jego obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="67"/>
+        <location filename="../plugin/photos/measure/messages.py" line="66"/>
         <source>No mark of {name} can be trusted ({why}); check the positions, their names and the calibration.</source>
         <translation>Żadnemu znaczkowi z {name} nie można ufać ({why}); sprawdź położenia, nazwy znaczków i kalibrację.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="89"/>
+        <location filename="../plugin/photos/measure/messages.py" line="88"/>
         <source>the given place lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is the most; check it and its name</source>
         <translation>podane miejsce leży {worst:.2f} mm od tego, na które wskazują pozostałe znaczki, a dopuszczalne jest {limit:.2f} mm; sprawdź je i jego nazwę</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="108"/>
+        <location filename="../plugin/photos/measure/messages.py" line="107"/>
         <source>The measurement {name} can&apos;t be read ({error}); remove it from the folder or mend it.</source>
         <translation>Nie można odczytać pomiaru {name} ({error}); usuń go z katalogu albo popraw.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="109"/>
+        <location filename="../plugin/photos/measure/messages.py" line="108"/>
         <source>The mark &apos;{mark}&apos; in {name} has no column and row; complete or remove it.</source>
         <translation>Znaczek „{mark}” w {name} nie ma kolumny ani wiersza; uzupełnij go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="110"/>
+        <location filename="../plugin/photos/measure/messages.py" line="109"/>
         <source>Give each of the two measurements either as a layer or as a folder.</source>
         <translation>Podaj każdy z dwóch pomiarów albo jako warstwę, albo jako katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="111"/>
+        <location filename="../plugin/photos/measure/messages.py" line="110"/>
         <source>The folder {path} does not exist; choose the folder with the measured marks.</source>
         <translation>Katalog {path} nie istnieje; wybierz katalog ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="113"/>
+        <location filename="../plugin/photos/measure/messages.py" line="112"/>
         <source>The folder {path} holds no measured marks: neither layers with a field &apos;mark&apos; nor MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Katalog {path} nie zawiera zmierzonych znaczków: ani warstw z polem „mark”, ani plików MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="115"/>
+        <location filename="../plugin/photos/measure/messages.py" line="114"/>
         <source>Marks that only one of the measurements has, so that they are not compared: {count} ({names}).</source>
         <translation>Znaczki, które ma tylko jeden z pomiarów i które nie są porównywane: {count} ({names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="118"/>
+        <location filename="../plugin/photos/measure/messages.py" line="117"/>
         <source>A measurement has the mark &apos;{mark}&apos; twice{where}; give both layers a field &apos;photo&apos; that tells photos apart.</source>
         <translation>Pomiar zawiera znaczek „{mark}” dwa razy{where}; dodaj w obu warstwach pole „photo”, które rozróżnia zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="123"/>
+        <location filename="../plugin/photos/measure/messages.py" line="122"/>
         <source>The two measurements have no mark in common ({first}; {second}); check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
         <translation>Oba pomiary nie mają wspólnego znaczka ({first}; {second}); sprawdź ich pola „mark” i „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
         <source>correlation</source>
         <translation>korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
         <source>brightness</source>
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="133"/>
+        <location filename="../plugin/photos/measure/messages.py" line="132"/>
         <source>cross</source>
         <translation>krzyż</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="133"/>
+        <location filename="../plugin/photos/measure/messages.py" line="132"/>
         <source>dot</source>
         <translation>kropka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="133"/>
+        <location filename="../plugin/photos/measure/messages.py" line="132"/>
         <source>ring with dot</source>
         <translation>pierścień z kropką</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="133"/>
+        <location filename="../plugin/photos/measure/messages.py" line="132"/>
         <source>ring with cross</source>
         <translation>pierścień z krzyżem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="134"/>
+        <location filename="../plugin/photos/measure/messages.py" line="133"/>
         <source>wedge</source>
         <translation>klin</translation>
     </message>
@@ -8556,7 +8501,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="78"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="73"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -8594,7 +8539,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -8832,17 +8777,17 @@
         <translation>podane</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="31"/>
+        <location filename="../plugin/toolkit/messages.py" line="27"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a number.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="33"/>
+        <location filename="../plugin/toolkit/messages.py" line="32"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a whole number between -{most} and {most}.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="427"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="422"/>
         <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
@@ -8979,7 +8924,7 @@
         <translation>Skontroluj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="321"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="325"/>
         <source>Seam Inspector&apos;s own</source>
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
@@ -9034,22 +8979,22 @@
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="76"/>
+        <location filename="../plugin/toolkit/messages.py" line="67"/>
         <source>{path} is being written by another program; close it there, or choose another file.</source>
         <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="78"/>
+        <location filename="../plugin/toolkit/messages.py" line="69"/>
         <source>&apos;{output}&apos; can&apos;t be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name.</source>
         <translation>Wynik „{output}” nie może być tabelą o nazwie {name}, ponieważ nazwa tabeli w pliku GeoPackage nie może zaczynać się od {begins}; wybierz inną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="83"/>
+        <location filename="../plugin/toolkit/messages.py" line="73"/>
         <source>{path} can&apos;t be written; make room on the disk, or choose another folder.</source>
         <translation>Nie można zapisać pliku {path}; zwolnij miejsce na dysku albo wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="89"/>
+        <location filename="../plugin/toolkit/messages.py" line="78"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -9064,7 +9009,7 @@
         <translation>Uwaga do okna {number}:</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>&apos;{parameter}&apos; is {value}, which is not a coordinate reference system; choose one.</source>
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
@@ -9372,7 +9317,7 @@
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="14"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="12"/>
         <source>The outline of the sheet {name} has coordinates that are no numbers; draw it again.</source>
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
@@ -9697,12 +9642,12 @@
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="92"/>
+        <location filename="../plugin/toolkit/messages.py" line="80"/>
         <source>{path} is as it was, as the run did not come to its end; what was measured until then is in {part}.</source>
         <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="96"/>
+        <location filename="../plugin/toolkit/messages.py" line="83"/>
         <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
@@ -9712,12 +9657,12 @@
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="197"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="196"/>
         <source>The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the model.</source>
         <translation>Ortoobraz leży do {most:.1f} px od miejsca, w którym widzi go dokładny model, bo model zastępuje RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="202"/>
         <source>The distortion of the camera shows no view at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
@@ -9752,317 +9697,317 @@
         <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="36"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="35"/>
         <source>Check a delivery</source>
         <translation>Sprawdź dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="46"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="45"/>
         <source>Of the delivered sheets. Empty: the files that the sheets&apos; field location names.</source>
         <translation>Dostarczonych arkuszy. Puste: pliki, które wymienia pole location arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="49"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="48"/>
         <source>Outlines of the sheets that were ordered, as polygons with a field sheet, name or location. Empty: all files in the folder count as ordered, and only their form is checked.</source>
         <translation>Obrysy zamówionych arkuszy jako poligony z polem sheet, name lub location. Puste: zamówiono to, co zawiera katalog, i sprawdzana jest tylko postać plików.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="53"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="52"/>
         <source>The pattern of file names, with * and ?, such as ortho_????_??.tif. Empty: any name.</source>
         <translation>Jak mają się nazywać pliki, ze znakami * i ?, np. ortho_????_??.tif. Puste: dowolnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="62"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="61"/>
         <source>How many, without alpha. Empty: as most sheets have.</source>
         <translation>Ile, bez kanału alfa. Puste: tyle, ile w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="68"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
         <source>Of a sheet&apos;s outline.</source>
         <translation>Obrysu arkusza.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="71"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="70"/>
         <source>Each sheet with its file, what was found at it, and whether that is nothing.</source>
         <translation>Każdy arkusz z jego plikiem, uwagami i informacją, czy uwag nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="45"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="44"/>
         <source>Folder</source>
         <translation>Katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="52"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="51"/>
         <source>Pattern of names</source>
         <translation>Wzorzec nazw</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="61"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="60"/>
         <source>Bands</source>
         <translation>Kanały</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="64"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="63"/>
         <source>Type of the pixels</source>
         <translation>Typ pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="66"/>
         <source>Largest share without data (%)</source>
         <translation>Największy udział bez danych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="70"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="69"/>
         <source>Checked sheets</source>
         <translation>Sprawdzone arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="73"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="72"/>
         <source>Mosaic of all sheets</source>
         <translation>Ortofotomapa wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="78"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="77"/>
         <source>Number of sheets</source>
         <translation>Liczba arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="79"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="78"/>
         <source>Sheets without a file</source>
         <translation>Arkusze bez pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="80"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="79"/>
         <source>Sheets with findings</source>
         <translation>Arkusze z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="81"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="80"/>
         <source>Complete (1) or not (0)</source>
         <translation>Kompletna (1) lub nie (0)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is not known</source>
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="101"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
         <source>{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may</source>
         <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
         <source>the layers lack {metres:.0f} m of seam</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="173"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="192"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
         <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
         <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="402"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
         <source>The run was stopped: there is neither report nor XML.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="404"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
         <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="408"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
         <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="409"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="410"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="411"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="412"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="413"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="414"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="415"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="416"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
         <source>the file does not say where it lies</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="417"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="420"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="421"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="422"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="425"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="336"/>
         <source>whether it has data everywhere can&apos;t be told</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="202"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="280"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="275"/>
         <source>No seams</source>
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="332"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="412"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="407"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="258"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="207"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="221"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="210"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="221"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="210"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="390"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="385"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="390"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="385"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Te same ortoobrazy, cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="344"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="339"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="99"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="98"/>
         <source>Digests of the files</source>
         <translation>Skróty kryptograficzne plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="105"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="104"/>
         <source>rows of {layer}</source>
         <translation>wiersze warstwy {layer}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="107"/>
         <source>list of orthoimages</source>
         <translation>lista ortoobrazów</translation>
     </message>
@@ -10137,22 +10082,22 @@
         <translation>Nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="114"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="113"/>
         <source>As the scan wrote it, one for each sheet where these were scanned apart, in the order of SEAMS: the XML refers to it. It also says from which orthoimages the seams were measured, and how, where their layer does not.</source>
         <translation>Taki, jak zapisało go skanowanie; po jednym na arkusz, jeżeli skanowano je osobno, w kolejności SEAMS: odwołuje się do niego XML, a on mówi, z jakich ortoobrazów zmierzono linie mozaikowania, oraz jak, jeżeli nie mówi tego ich warstwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="123"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="122"/>
         <source>SHA-256 of the mosaic&apos;s files, the seams, the rules and the list of orthoimages, for the report and the XML. It takes as long as reading the files once.</source>
         <translation>SHA-256 plików ortofotomapy, linii mozaikowania, reguł i listy ortoobrazów, do raportu i XML. Trwa tyle, ile jednokrotne odczytanie plików.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="131"/>
         <source>One polygon for each sheet, with its verdict by the same limits and its metres.</source>
         <translation>Jeden poligon na każdy arkusz, z oceną według tych samych granic i z metrami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="131"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="130"/>
         <source>Decided sheets</source>
         <translation>Ocenione arkusze</translation>
     </message>
@@ -10396,7 +10341,7 @@
         <translation>Odbiór dostawy od plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>commit of the plugin</source>
         <translation>wersja źródeł wtyczki (commit)</translation>
     </message>
@@ -10411,67 +10356,62 @@
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii w serii. iso2859_2: tak samo dla pojedynczej dostawy, czyli partii izolowanej, według jakości granicznej (ISO 2859-2).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="26"/>
         <source>{place} in {name}: the {key} &apos;{value}&apos; is none of the standard&apos;s; known are {known}.</source>
         <translation>{place} w {name}: {key} „{value}” nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="45"/>
         <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).</source>
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="146"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="148"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
         <source>{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted</source>
         <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
         <source>{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, {consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected</source>
         <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
         <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="330"/>
-        <source>The {parameter} {value} is none of the standard&apos;s; known are {known}.</source>
-        <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="396"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="310"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
         <source>images rejected: {rejected}, undecided: {open} of {all}</source>
         <translation>obrazy odrzucone: {rejected}, nierozstrzygnięte: {open} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="425"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="420"/>
         <source>{risk}: a delivery with {quality} of failed pieces is rejected</source>
         <translation>{risk}: odrzucenie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
@@ -10486,22 +10426,22 @@
         <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy, w której udział niezgodnych odcinków wynosi {good}. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem {risk} (ryzyko odbiorcy).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="44"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="42"/>
         <source>{standard}, single sampling of an isolated lot (procedure A), limiting quality {lq:g} %</source>
         <translation>{standard}, plan jednostopniowy dla partii izolowanej (procedura A), jakość graniczna {lq:g} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="119"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="118"/>
         <source>The table that &apos;Check radiometry&apos; made of the sheets: its result stands on the cover beside the decision, which it does not change.</source>
         <translation>Tabela, którą algorytm „Sprawdź radiometrię” utworzył dla arkuszy: jej wynik stoi na pierwszej stronie obok decyzji i jej nie zmienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="181"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="153"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 has it: three times what you want at least.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="180"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="152"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
@@ -10531,7 +10471,7 @@
         <translation>poziom szumu</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="118"/>
+        <location filename="../plugin/radiometry/words.py" line="116"/>
         <source>The rules set no limit for it.</source>
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
     </message>
@@ -10779,17 +10719,17 @@
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="72"/>
+        <location filename="../plugin/toolkit/messages.py" line="63"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="73"/>
+        <location filename="../plugin/toolkit/messages.py" line="64"/>
         <source>In {count} windows ({windows}): {what}</source>
         <translation>Okna ({count}: {windows}): {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="74"/>
+        <location filename="../plugin/toolkit/messages.py" line="65"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -10812,7 +10752,7 @@
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
         <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
     </message>
@@ -10822,22 +10762,22 @@
         <translation>{name} jest uszkodzony w kolumnach od {left} do {right} i wierszach od {top} do {bottom} (GDAL: {why}); skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="44"/>
+        <location filename="../plugin/resolution/distance_words.py" line="42"/>
         <source>{direction}, one group more or less: {low} to {high} cm</source>
         <translation>{direction}, o grupę więcej lub mniej: {low} do {high} cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="66"/>
         <source>The groups tell too little of the target&apos;s contrast, so the full amplitude is taken from the ground beside the bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.</source>
         <translation>Grupy zbyt mało mówią o kontraście testu, więc pełną amplitudę przyjęto z terenu obok pasków; narysuj linie także przez grubsze grupy albo upewnij się, że ten teren jest tak ciemny jak przerwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="100"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="73"/>
         <source>&apos;{word}&apos; is no reference height; give metres, or a name and metres for each group, as &apos;DMC 2714; RC20 2015&apos;.</source>
         <translation>„{word}” nie jest wysokością odniesienia; podaj metry albo nazwę i metry dla każdej grupy, np. &apos;DMC 2714; RC20 2015&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="103"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="75"/>
         <source>There is a reference height for {name}, but no group of passes is called so; give one of: {known}.</source>
         <translation>Podano wysokość odniesienia dla {name}, ale żadna grupa przelotów tak się nie nazywa; podaj jedną z: {known}.</translation>
     </message>
@@ -10862,7 +10802,7 @@
         <translation>Największa terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="116"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="114"/>
         <source>The minimum height that the results are compared with, or one for each sensor, type of image or direction: &apos;DMC 2714; RC20 2015&apos;.</source>
         <translation>Wysokość minimalna, z którą porównuje się wyniki, albo po jednej dla każdego sensora, typu obrazu lub kierunku: &apos;DMC 2714; RC20 2015&apos;.</translation>
     </message>
@@ -10877,77 +10817,77 @@
         <translation>Liczba punktów leżących poza obrazem ({names}) tam, gdzie widzi je także jego RPC: {count}; są używane.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="141"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="140"/>
         <source>{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac that does.</source>
         <translation>{name} nie zawiera kamery, którą można odczytać; wybierz plik programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac, który ją zawiera.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="147"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="146"/>
         <source>{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML.</source>
         <translation>{name} odczytuje pakiet PyYAML języka Python, którego brak; zainstaluj go albo podaj kamerę jako JSON lub XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="155"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
         <source>Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.</source>
         <translation>Kąty w {name} sięgają {angle:.6g} i są brane jako stopnie; ustaw ich jednostkę, jeśli są w gradach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="168"/>
         <source>The camera of {name} has a distortion that is not known here ({kind}); pinhole, Brown&apos;s, OpenCV&apos;s and fisheye lenses are.</source>
         <translation>Kamera z {name} ma dystorsję, która nie jest tu znana ({kind}); znane są obiektywy bez dystorsji, Browna, OpenCV i rybie oko.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="172"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="171"/>
         <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
         <translation>{name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa albo plik programu OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="176"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="175"/>
         <source>An interior orientation needs an exterior one; give it, too.</source>
         <translation>Orientacja wewnętrzna wymaga zewnętrznej; podaj także ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="56"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="55"/>
         <source>Of a table. auto: what its header says, else degrees.</source>
         <translation>W tabeli. auto: to, co mówi jej nagłówek, inaczej stopnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="127"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="126"/>
         <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS&apos;s text or a YAML file of orthority. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, tekst ALOS albo plik YAML programu orthority. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="46"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="45"/>
         <source>The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac write it. Empty: in the file of the exterior orientation.</source>
         <translation>Kamera zdjęcia lotniczego w zapisie programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac. Puste: w pliku orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="41"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="40"/>
         <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa, or a file of OpenSfM (an OpenDroneMap project&apos;s folder, too), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
         <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa albo plik programu OpenSfM (także katalog projektu OpenDroneMap), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="55"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="54"/>
         <source>Angles of the exterior orientation</source>
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="64"/>
+        <location filename="../plugin/toolkit/messages.py" line="57"/>
         <source>The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; start them anew, then run this again.</source>
         <translation>Procesy robocze schedulera Dask pod adresem {address} nie odpowiadają od {seconds:.0f} s; uruchom je od nowa, a potem powtórz to zadanie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="81"/>
+        <location filename="../plugin/toolkit/messages.py" line="72"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: QGIS takes &apos;{found}&apos; in the path of a layer for something else; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: QGIS inaczej rozumie &apos;{found}&apos; w ścieżce warstwy; wybierz inną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="26"/>
+        <location filename="../plugin/toolkit/messages.py" line="23"/>
         <source>The rectangle around the outline is measured where a window is not a rectangle along the mosaic&apos;s axes: {count}.</source>
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="245"/>
         <source>{metres:.0f} m of the seams lie on others and count again</source>
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
@@ -10992,7 +10932,7 @@
         <translation>Same lub obok rastrów: arkusze zapisane przez „Sprawdź dostawę” albo indeks arkuszy zapisany przez gdaltindex. Sprawdzane są pliki, które wskazuje ich pole „location”.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="16"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="15"/>
         <source>{name} has no field &apos;{field}&apos;; give the sheets that &apos;Check a delivery&apos; wrote, or an index that gdaltindex made.</source>
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
@@ -11016,72 +10956,72 @@
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="56"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="55"/>
         <source>To 1 %. Empty: that of most sheets.</source>
         <translation>Z dokładnością do 1 %. Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="59"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="58"/>
         <source>Empty: that of most sheets.</source>
         <translation>Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="65"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="64"/>
         <source>8 bit is uint8, 16 bit uint16. Empty: that of most sheets.</source>
         <translation>8 bitów to uint8, 16 bitów to uint16. Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="13"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="11"/>
         <source>The sheet no. {number} has no name in the field {field}; write it there.</source>
         <translation>Arkusz nr {number} nie ma nazwy w polu {field}; wpisz ją tam.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="60"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="48"/>
         <source>{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.</source>
         <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="69"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is only {limit:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest tylko {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="72"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to {high:.1f} m by the intervals of its pieces</source>
         <translation>najdłuższa usterka bez przerwy ma {value:.1f} m, a dopuszcza się {limit:.1f} m, lecz według przedziałów jej odcinków może to być od {low:.1f} do {high:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
         <source>{value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
         <source>only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can&apos;t be decided</source>
         <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="91"/>
         <source>layers of seams were changed since their scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have no line.</source>
         <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="406"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
         <source>{parameter} is &apos;{value}&apos;, which is no date; write it as 2026-11-23 or 23.11.2026.</source>
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
     </message>
@@ -11096,22 +11036,22 @@
         <translation>Obrazy, które nie spełniają wymagań radiometrii, oraz te, których nie da się ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="119"/>
         <source>too little</source>
         <translation>za mało</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="108"/>
         <source>The orthoimages: the report shows each failure beside the two that meet there and their cut. Empty: those that the scan wrote into its picture of losses.</source>
         <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowanie zapisało w obrazie strat.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="60"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="59"/>
         <source>The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="178"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="150"/>
         <source>The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
@@ -11136,7 +11076,7 @@
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="14"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="13"/>
         <source>The range of values has to be two numbers, the smaller one first, such as 0,4095.</source>
         <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
@@ -11321,62 +11261,62 @@
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="82"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="81"/>
         <source>Blunders found and left out of fit and errors: {count} ({names}); check those points and measure them again.</source>
         <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="91"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="90"/>
         <source>{count} points miss the model by far more than the others ({names}); check them, or look for blunders (ROBUST).</source>
         <translation>{count} punktów odbiega od modelu znacznie bardziej niż pozostałe ({names}); sprawdź je albo włącz wyszukiwanie błędów grubych (ROBUST).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="110"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="109"/>
         <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or look for blunders (ROBUST).</source>
         <translation>Modelu parametrycznego nie da się dopasować do tych punktów; sprawdź, czy współrzędne nie są zamienione, a wysokości błędne, albo włącz wyszukiwanie błędów grubych (ROBUST).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="149"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="148"/>
         <source>According to {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
         <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="157"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
         <source>The rotation of {name} is read as {way} usually writes it, since no file says so; check how the orthoimage lies.</source>
         <translation>Obrót {name} przyjęto tak, jak zwykle zapisuje go {way}, czego żaden plik nie mówi; sprawdź położenie ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="159"/>
         <source>{name} is taken as in the plane that touches the Earth at its reference, as OpenSfM writes it. One that OpenDroneMap has put into UTM is read right only inside its project&apos;s folder.</source>
         <translation>{name} jest odczytany w płaszczyźnie stycznej do Ziemi w jego punkcie odniesienia, jak zapisuje go OpenSfM. Plik przeliczony przez OpenDroneMap do UTM jest czytany poprawnie tylko w katalogu swojego projektu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="162"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="161"/>
         <source>Photos are placed by {exact}, the exact reconstruction beside {name}.</source>
         <translation>Zdjęcia są umieszczone według {exact}, dokładnej rekonstrukcji obok {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="163"/>
         <source>{name} is taken as in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some decimetres off in a block of a kilometre.</source>
         <translation>{name} jest odczytany w układzie {system} z przesunięciem z {offsets}, dokąd OpenDroneMap przelicza go w przybliżeniu: błąd do kilku decymetrów w bloku kilometrowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="182"/>
         <source>{name} is oriented and is not in {folder}; it is left out.</source>
         <translation>{name} ma orientację, a nie ma go w {folder}; zostaje pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="184"/>
         <source>None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).</source>
         <translation>W {folder} nie ma żadnego ze zdjęć, które wymienia {name}; wskaż ich katalog (PHOTOS).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="186"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
         <source>The terrain is that of the project: {name}.</source>
         <translation>Teren pochodzi z projektu: {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="44"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="43"/>
         <source>All files (*)</source>
         <translation>Wszystkie pliki (*)</translation>
     </message>
@@ -11431,7 +11371,7 @@
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="32"/>
+        <location filename="../plugin/toolkit/messages.py" line="28"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is no number; write it with a point, such as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
     </message>
@@ -11512,17 +11452,17 @@
         <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="23"/>
+        <location filename="../plugin/toolkit/messages.py" line="21"/>
         <source>Windows without a number of their own: {count}; they got the next free ones.</source>
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="139"/>
         <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="360"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -11532,27 +11472,27 @@
         <translation>2026-11-23 albo 23.11.2026; w raporcie stoi pierwszy zapis.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="47"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="48"/>
         <source>below it a loss is called significant</source>
         <translation>poniżej niej strata uchodzi za istotną</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="48"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="49"/>
         <source>Beeldmateriaal (NL) lets 2 % deviate if it is not contiguous</source>
         <translation>Beeldmateriaal (NL) dopuszcza 2 % odstępstw, jeśli nie są ciągłe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="49"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="50"/>
         <source>half a standard window of 100 m</source>
         <translation>połowa standardowego okna 100 m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="50"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="51"/>
         <source>nothing is accepted on a guess</source>
         <translation>niczego nie przyjmuje się na podstawie domysłu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="136"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="110"/>
         <source>the software&apos;s default ({parameter}): {origin}</source>
         <translation>wartość domyślna programu ({parameter}): {origin}</translation>
     </message>
@@ -11572,12 +11512,12 @@
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="179"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="178"/>
         <source>Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos&apos; orientations (EXTERIOR).</source>
         <translation>Wskaż katalog projektu OpenDroneMap (PHOTOS) albo plik orientacji zdjęć (EXTERIOR).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="181"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="180"/>
         <source>{folder} is no OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos&apos; orientations (EXTERIOR).</source>
         <translation>{folder} nie jest projektem OpenDroneMap, ponieważ nie ma w nim opensfm/reconstruction.json; wskaż plik orientacji zdjęć (EXTERIOR).</translation>
     </message>
@@ -11601,17 +11541,17 @@
         <translation>Widoczna strata: w ledwie zauważalnych różnicach (JND) kontrastu, tak jak widzi ją oko w powiększeniu 2x na ekranie; poniżej 1 jej nie widać. O niezgodności odcinka decydują utracone detale, niezależnie od tego, czy oko to widzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="14"/>
         <source>Pieces of seam that lie in none of the sheets: {count}. They keep their layer&apos;s name.</source>
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
         <source>rows of {name} were changed so that {metres:.0f} m which its scan failed pass</source>
         <translation>w warstwie {name} zmieniono wiersze tak, że {metres:.0f} m zakwestionowanych przez skan przechodzi pomyślnie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
         <source>parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
@@ -11626,17 +11566,17 @@
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="39"/>
+        <location filename="../plugin/toolkit/messages.py" line="38"/>
         <source>Seam Inspector was updated or turned off while this ran; start it again.</source>
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="239"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="238"/>
         <source>The terrain model {name} has {count} million pixels and no overviews, by which its lowest and highest place would be found; build some (gdaladdo), or clip it to the photos.</source>
         <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="120"/>
+        <location filename="../plugin/photos/measure/messages.py" line="119"/>
         <source>The mark &apos;{mark}&apos; was measured at column {column:g}, row {row:g}, where no scanned photo has pixels; correct or remove it.</source>
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
@@ -11791,7 +11731,7 @@
         <translation>kompresja stratna</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="66"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="55"/>
         <source>Histograms of {drawn} of the {count} images are drawn, those of images that are not accepted first.</source>
         <translation>Narysowano histogramy {drawn} z {count} obrazów, najpierw tych, które nie zostały przyjęte.</translation>
     </message>
@@ -11831,37 +11771,37 @@
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). {why}</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="269"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
         <source>A parametric model needs few points and does not swing between them.</source>
         <translation>Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="269"/>
         <source>The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
         <source>Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
         <translation>Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="273"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
         <source>It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
         <source>Polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="277"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="276"/>
         <source>The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
@@ -11886,172 +11826,172 @@
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="38"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="37"/>
         <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, have no data inside their outline, can&apos;t be read, or hide each other; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with what was found at each, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all that were ordered, ready for the scan.</source>
         <translation>Sprawdza pliki dostawy przed jej liniami mozaikowania: arkusze, których brakuje, których nikt nie zamówił, które nie mają danych wewnątrz swojego obrysu, których nie da się odczytać albo które zasłaniają się nawzajem; rozmiar piksela, układ odniesienia, kanały, typ pikseli i nazwy. Zapisuje arkusze z uwagami do każdego, gotowe dla odbioru dostawy, oraz jedną ortofotomapę wszystkich zamówionych, gotową do skanowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="74"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="73"/>
         <source>A virtual mosaic over the ordered sheets that fit together; nothing is copied.</source>
         <translation>Wirtualna ortofotomapa zamówionych arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="75"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {metres:.1f} m by a row of pieces that were not measured</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz przez ciąg odcinków, których nie zmierzono, może to być {metres:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
         <source>{share:.2%} of the mosaic of {name} could not be read, such as around {place}</source>
         <translation>nie udało się odczytać {share:.2%} ortofotomapy {name}, na przykład wokół {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
         <source>sheets of which nothing was measured: {count} ({names})</source>
         <translation>arkusze, z których niczego nie zmierzono: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="104"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
         <source>sheets that are missing in the mosaic that was scanned: {count} ({names})</source>
         <translation>arkusze, których brakuje w zeskanowanej ortofotomapie: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
         <source>sheets whose pixels can&apos;t all be read: {count} ({names})</source>
         <translation>arkusze, których pikseli nie da się w całości odczytać: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
         <source>sheets that overlap others and show something else there, which nobody has looked at: {count} ({names})</source>
         <translation>arkusze, które nachodzą na inne i pokazują tam coś innego, czego nikt nie obejrzał: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
         <source>layers of seams have another reference system than their scan gave them: {count} ({names})</source>
         <translation>warstwy linii mozaikowania w innym układzie współrzędnych, niż nadało im skanowanie: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="94"/>
         <source>layers of seams without the seal of a scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania bez pieczęci skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
         <source>files are given that are not those that were scanned: {names}</source>
         <translation>podano pliki, które nie są tymi, które skanowano: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
         <source>files were changed since they were scanned: {count} ({names})</source>
         <translation>pliki zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
         <source>files of the scanned mosaic are not found any more: {count} ({names})</source>
         <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
         <source>{judged:.0f} m of seam are judged and the scan saw the mosaic change its orthoimage along {seen:.0f} m: {unseen:.0f} m of these are in no figure (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may differ</source>
         <translation>oceniono {judged:.0f} m linii mozaikowania, a według skanu ortofotomapa zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
         <source>A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Ciąg odcinków, których nie zmierzono, wraz z niezgodnymi wśród nich, jest dłuższy, niż może być usterka: {metres:.1f} m w miejscu {x:.1f}, {y:.1f} w {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
         <source>There are {count} more such rows.</source>
         <translation>Dalszych takich ciągów: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
         <source>Files that are as they were scanned: {count}.</source>
         <translation>Pliki takie, jak je skanowano: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
         <source>Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again what the decision rests on.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="383"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="300"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make sure that they are the ones that the mosaic was made from.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="423"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="334"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="424"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
         <source>it is no part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="243"/>
         <source>given: {judged}, found: {seen}; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>podane: {judged}, znalezione: {seen}; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="249"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
         <source>found: {judged}; borders that no seam tells of: {unseen}</source>
         <translation>znalezione: {judged}; granice, o których nie mówi żadna linia mozaikowania: {unseen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
         <source>ground that follows no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
         <source>; looked at: {share} of the mosaic</source>
         <translation>; obejrzano: {share} ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="252"/>
         <source>{share} of what has texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="261"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
         <source>; around {places}</source>
         <translation>; przy {places}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="246"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
         <source>the layers of seams do not say it</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -12131,7 +12071,7 @@
         <translation>Istotna strata: według najlepszego oszacowania wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej, a to, że coś stracono, jest pewne; albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="13"/>
+        <location filename="../plugin/toolkit/messages.py" line="12"/>
         <source>{name} would not lie in the mosaic&apos;s reference system, which can&apos;t be written into a GeoPackage; give the mosaic another one, such as one with an EPSG code.</source>
         <translation>Plik {name} nie leżałby w układzie współrzędnych ortofotomapy, bo układu tego nie da się zapisać w GeoPackage; nadaj ortofotomapie inny układ, na przykład z kodem EPSG.</translation>
     </message>
@@ -12144,67 +12084,67 @@
         <translation>Odcinki, które następują po sobie bez przerwy i których nie zmierzono, wraz z niezgodnymi wśród nich. Taki ciąg może być usterką i jest dłuższy, niż usterka może być.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="68"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="56"/>
         <source>the limits are {limits}</source>
         <translation>granice: {limits}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="69"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
         <source>{first}, {also}</source>
         <translation>{first}, {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
         <source>at least {limit:.0%} kept</source>
         <translation>zachowane co najmniej {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="71"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="59"/>
         <source>at most {limit:.2%} failed</source>
         <translation>najwyżej {limit:.2%} niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="72"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="60"/>
         <source>no limit for the share that failed</source>
         <translation>bez granicy udziału niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="73"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
         <source>at most {limit:.1f} m failed without a break</source>
         <translation>najwyżej {limit:.1f} m niezgodnych bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="74"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="62"/>
         <source>no limit for a failure without a break</source>
         <translation>bez granicy długości nieprzerwanej usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="75"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
         <source>at least {limit:.1%} measured</source>
         <translation>zmierzone co najmniej {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but pieces are up to {metres:.1f} m long, which can hide a longer one</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz odcinki mają do {metres:.1f} m, co może ukryć dłuższą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="97"/>
         <source>layers of seams are of mosaics that are not given: {count} ({names})</source>
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="352"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
         <source>Without what a scan with orthoimages tells of the ground, in Python told=, nothing is known of seams that are in no row: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>median length of the pieces</source>
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="379"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
         <source>{count} mosaics were scanned one by one: a seam along the border between two of them is in no figure. Scan sheets that meet as one mosaic.</source>
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
@@ -12214,7 +12154,7 @@
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
         <source>{judged:.0f} m of seam are judged and along {unchanged:.0f} m of them the mosaic does not change its orthoimage; {limit:.0%} may differ</source>
         <translation>oceniono {judged:.0f} m linii mozaikowania, a na {unchanged:.0f} m z nich ortofotomapa nie zmienia ortoobrazu; różnica może wynosić {limit:.0%}</translation>
     </message>
@@ -12334,177 +12274,172 @@
         <translation>Ile metrów ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="62"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="50"/>
         <source>Accepted by {rules}: {why}.</source>
         <translation>Przyjęto według {rules}: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
         <source>Rejected by {rules}: {why}.</source>
         <translation>Odrzucono według {rules}: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
         <source>Undecided by {rules}: {why}.</source>
         <translation>Nie rozstrzygnięto według {rules}: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="65"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="53"/>
         <source>the observers&apos; verdicts and {rules}</source>
         <translation>ocen obserwatorów i {rules}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
         <source>&apos;{rules}&apos;</source>
         <translation>reguł „{rules}”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
         <source>What was not measured is taken to be as good as the rest. If all of it had failed, {worst:.1%} would have, and {limit:.1%} may.</source>
         <translation>Przyjęto, że to, czego nie zmierzono, jest tak dobre jak reszta. Gdyby wszystko to było niezgodne, niezgodnych byłoby {worst:.1%}, a może być {limit:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, or judge windows there by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy po ich bokach albo oceń tam okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
         <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają granicę ({metres:.0f} m, odcinki: {count}). Oceń na nich okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki dla ciągów odcinków dłuższych niż {limit:.0f} m, których nie zmierzono. Oceń tam okna wzrokowo (JUDGE observer); pole &apos;reason&apos; linii mozaikowania mówi, dlaczego nie zmierzono każdego z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
         <source>What would decide it: layers without what was scanned twice.</source>
         <translation>Co by rozstrzygnęło: warstwy bez tego, co zeskanowano dwukrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
-        <source>{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; take the next smaller one, or inspect the whole lot (PLAN all).</source>
-        <translation>{parameter} {value} nie występuje w dostępnych tu tablicach ISO 2859-2, które mają {known}; weź najbliższą mniejszą albo skontroluj całą partię (PLAN all).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="356"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
         <source>The scan of {name} found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>Skanowanie {name} nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="360"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="283"/>
         <source>The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
         <translation>Ortofotomapa {name} przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="364"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="286"/>
         <source>Along {metres:.0f} m of the seamlines given for {name} the mosaic shows one orthoimage on both sides; they are no seams.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania podanych dla {name} ortofotomapa pokazuje po obu stronach ten sam ortoobraz; nic się tam nie łączy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="368"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="289"/>
         <source>Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.</source>
         <translation>Wewnątrz swojego obrysu {share:.1%} ortofotomapy {name} nie ma pikseli, najwięcej w okolicy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="371"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
         <source>In {name} {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.</source>
         <translation>W {name} obejrzano {share:.0%} ortofotomapy, w obrębie CORRIDOR; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="374"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="293"/>
         <source>The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
         <translation>Linie mozaikowania {name} wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="387"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
         <source>The seams of {name} are those of the given seamlines; one that lacks shows where it is longer than some 150 pixels.</source>
         <translation>Linie mozaikowania {name} są podane; brakującą widać, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
         <source>Judged in the bands: {bands}</source>
         <translation>Oceniono w kanałach: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="207"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="231"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="179"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
         <source>of these may keep enough (95 %)</source>
         <translation>z nich może zachować dość (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="400"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="395"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="400"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="395"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="46"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="44"/>
         <source>{standard}, single sampling, level {level}, AQL {aql}</source>
         <translation>{standard}, plan jednostopniowy, poziom {level}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="75"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="72"/>
         <source>{loss}, not visible</source>
         <translation>{loss}, niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="35"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="34"/>
         <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859 asks for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the desk to be judged. The same seed draws the same sample.</source>
         <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859, albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="47"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="46"/>
         <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; count, as many as you say.</source>
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; count – taka, jaką podasz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="121"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="95"/>
         <source>at least {MIN_KEPT} % kept, at most {MAX_SHARE} % failed, at most {MAX_RUN} m without a break, at least {MIN_MEASURED} % measured</source>
         <translation>zachowane co najmniej {MIN_KEPT} %, najwyżej {MAX_SHARE} % niezgodnych, najwyżej {MAX_RUN} m bez przerwy, zmierzone co najmniej {MIN_MEASURED} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="123"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="97"/>
         <source>at least {MIN_KEPT} % kept, at least {MIN_MEASURED} % measured, sampled at level {INSPECTION_LEVEL}, AQL {AQL}</source>
         <translation>zachowane co najmniej {MIN_KEPT} %, zmierzone co najmniej {MIN_MEASURED} %, próba na poziomie {INSPECTION_LEVEL}, AQL {AQL}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="99"/>
         <source>at least {MIN_KEPT} % kept, at least {MIN_MEASURED} % measured, sampled as an isolated lot, LQ {LQ} %</source>
         <translation>zachowane co najmniej {MIN_KEPT} %, zmierzone co najmniej {MIN_MEASURED} %, próba jak z partii izolowanej, LQ {LQ} %</translation>
     </message>
@@ -12519,11 +12454,6 @@
         <translation>Położenia „{mark}” i „{other}” są w jednym miejscu; przesuń jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="11"/>
-        <source>&apos;{word}&apos; is none of {known}; choose one of them.</source>
-        <translation>„{word}” nie należy do {known}; wybierz jedno z nich.</translation>
-    </message>
-    <message>
         <location filename="../plugin/sensors/measure/messages.py" line="42"/>
         <source>By the image or its RPC the points&apos; columns and rows are interchanged; interchange the two fields.</source>
         <translation>Według obrazu lub jego RPC kolumny i wiersze punktów są zamienione; zamień oba pola.</translation>
@@ -12534,17 +12464,17 @@
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="44"/>
+        <location filename="../plugin/toolkit/messages.py" line="42"/>
         <source>The Dask scheduler at {address} does not answer ({error}); check the address (the usual port is 8786), or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres (zwykle z portem 8786) albo pozostaw go pusty.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="48"/>
+        <location filename="../plugin/toolkit/messages.py" line="45"/>
         <source>What answers at {address} is not a Dask scheduler; check the address (the usual port is 8786), or leave it empty.</source>
         <translation>To, co odpowiada pod adresem {address}, nie jest schedulerem Dask; sprawdź adres (zwykle z portem 8786) albo pozostaw go pusty.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="98"/>
+        <location filename="../plugin/toolkit/messages.py" line="84"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -12674,17 +12604,17 @@
         <translation>Czy okno narysowano, rozmieszczono wzdłuż linii, czy jest najgorszym miejscem ze skanowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="19"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
         <source>The seams lie beyond what their coordinate reference system describes; give them the system of their coordinates.</source>
         <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="418"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
         <source>its pixels are {pixel:.3g} m instead of {wanted:.3g} m</source>
         <translation>piksel ma {pixel:.3g} m zamiast {wanted:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="419"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="330"/>
         <source>its reference system is {system} instead of {wanted}</source>
         <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
     </message>
@@ -12714,12 +12644,12 @@
         <translation>Uzasadnienie słowami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
         <source>images are given as orthoimages that are the mosaic, or were made of others, so that they hide what it lost: {names}</source>
         <translation>jako ortoobrazy podano obrazy, które są ortofotomapą albo powstały z innych, więc ukrywają to, co ona straciła: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
         <source>What would decide it: a scan with the whole orthoimages as they were rectified, and no others.</source>
         <translation>Co by rozstrzygnęło: skanowanie z całymi ortoobrazami, tak jak powstały, i żadnymi innymi.</translation>
     </message>
@@ -12934,22 +12864,22 @@
         <translation>co najmniej {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="51"/>
+        <location filename="../plugin/toolkit/messages.py" line="47"/>
         <source>Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on the scheduler, the workers and here.</source>
         <translation>Pod adresem {address} odpowiada Dask {versions}, a tutaj jest Dask {own}; zainstaluj tę samą wersję dask i distributed dla schedulera, procesów roboczych i tutaj.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="55"/>
+        <location filename="../plugin/toolkit/messages.py" line="50"/>
         <source>A {given} is no executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="57"/>
+        <location filename="../plugin/toolkit/messages.py" line="51"/>
         <source>The executor was shut down or lost its workers; open a new one, then run this again.</source>
         <translation>Executor zamknięto albo stracił swoje procesy; otwórz nowy i uruchom to ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="85"/>
+        <location filename="../plugin/toolkit/messages.py" line="75"/>
         <source>In {path} names of fields are cut to ten letters ({names}), so nothing that looks for them finds them, or finds another one; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
@@ -12985,42 +12915,42 @@
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field &apos;reason&apos; of the seams says why each was not; scan with longer pieces, or judge windows there by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Pole &apos;reason&apos; linii mozaikowania mówi dlaczego; skanuj z dłuższymi odcinkami albo oceń tam okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
         <source>What would decide it: a scan with shorter pieces. Failures end inside of pieces, so a sum of pieces of {piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszymi odcinkami. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with all seamlines, or without any.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi podanymi liniami albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
         <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a scan of those that are there now.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki, podane jako ortofotomapa i jej ortoobrazy, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
         <source>What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie do decyzji wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece keeps enough though a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="196"/>
         <source>The layers of seams are of {count} mosaics, and none is given to the decision: whether all of these belong to the delivery is not known.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="392"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
         <source>In {name} the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s seamlines to the scan to measure all of them.</source>
         <translation>W {name} linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z podanymi liniami wykonawcy metry i długości dotyczą wszystkich linii.</translation>
     </message>
@@ -13053,6 +12983,31 @@
         <location filename="../plugin/toolkit/layer_styles.py" line="47"/>
         <source>kept by distance from the seam</source>
         <translation>zachowane według odległości od linii łączenia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="20"/>
+        <source>A piece that has to keep 0 always passes; give the share that it has to keep, such as 0.7.</source>
+        <translation>Odcinek, który ma zachować 0, jest zawsze zgodny; podaj część, którą ma zachować, np. 0,7.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
+        <source>The layers of seams are empty, or none of their rows is a piece of seam (field &apos;level&apos;); choose the layers as the scans wrote them.</source>
+        <translation>Warstwy linii mozaikowania są puste albo żaden ich wiersz nie jest odcinkiem linii (pole „level”); wybierz warstwy takie, jak je zapisało badanie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="29"/>
+        <source>&apos;{parameter}&apos; is {value:g}; give {least:g} or more.</source>
+        <translation>„{parameter}” to {value:g}; podaj {least:g} lub więcej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <source>&apos;{parameter}&apos; is {value:g}; give a number from {least:g} to {most:g}.</source>
+        <translation>„{parameter}” to {value:g}; podaj liczbę od {least:g} do {most:g}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="31"/>
+        <source>&apos;{parameter}&apos; is &apos;{value}&apos;; known are {known}.</source>
+        <translation>„{parameter}” to „{value}”; znane są {known}.</translation>
     </message>
 </context>
 </TS>

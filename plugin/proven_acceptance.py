@@ -17,7 +17,7 @@ from .toolkit.algorithms import parameters as common
 if TYPE_CHECKING:
     import numpy as np
 
-    from .acceptance.paper.proofs import ProofPanel, Prover
+    from .acceptance.paper.defect_files import ProofPanel, Prover
     from .imagery.rasters import Raster, RasterRef
     from .seams.measure.source_images import Source
     from .seams.measure.window.inspection import Block
@@ -100,7 +100,7 @@ def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, 
 
 def _panels(request: WindowRequest, part: tuple[int, int, int, int]) -> Iterator[ProofPanel]:
     """Panels of a part, given by row, column, width and height in the window."""
-    from .acceptance.paper.proofs import CUT_PANEL, IMAGE_PANEL, MOSAIC_PANEL, ProofPanel
+    from .acceptance.paper.defect_files import CUT_PANEL, IMAGE_PANEL, MOSAIC_PANEL, ProofPanel
     from .imagery.limits import has_colours
     from .seams.clip_pictures import make_pictures
     from .seams.measure.window.explained_window import WindowComposite, window_composite

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from ..imagery.rasters import Raster, RasterRef
     from .measure.decision import Decision
-    from .paper.proofs import Prover
+    from .paper.defect_files import Prover
 
 SEAMS, WINDOWS, JUDGE = "SEAMS", "WINDOWS", "JUDGE"
 TOOL, OBSERVER = "tool", "observer"
@@ -101,7 +101,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
     @staticmethod
     def _by_observer(run: Run) -> bool:
         """Raises SettingsError where there are no windows that an observer could have judged."""
-        by_observer = stated.known_word(run, JUDGE, (TOOL, OBSERVER)) == OBSERVER
+        by_observer = run.word(JUDGE) == OBSERVER
         if by_observer and not run.parameters.get(WINDOWS):
             raise SettingsError(messages.NO_JUDGED_WINDOWS())
         return by_observer
@@ -183,7 +183,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             (stated.MIN_MEASURED, tr("Least share that has to be measured (%)"),
              tr("Of the seams on ground with detail. With less measured a delivery is not accepted.")),
         ):  # fmt: skip
-            limit = common.real(name, title, stated.LIMITS[name], 0.0)
+            limit = common.real(name, title, stated.LIMITS[name], 0.0, stated.MOST[name])
             self.addDescribed(limit, words, advanced=name == stated.MIN_MEASURED)
 
 

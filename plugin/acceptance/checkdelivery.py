@@ -25,8 +25,7 @@ FOLDER, SHEETS, PATTERN, PIXEL, CRS = "FOLDER", "SHEETS", "PATTERN", "PIXEL", "C
 BANDS, DATA_TYPE, MAX_NODATA, OUTPUT, VRT = "BANDS", "DATA_TYPE", "MAX_NODATA", "OUTPUT", "VRT"
 SHEET_COUNT, MISSING_COUNT, FAULTY_COUNT, IS_COMPLETE = "SHEET_COUNT", "MISSING_COUNT", "FAULTY_COUNT", "COMPLETE"
 DATA_TYPES = ("uint8", "uint16", "int16", "float32")
-RASTERS = (".tif", ".tiff", ".jp2", ".img")
-"""Endings of files that are sheets of a delivery."""
+RASTERS = (".tif", ".tiff", ".jp2", ".img")  # endings of files that are sheets of a delivery
 
 
 class CheckDelivery(SeamInspectorAlgorithm):

@@ -147,9 +147,7 @@ def read_delivery(
             lots.add(whole_number(row["lot_size"]) or 0)
         told += doubts.told()
         read.append(doubts.layer(layer.scan, layers.system_wkt(layer.crs), "kept_1" in layer.fields))
-    if not pieces:
-        raise SettingsError(messages.LAYERS_EMPTY())
-    size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
+    size = max(lots, default=0) or None if any(piece.sample_number for piece in pieces) else None
     delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), size, read)
     told += doubled
     if all(layer.crs.isGeographic() for layer in seams) and not crs.isGeographic():

@@ -16,7 +16,6 @@ from ..toolkit.translation import tr
 from . import stated_rules as stated
 from .measure import acceptance_rules as limits
 from .measure import messages
-from .measure.sampling_plans import INSPECTION_LEVELS
 from .sheet_index import add_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
@@ -76,7 +75,8 @@ class PlanInspection(SeamInspectorAlgorithm):
         self.addOutput(QgsProcessingOutputString(CODE_LETTER, tr("Code letter of the plan")))
 
     def check(self, run: Run) -> None:
-        self._check(run)
+        if run.word(UNIT) == WINDOWS and not run.parameters.get(common.MOSAIC):
+            raise SettingsError(messages.WINDOWS_WITHOUT_MOSAIC())
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         return stated.with_standard_words(super().for_check(parameters))
@@ -84,7 +84,7 @@ class PlanInspection(SeamInspectorAlgorithm):
     def prepare(self, run: Run) -> None:
         from .delivery_layers import seam_layers
 
-        self._check(run)
+        self.check(run)
         self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context)
         field = run.text(SHEET_FIELD)
         if field and not any(field in layer.fields for layer in self._seams):
@@ -116,16 +116,3 @@ class PlanInspection(SeamInspectorAlgorithm):
             LOT_SIZE: size,
             CODE_LETTER: None if plan is None else plan.code_letter or None,
         }
-
-    def _check(self, run: Run) -> None:
-        """Raise SettingsError for what can't be planned."""
-        plan = stated.known_word(run, stated.PLAN, (stated.ISO2859, stated.ISOLATED, BY_COUNT))
-        for name in stated.QUALITIES:
-            stated.standard_quality(run, name)
-        stated.known_word(run, stated.INSPECTION_LEVEL, INSPECTION_LEVELS)
-        stated.check_limit(LOT_SIZE, run.whole(LOT_SIZE))
-        stated.check_limit(PIECE, run.real(PIECE))
-        if plan == BY_COUNT and run.whole(COUNT) < 1:
-            raise SettingsError(messages.COUNT_NOT_POSITIVE(count=run.whole(COUNT)))
-        if stated.known_word(run, UNIT, (PIECES, WINDOWS)) == WINDOWS and not run.parameters.get(common.MOSAIC):
-            raise SettingsError(messages.WINDOWS_WITHOUT_MOSAIC())

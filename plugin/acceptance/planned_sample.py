@@ -32,9 +32,8 @@ from .delivery_layers import SeamLayer, common_system, read_delivery
 from .measure import messages
 from .measure.delivered_rows import united_settings
 from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, in_order, metres_in_unit
-from .measure.inspection_plan import cut_pieces, plan_sentence
+from .measure.inspection_plan import cut_pieces, operating_characteristic, plan_sentence
 from .measure.sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
-from .measure.sampling_risks import operating_characteristic
 from .sheet_index import with_sheets
 
 _STEP = 0.01  # of a piece: raster steps up to that are straightened where no mosaic says how large they are
@@ -149,8 +148,6 @@ def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: floa
 
 @dataclass(frozen=True, eq=False)
 class SampledItem:
-    """A piece that was drawn."""
-
     order: int  # place in the order of drawing, from 1
     piece: DeliveredPiece
     lot_size: int

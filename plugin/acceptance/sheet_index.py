@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from qgis.core import (
     QgsCsException,
     QgsGeometry,
-    QgsGeometryEngine,
     QgsPoint,
     QgsRectangle,
     QgsSpatialIndex,
@@ -36,34 +35,7 @@ _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
 """The first that a layer has says what its sheets are called; of a file's path its name."""
 
 
-class _Sheets:
-    """Outlines of sheets, found by place."""
-
-    def __init__(self) -> None:
-        self.outlines: list[tuple[str, QgsGeometry]] = []
-        """Names and outlines in the order of the layer."""
-        self._engines: dict[int, QgsGeometryEngine] = {}
-        """Geometry engines of the outlines that hold anything, by number."""
-        self._index = QgsSpatialIndex()
-
-    def add(self, name: str, outline: QgsGeometry) -> None:
-        """One sheet more."""
-        number = len(self.outlines)
-        self.outlines.append((name, outline))
-        if not outline.isEmpty():
-            self._index.addFeature(number, outline.boundingBox())
-            self._engines[number] = QgsGeometry.createGeometryEngine(outline.constGet())
-            self._engines[number].prepareGeometry()
-
-    def at(self, place: tuple[float, float]) -> Iterator[str]:
-        """Names of the sheets that hold a place; of one on their border, of both."""
-        point = QgsPoint(*place)
-        here = self._index.intersects(QgsRectangle(*place, *place))
-        return (self.outlines[i][0] for i in sorted(here) if self._engines[i].intersects(point))
-
-
 def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
-    """The parameter SHEETS."""
     algorithm.addDescribed(common.features(SHEETS, tr("Sheets"), common.POLYGON, optional=True), tr(
         "Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons "
         "with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says."
@@ -83,7 +55,7 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
         return delivery
     rows, is_checked = _sheet_rows(run, SHEETS)
     transform = run.transform(run.source(SHEETS), reference_system(delivery.wkt))
-    sheets = _Sheets()
+    outlines: list[tuple[str, QgsGeometry]] = []
     findings: dict[str, tuple[str, ...]] = {}
     states: dict[str, str] = {}
     for name, row in rows:
@@ -92,12 +64,12 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
             outline.transform(transform)
         except QgsCsException:
             raise SettingsError(messages.NOT_TRANSFORMED(name=run.source(SHEETS).sourceName())) from None
-        sheets.add(name, outline)
+        outlines.append((name, outline))
         if is_checked and (words := text(row[FINDINGS])):
             findings[name] = (*findings.get(name, ()), words)
             if states.get(name) in (None, SheetState.NOT_ORDERED.value):  # a file more of that name
                 states[name] = text(row[STATE])
-    found = [next(sheets.at(piece.middle), None) for piece in delivery.pieces]
+    found = _names_at(outlines, [piece.middle for piece in delivery.pieces])
     outside = sum(sheet is None for sheet in found)
     if outside == len(found):
         raise SettingsError(messages.SHEETS_ELSEWHERE())
@@ -109,9 +81,24 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
     )
     made = tuple(
         replace(one, findings=findings.get(one.name, ()), state=SheetState.of_word(states.get(one.name, "")))
-        for one in _sheet_outlines(sheets.outlines)
+        for one in _sheet_outlines(outlines)
     )
     return replace(delivery, pieces=pieces, outlines=made, is_checked=is_checked)
+
+
+def _names_at(outlines: list[tuple[str, QgsGeometry]], places: list[tuple[float, float]]) -> list[str | None]:
+    """The first sheet that holds each place, its border included; None where none does."""
+    index, engines = QgsSpatialIndex(), {}
+    for number, (_, outline) in enumerate(outlines):
+        if not outline.isEmpty():
+            index.addFeature(number, outline.boundingBox())
+            engines[number] = QgsGeometry.createGeometryEngine(outline.constGet())
+            engines[number].prepareGeometry()
+    return [
+        next((outlines[i][0] for i in sorted(index.intersects(QgsRectangle(*place, *place)))
+              if engines[i].intersects(QgsPoint(*place))), None)
+        for place in places
+    ]  # fmt: skip
 
 
 def index_rows(run: Run, parameter: str, index_path: str) -> Iterator[tuple[str, str, bytes, str]]:

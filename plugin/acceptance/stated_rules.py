@@ -39,6 +39,7 @@ LIMITS = {
     MIN_MEASURED: 100 * limits.STANDARD_MEASURED_SHARE,
 }
 """What parameters that are numbers hold when nobody changes them."""
+MOST = {MIN_KEPT: 1.0, MAX_SHARE: 100.0, MAX_RUN: None, MIN_MEASURED: 100.0}
 DEFAULTS: dict[str, object] = {
     **LIMITS, PLAN: ALL, AQL: limits.STANDARD_AQL, LQ: DEFAULT_LQ, INSPECTION_LEVEL: DEFAULT_LEVEL
 }
@@ -71,31 +72,10 @@ def stated_rules(run: Run) -> AcceptanceRules:
     return rules
 
 
-def check_limit(name: str, value: float, most: float | None = None) -> None:
-    """Raise SettingsError for a number below 0, or above the most there can be."""
-    if value < 0:
-        raise SettingsError(messages.LIMIT_NEGATIVE(parameter=name, value=value))
-    if not (most is None or value <= most):
-        raise SettingsError(messages.LIMIT_NO_SHARE(parameter=name, value=value, least=0, most=most))
-
-
 def standard_quality(run: Run, name: str) -> str:
-    """AQL or LQ as the standard writes it, also of a number. Raises SettingsError for one that it does not have."""
-    value, (known, usual) = run.raster_value(name), QUALITIES[name]
-    word = usual if value is None or value == "" else word_of(value, known)
-    if word is None:
-        if name == LQ:
-            raise SettingsError(messages.LQ_UNKNOWN(parameter=name, value=value, known=", ".join(known)))
-        raise SettingsError(messages.QUALITY_UNKNOWN(parameter=name, value=value, known=", ".join(known)))
-    return word
-
-
-def known_word(run: Run, name: str, known: tuple[str, ...]) -> str:
-    """Word of a choice; raises SettingsError for a word that is none of it."""
-    word = run.word(name)
-    if word not in known:
-        raise SettingsError(messages.WORD_UNKNOWN(parameter=name, value=word, known=", ".join(known)))
-    return word
+    """AQL or LQ as the standard writes it, also of a number."""
+    known, usual = QUALITIES[name]
+    return word_of(run.raster_value(name), known) or usual
 
 
 def with_standard_words(parameters: dict[str, Any]) -> dict[str, Any]:
@@ -105,16 +85,10 @@ def with_standard_words(parameters: dict[str, Any]) -> dict[str, Any]:
 
 
 def _given(run: Run) -> dict[str, Any]:
-    """Raises SettingsError for what can't be."""
-    values: dict[str, Any] = {}
-    for name, most in ((MIN_KEPT, 1.0), (MAX_SHARE, 100.0), (MAX_RUN, None), (MIN_MEASURED, 100.0)):
-        value = run.real(name)
-        check_limit(name, value, most)
-        values[name] = value
-    values[PLAN] = known_word(run, PLAN, (ALL, ISO2859, ISOLATED))
-    values.update({name: standard_quality(run, name) for name in QUALITIES})
-    values[INSPECTION_LEVEL] = known_word(run, INSPECTION_LEVEL, INSPECTION_LEVELS)
-    return values
+    return {
+        **{name: run.real(name) for name in LIMITS}, **{name: standard_quality(run, name) for name in QUALITIES},
+        PLAN: run.word(PLAN), INSPECTION_LEVEL: run.word(INSPECTION_LEVEL),
+    }  # fmt: skip
 
 
 _NAMES = {
@@ -152,7 +126,6 @@ def _of_parameters(given: dict[str, Any]) -> AcceptanceRules:
 
 
 def _as_parameters(rules: AcceptanceRules) -> dict[str, object]:
-    """What a file says, in the parameters' units."""
     said: dict[str, object] = {MIN_KEPT: rules.least_kept, PLAN: ALL}
     for name, (check, scale) in _CHECKS.items():
         if (limit := rules.limit(check)) is not None:
@@ -169,7 +142,6 @@ _LARGEST_SEED = 2**31 - 1
 
 
 def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
-    """LOT_SIZE, AQL, LQ, INSPECTION_LEVEL and SEED."""
     algorithm.addDescribed(common.whole(LOT_SIZE, tr("Lot size"), 0, 0), tr(
         "How many pieces of seam the whole lot has; 0: as many as the layers hold."
     ))

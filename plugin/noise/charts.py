@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from itertools import cycle
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,7 +11,7 @@ from matplotlib.ticker import Locator, NullLocator
 
 from ..imagery.errors import printable
 from ..imagery.limits import LUMINANCE, judged_band
-from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER
+from ..toolkit.charts.chart_style import PAPER, band_colour
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.charts.round_ticks import decade_ticks, round_below
 from ..toolkit.translation import band_title, filled, formatted, tr
@@ -30,12 +29,10 @@ MAX_TITLE = 40  # characters of a name
 def draw_noise(axes: Axes, measured: Mapping[str, BandNoise], line: str = "-", label: str = "") -> None:
     """The curves of one clip by band, the judged one (the noisiest) bold; see ``draw_rule``."""
     bold = noisiest_band(measured) if measured else ""
-    spare = cycle(PAPER.sources)
-    for band, noise in measured.items():
+    for place, (band, noise) in enumerate(measured.items()):
         if noise.curve.variance == 0:
             continue
-        is_alone = band in (LUMINANCE, bold)
-        colour = BAND_COLOURS.get(band) or (PAPER.text if is_alone else next(spare))
+        colour = band_colour(band, place, band in (LUMINANCE, bold))
         detail = noise.curve.detail
         width, size, order = (2.4, 5, 4) if band == bold else (1.3, 3, 3)
         axes.plot(

@@ -27,8 +27,6 @@ _COLOURS = {MarkStatus.MEASURED: (0, 230, 130), MarkStatus.GIVEN: (255, 170, 0),
 
 @dataclass(frozen=True)
 class OrientationJob:
-    """The photo, calibration and settings of an interior orientation."""
-
     photo: Photo
     calibration: CameraCalibration
     calibration_path: Path
@@ -52,7 +50,6 @@ def save_orientation_report(path: Path, job: OrientationJob, made: PhotoOrientat
 
 
 def _figures(made: PhotoOrientation) -> list[tuple[str, str]]:
-    """The figures at the head of the page."""
     words = (
         (MarkStatus.MEASURED, tr("marks measured")), (MarkStatus.GIVEN, tr("marks given")),
         (MarkStatus.FAILED, tr("marks failed")),

@@ -115,7 +115,7 @@ class CheckRadiometry(RasterListAlgorithm):
         self._home = Path(layer_path(index) if index is not None else "").parent
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from . import tables, words
+        from . import image_set, words
         from .image_set import DrawnLayers, assessed, jobs_on
         from .measure.assessment import decide
 
@@ -125,8 +125,8 @@ class CheckRadiometry(RasterListAlgorithm):
         images = self.opened([*self.refs[RASTERS], *self._indexed(run)])
         self.require_rasters(images)
         run.tell_once(self.left_out)
-        sink, output_id = run.sink(OUTPUT, tables.radiometry_fields())
-        grey_sink, grey_id = run.optional_sink(MAYBE_GREY, *tables.maybe_grey_layout(images))
+        sink, output_id = run.sink(OUTPUT, image_set.radiometry_fields())
+        grey_sink, grey_id = run.optional_sink(MAYBE_GREY, *image_set.maybe_grey_layout(images))
         unseen = list(self.left_out)
         jobs = list(jobs_on(images, drawn, unseen))
         run.tell_once(unseen[len(self.left_out) :])
@@ -134,8 +134,8 @@ class CheckRadiometry(RasterListAlgorithm):
         drawn_on = DrawnLayers(run, *(run.source(name) if run.parameters.get(name) else None
                                       for name in (SEAMLINES, GREY_AREAS)))  # fmt: skip
         for result in assessed(drawn_on, rules, jobs, unseen):
-            run.write(sink, tables.radiometry_features(result))
-            run.write(grey_sink, tables.maybe_grey_features(result, images, run.context.transformContext()))
+            run.write(sink, image_set.radiometry_features(result))
+            run.write(grey_sink, image_set.maybe_grey_features(result, images, run.context.transformContext()))
             run.tell_once(result.notices)
             for sentence in words.found_words(result):
                 run.inform(f"{words.title(result)}: {sentence}")

@@ -1,14 +1,19 @@
-"""The images of one run, measured one by one and held against the rules."""
+"""The images of one run, measured one by one and held against the rules; and the table of that, whose field names are
+contracts."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Callable, Optional
+from typing import TYPE_CHECKING, Callable, NamedTuple, Optional
 
 from qgis.core import (
+    QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
     QgsCsException,
+    QgsFeature,
     QgsFeatureRequest,
+    QgsFields,
     QgsGeometry,
     QgsPointXY,
     QgsProcessingFeatureSource,
@@ -21,13 +26,19 @@ from ..imagery.errors import CancelledError, Message, SeamInspectorError, Window
 from ..imagery.grids import PixelWindow, snap_window
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
+from ..imagery.records import Column
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.reference_systems import transformation
-from .measure.assessment import Assessment, judge
+from ..toolkit.layers import rectangle, transformed
+from ..toolkit.reference_systems import reference_system, transformation
+from ..toolkit.table_fields import column_features, column_fields, feature, table_fields
+from ..toolkit.translation import sentence
+from .measure import limits
+from .measure.assessment import Assessment, CheckedFigure, decide_image, judge
 from .measure.image_statistics import known_range, range_of_set
 from .measure.measured_image import MeasuredImage, measure
-from .measure.rules import RuleSet
+from .measure.rules import Rule, RuleSet
+from .words import spot_words
 
 if TYPE_CHECKING:
     from ..imagery.lines import Seam
@@ -74,9 +85,9 @@ class DrawnLayers:
         image without a place on the map."""
         if has_map(image):
             transform = self.run.transform(source, layers.mosaic_crs(image))
-            for feature in layers.features(source):
-                if not are_areas or feature.geometry().type() == QgsWkbTypes.GeometryType.PolygonGeometry:
-                    yield feature.id(), layers.line_wkb(feature, transform)
+            for row in layers.features(source):
+                if not are_areas or row.geometry().type() == QgsWkbTypes.GeometryType.PolygonGeometry:
+                    yield row.id(), layers.line_wkb(row, transform)
 
     def _seams_on(self, seamlines: QgsProcessingFeatureSource, image: Raster) -> list[Seam]:
         from ..imagery.lines import find_seams
@@ -85,7 +96,6 @@ class DrawnLayers:
         return find_seams(lines, image.grid.pixel_width) if has_map(image) else []
 
     def _grey_on(self, areas: QgsProcessingFeatureSource, image: Raster) -> list[GreyArea]:
-        """The grey areas: polygons alone."""
         from .measure.areas import GreyArea
 
         return [GreyArea(number, wkb) for number, wkb in self._wkb_on(areas, image, True) if wkb is not None]
@@ -113,12 +123,12 @@ def _features_at(
         return ()
     request = QgsFeatureRequest().setFilterRect(around.boundingBox())
     numbers = []
-    for feature in source.getFeatures(request, QgsProcessingFeatureSource.Flag.FlagSkipGeometryValidityChecks):
-        geometry = feature.geometry()
+    for row in source.getFeatures(request, QgsProcessingFeatureSource.Flag.FlagSkipGeometryValidityChecks):
+        geometry = row.geometry()
         if geometry.type() == QgsWkbTypes.GeometryType.PolygonGeometry:
             geometry = QgsGeometry(geometry.constGet().boundary())
         if geometry.intersects(around):
-            numbers.append(feature.id())
+            numbers.append(row.id())
     return tuple(map(str, sorted(numbers)))
 
 
@@ -192,3 +202,86 @@ def _pixels_under(drawn: DrawnWindow, image: Raster) -> PixelWindow | None:
     if extent is None or not shown_share(image.grid, extent):
         return None
     return snap_window(image.grid, extent, levels=0)
+
+
+class _Row(NamedTuple):
+    result: Assessment
+    checked: CheckedFigure
+    decision: str
+
+
+_COLUMNS: tuple[Column[_Row], ...] = (
+    Column("raster", "text", lambda row: row.result.image.ref.name),
+    Column("window_id", "integer", lambda row: row.result.window_id),
+    Column("band", "text", lambda row: row.checked.band),
+    Column("check", "text", lambda row: row.checked.rule.check),
+    Column("value", "real", lambda row: row.checked.value),
+    Column("limit", "text", lambda row: limit_text(row.checked.rule)),
+    Column("passed", "integer", lambda row: None if row.checked.passed is None else int(row.checked.passed)),
+    Column("source", "text", lambda row: row.checked.rule.source),
+    Column("reason", "text", lambda row: sentence(row.checked.reason) if row.checked.reason else None),
+    Column("least", "real", lambda row: row.checked.rule.least),
+    Column("most", "real", lambda row: row.checked.rule.most),
+    Column("required", "integer", lambda row: int(row.checked.rule.required)),
+    Column("decision", "text", lambda row: row.decision),
+    Column("place", "text", lambda row: spot_words(row.checked)),
+    Column("x", "real", lambda row: None if row.checked.spot is None else row.checked.spot.place[0]),
+    Column("y", "real", lambda row: None if row.checked.spot is None else row.checked.spot.place[1]),
+)
+
+
+_AREA_FIELDS = (("raster", "text"), ("red", "real"), ("green", "real"), ("blue", "real"), ("difference", "real"))
+
+
+def radiometry_fields() -> QgsFields:
+    """OUTPUT: one row per raster (or window of it), check and band. Shares are fractions of 1; ``passed`` is 1, 0, or
+    nothing where the figure can't be measured or has no limit; ``decision`` is that on the raster or window; ``place``,
+    ``x`` and ``y`` say where a figure comes from, in the raster's reference system."""
+    return column_fields(_COLUMNS)
+
+
+def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
+    """The rows of OUTPUT for an image or a window of it."""
+    decision = decide_image(result).outcome.value
+    return column_features(_COLUMNS, (_Row(result, checked, decision) for checked in result.checked_figures))
+
+
+def maybe_grey_layout(images: Sequence[Raster]) -> tuple[QgsFields, QgsWkbTypes.Type, QgsCoordinateReferenceSystem]:
+    """MAYBE_GREY: polygons of areas that may be grey, in the reference system of the first raster on the map."""
+    return table_fields(*_AREA_FIELDS), QgsWkbTypes.Type.Polygon, _first_system(images)
+
+
+def maybe_grey_features(
+    result: Assessment, images: Sequence[Raster], transforms: QgsCoordinateTransformContext
+) -> Iterator[QgsFeature]:
+    """The rows of MAYBE_GREY for an image; none for one without a place on the map."""
+    areas, image = result.maybe_grey, result.image
+    if areas is None or not has_map(image):
+        return
+    try:
+        transform = transformation(reference_system(image.wkt), _first_system(images), transforms)
+    except WindowError:
+        return
+    fields = table_fields(*_AREA_FIELDS)
+    for (column, row), means, spread in zip(areas.corners.tolist(), areas.means.tolist(), areas.spreads.tolist()):
+        window = PixelWindow(column, row, limits.AREA_PX, limits.AREA_PX)
+        outline = rectangle(image.grid.window_extent(window))
+        try:
+            outline = transformed(outline, transform)
+        except WindowError:
+            continue
+        yield feature(fields, [image.ref.name, *means, spread], outline)
+
+
+def _first_system(images: Sequence[Raster]) -> QgsCoordinateReferenceSystem:
+    wkt = next((image.wkt for image in images if has_map(image)), "")
+    return reference_system(wkt)
+
+
+def limit_text(rule: Rule) -> str | None:
+    """The limits in the unit of the value; None without any."""
+    if rule.least is not None and rule.most is not None:
+        return f"{rule.least:g} to {rule.most:g}"
+    if rule.most is not None:
+        return f"<= {rule.most:g}"
+    return None if rule.least is None else f">= {rule.least:g}"

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import cycle
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +10,7 @@ from matplotlib.figure import Figure
 
 from ..imagery.errors import Message
 from ..imagery.rasters import ValueRange
-from ..toolkit.charts.chart_style import BAND_COLOURS, MOST_NAMED, PAPER, UNNAMED
+from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED, band_colour
 from ..toolkit.charts.figure_files import new_figure, svg_text
 from ..toolkit.pages.templates import HowMeasured, each_raster, save_page, sentences_once
 from ..toolkit.translation import filled, sentence, shown_number, tr
@@ -151,11 +150,10 @@ def histogram_figure(result: Assessment) -> Figure | None:
     low, high = shown = result.available or _range_of_values(result)
     figure = new_figure(2.7, 1.7)
     axes = figure.subplots()
-    spare = cycle(PAPER.sources)
     for place, (name, histogram) in enumerate(_drawn(result).items()):
         counts, middles = histogram.binned(shown)
         is_dark = name == LUMINOSITY or len(_drawn(result)) == 1
-        colour = PAPER.text if is_dark else BAND_COLOURS.get(name) or next(spare)
+        colour = PAPER.text if is_dark else band_colour(name, place, is_alone=False)
         words = band_words(name) if place < MOST_NAMED else UNNAMED
         axes.plot(middles, 100 * counts / max(histogram.pixels, 1), color=colour, linewidth=1.1, label=words)
     known = result.checked_figures if result.available is not None else ()

@@ -36,7 +36,6 @@ _BAND_WORDS = {
 
 
 def band_words(band: str) -> str:
-    """A band as the user reads it."""
     return tr(_BAND_WORDS[band]) if band in _BAND_WORDS else band_title(band)
 
 
@@ -58,7 +57,6 @@ def figure_words(rule: Rule, value: float) -> str:
 
 
 def limit_words(rule: Rule) -> str:
-    """The limits of a rule."""
     scale, unit = (1, "") if rule.check == checks.SIGNAL_TO_NOISE else (100, "\u00a0%")
     least, most = (
         None if limit is None else formatted(scale * limit, "g") + unit for limit in (rule.least, rule.most)

@@ -6,10 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED
+from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED, band_colour
 from ..toolkit.charts.figure_files import new_figure, plain_figure
 from ..toolkit.translation import band_title, filled, tr
-from .band_colours import band_colour
 from .distance_words import direction_title
 from .measure.bar_groups import GroupResult
 from .measure.bars import BarReading
@@ -31,7 +30,6 @@ def verdict_of(results: Sequence[GroupResult]) -> str:
 
 
 def verdict_word(verdict: str) -> str:
-    """A verdict for the user."""
     return {
         "resolved": tr("resolved"),
         "unresolved": tr("not resolved"),
@@ -43,7 +41,7 @@ def verdict_word(verdict: str) -> str:
 def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: float) -> None:
     """The profiles of one line by band, their bars and gaps, and for the weakest band the threshold of its gaps."""
     for place, (band, reading) in enumerate(readings.items()):
-        profile, colour = reading.profile, band_colour(band, place, len(readings))
+        profile, colour = reading.profile, band_colour(band, place, len(readings) == 1)
         title = band_title(band) if place < MOST_NAMED else UNNAMED
         axes.plot(profile.positions, profile.values, color=colour, linewidth=1.4, label=title)
         for extremes, face in ((reading.bars, colour), (reading.gaps, PAPER.background)):
@@ -157,7 +155,6 @@ def _draw_panel(
 
 
 def lines_of(results: Sequence[GroupResult]) -> list[list[GroupResult]]:
-    """The results of each line, over its bands."""
     lines: dict[int, list[GroupResult]] = {}
     for result in results:
         lines.setdefault(id(result.measured), []).append(result)

@@ -9,7 +9,6 @@ from .measure.target import DIRECTIONS
 
 
 def direction_title(direction: str) -> str:
-    """A direction for the user."""
     return {"along": tr("along the flight"), "across": tr("across the flight")}.get(direction, direction)
 
 
@@ -19,7 +18,6 @@ def distance_number(grd_cm: float, error_cm: float | None) -> str:
 
 
 def distance_text(grd_cm: float, error_cm: float | None) -> str:
-    """A distance and its standard deviation."""
     return f"{distance_number(grd_cm, error_cm)} cm"
 
 

@@ -67,7 +67,6 @@ _COLUMNS: tuple[Column[GroupResult], ...] = (
 
 
 def check_fields(names: Sequence[str]) -> None:
-    """Raise SettingsError for a line layer without its fields."""
     for name in (GROUP, DIRECTION):
         if name not in names:
             raise SettingsError(messages.FIELD_MISSING(field=name))
@@ -110,7 +109,6 @@ def pixel_segment(points: Sequence[QgsPointXY], grid: Grid) -> Segment:
 
 
 def result_fields() -> QgsFields:
-    """OUTPUT: one row per line and band."""
     return column_fields(_COLUMNS)
 
 

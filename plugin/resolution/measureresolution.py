@@ -8,7 +8,7 @@ from qgis.core import QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
-from ..imagery.errors import RasterError, SettingsError
+from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import GROUND_RESOLUTION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
@@ -67,7 +67,8 @@ class MeasureResolution(SeamInspectorAlgorithm):
             "degrees to be perpendicular to the bars. What observers saw may stand beside them, 'visible' or "
             "'invisible', in the fields 'observer', 'observer_2' and so on."
         ))
-        self.addDescribed(common.real(WIDTH, tr("Width to average (pixels)"), limits.DEFAULT_BAR_WIDTH_PX, 0), tr(
+        width = limits.DEFAULT_BAR_WIDTH_PX, 0, limits.MAX_BAR_LINE_PX
+        self.addDescribed(common.real(WIDTH, tr("Width to average (pixels)"), *width), tr(
             "How far on either side of the line the profile is averaged; less where the bars are shorter."
         ))
         self.addDescribed(common.whole(BAND, tr("Band"), 0, 0), tr("Number of the band to measure; 0 for every band."))
@@ -77,8 +78,9 @@ class MeasureResolution(SeamInspectorAlgorithm):
         self.addDescribed(common.whole(REFERENCE_GROUP, tr("Reference group"), limits.DEFAULT_REFERENCE_GROUP), tr(
             "Number of the group whose distance is known. Higher numbers are finer."
         ))
+        usual = limits.DEFAULT_REFERENCE_GRD_CM
         self.addDescribed(
-            common.real(REFERENCE_GRD, tr("Distance of the reference group (cm)"), limits.DEFAULT_REFERENCE_GRD_CM),
+            common.real(REFERENCE_GRD, tr("Distance of the reference group (cm)"), usual, limits.MIN_REFERENCE_GRD_CM),
             tr("Of the reference group, in centimetres on the ground; the next parameter says of what it is the "
                "width."),
         )
@@ -86,10 +88,11 @@ class MeasureResolution(SeamInspectorAlgorithm):
             "cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and "
             "reports count. A bar and a gap finer than two pixels together are aliasing either way."
         ))
-        self.addDescribed(common.real(STEP, tr("Step from group to group"), limits.DEFAULT_GROUP_STEP, decimals=6), tr(
+        step = limits.DEFAULT_GROUP_STEP, limits.MIN_GROUP_STEP
+        self.addDescribed(common.real(STEP, tr("Step from group to group"), *step, decimals=6), tr(
             "How many times as wide the next coarser group is; the sixth root of 2 on most targets."
         ), advanced=True)
-        self.addDescribed(common.real(CRITERION, tr("Criterion"), limits.DEFAULT_CRITERION), tr(
+        self.addDescribed(common.real(CRITERION, tr("Criterion"), limits.DEFAULT_CRITERION, 0.01, 1), tr(
             "Share of the full amplitude that the bars of a resolved group keep."
         ), advanced=True)
         self.addDescribed(common.choice(FULL_AMPLITUDE, tr("Full amplitude"), limits.FULL_AMPLITUDES), tr(
@@ -109,8 +112,6 @@ class MeasureResolution(SeamInspectorAlgorithm):
         self.addNumbers({name: tr(title) for name, title in _NUMBERS.items()})
 
     def check(self, run: Run) -> None:
-        self._target(run).check()
-        self._width(run)
         self._band(run, run.north_up(RASTER))
 
     def prepare(self, run: Run) -> None:
@@ -124,8 +125,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         from .measure.bars import measure_line
 
         raster, target = self._raster, self._target(run)
-        target.check()
-        width, band = self._width(run), self._band(run, raster)
+        width, band = run.real(WIDTH), self._band(run, raster)
         run.check_chart()
         lines = run.source(GROUPS)
         names = lines.fields().names()
@@ -176,20 +176,11 @@ class MeasureResolution(SeamInspectorAlgorithm):
         words = run.word(FULL_AMPLITUDE), run.word(GRD_OF)
         return Target(run.whole(BARS), run.whole(REFERENCE_GROUP), *numbers, run.flag(REVERSED), *words)
 
-    def _width(self, run: Run) -> float:
-        width = run.real(WIDTH)
-        if not 0 <= width <= limits.MAX_BAR_LINE_PX:
-            raise SettingsError(messages.BAR_WIDTH_OUT_OF_RANGE(width=width, most=limits.MAX_BAR_LINE_PX))
-        return width
-
     def _band(self, run: Run, raster: Raster) -> int | None:
         """The place of the band among those that are measured; None for all."""
         from ..imagery.open_raster import OpenRaster
 
         number = run.whole(BAND)
-        if number < 0:
-            count = len(raster.band_names)
-            raise RasterError(imagery_messages.BAND_NOT_THERE(name=raster.ref.name, band=number, count=count))
         return None if number == 0 else OpenRaster(raster.ref).band_index(number)
 
 

@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 
 HEIGHT, GRD = "height", "grd"
 _KEYS = ("sensor", "image_type", "direction")  # fields whose values make groups, as far as the table has them
-MEASURED = ("grd_error",)
-"""Fields of measured groups that begin as those of observers do."""
+MEASURED = ("grd_error",)  # fields of measured groups that begin as those of observers do
 
 
 def reading_fields(names: Sequence[str]) -> list[str]:
@@ -54,7 +53,6 @@ def observation(row: QgsFeature, keys: Sequence[str], readings: Sequence[str]) -
 
 
 def height_table(results: Sequence[HeightResult], keys: Sequence[str]) -> tuple[QgsFields, list[QgsFeature]]:
-    """OUTPUT: one row per group of observations."""
     kinds = {
         "count": "integer", "mean": "real", "spread": "real", "observers": "integer", "observer_spread": "real",
         "reference": "real", "tolerance": "real", "notice": "text",
@@ -85,7 +83,7 @@ def pass_table(
     return fields, rows
 
 
-DEFAULT_REQUIRED_GRD_CM = 30.0  # Open Skies: optical cameras
+_REQUIRED_GRD_CM = 30.0, 1e-3, 1e6  # Open Skies: optical cameras; from a microscope to a satellite
 
 OBSERVATIONS, REQUIRED_GRD, REFERENCE_HEIGHT = "OBSERVATIONS", "REQUIRED_GRD", "REFERENCE_HEIGHT"
 BY_HEIGHT, OUTPUT, HEIGHTS, GROUP_COUNT = "BY_HEIGHT", "OUTPUT", "HEIGHTS", "GROUP_COUNT"
@@ -109,7 +107,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
             "observers' in 'grd', 'grd_2', 'grd_3' and so on: their heights are averaged within the pass. Rows that "
             "agree in 'sensor', 'image_type' and 'direction', as far as there are such fields, make a group."
         ))
-        self.addDescribed(common.real(REQUIRED_GRD, tr("Required distance (cm)"), DEFAULT_REQUIRED_GRD_CM), tr(
+        self.addDescribed(common.real(REQUIRED_GRD, tr("Required distance (cm)"), *_REQUIRED_GRD_CM), tr(
             "The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies."
         ))
         self.addDescribed(common.words(REFERENCE_HEIGHT, tr("Reference height (metres)")), tr(
@@ -129,16 +127,15 @@ class MinimumHeight(SeamInspectorAlgorithm):
         self.addNumbers({GROUP_COUNT: tr("Groups")})
 
     def check(self, run: Run) -> None:
-        from .measure.minimum_height import check_heights
+        from .measure.minimum_height import check_references, read_references
 
-        check_heights(*self._limits(run))
+        check_references(read_references(run.text(REFERENCE_HEIGHT)))
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit import layers
-        from .measure.minimum_height import check_heights, doubts, minimum_heights
+        from .measure.minimum_height import doubts, minimum_heights, read_references
 
-        required, references = self._limits(run)
-        check_heights(required, references)
+        required, references = run.real(REQUIRED_GRD), read_references(run.text(REFERENCE_HEIGHT))
         source = run.source(OBSERVATIONS)
         names = source.fields().names()
         readings = reading_fields(names)
@@ -168,9 +165,3 @@ class MinimumHeight(SeamInspectorAlgorithm):
             if result.notice is not None:
                 run.tell(imagery_messages.ABOUT(what=name, why=result.notice).as_warning())
         return {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}
-
-    def _limits(self, run: Run) -> tuple[float, dict[str, float]]:
-        """The required distance in cm, and the reference heights in m that are given."""
-        from .measure.minimum_height import read_references
-
-        return run.real(REQUIRED_GRD), read_references(run.text(REFERENCE_HEIGHT))

@@ -1,19 +1,25 @@
 """The ground resolved distance of a target as one HTML page."""
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ..imagery.grids import PixelWindow
+from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
-from ..toolkit.charts.figure_files import svg_text
+from ..toolkit.charts.chart_style import band_colour
+from ..toolkit.charts.figure_files import plain_figure, svg_text
 from ..toolkit.pages.templates import HowMeasured, measured_raster, save_page, sentences_once
 from ..toolkit.translation import band_title, filled, percent, sentence, shown_number, tr
-from .band_colours import band_colour
 from .charts import VERDICT_COLOURS, lines_of, profile_rows, verdict_of, verdict_word
 from .distance_words import direction_title, distance_number, distance_text, target_distances
 from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import BAR, COARSEST, DIRECTIONS, Target
-from .target_picture import target_picture
 
 
 def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolution, target: Target) -> None:
@@ -45,7 +51,6 @@ def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolut
 
 
 def _distances(resolution: TargetResolution) -> dict[str, object]:
-    """The bands, and a row for each direction."""
     known = resolution.grd_cm
     bands = list(dict.fromkeys(band for _, band in known))
 
@@ -77,7 +82,7 @@ def _bands(results: Sequence[GroupResult]) -> list[tuple[str, str]]:
     names = list(dict.fromkeys(result.band for result in results if result.band))
     if len(names) < 2:
         return []
-    return [(band_colour(name, place, len(names)), band_title(name)) for place, name in enumerate(names)]
+    return [(band_colour(name, place, False), band_title(name)) for place, name in enumerate(names)]
 
 
 def _observers(resolution: TargetResolution) -> list[tuple[str, ...]]:
@@ -117,7 +122,6 @@ def _settings(target: Target) -> list[tuple[str, str]]:
 
 
 def _row(result: GroupResult) -> tuple[object, ...]:
-    """The table's row on a line in one band."""
     reading = result.reading
 
     def rounded(value: float | None, digits: int) -> str:
@@ -133,7 +137,142 @@ def _row(result: GroupResult) -> tuple[object, ...]:
 
 
 def _names(result: GroupResult) -> tuple[object, str, str]:
-    """Group, direction and band."""
     line = result.measured.line
     group = "" if line.group is None else line.group
     return group, tr(line.direction), band_title(result.band) if result.band else ""
+
+
+_LARGEST_PX = 3200  # of the target's longer side: a larger one is not read for a picture
+_WIDTH, _HEIGHT = 7.0, 4.0  # inches: of the picture at most
+_GAP = 0.12  # inches between strips
+_MOST_STRIPS = 8
+_LARGEST_PIXEL = 0.08  # inches: no pixel is shown larger
+_LETTERS = 7.0  # points
+_POINT = 1 / 72  # inches
+
+Line = Sequence[GroupResult]
+Box = tuple[float, float, float, float]  # left, top, right and bottom, px
+_Strip = tuple[Sequence[Line], Box]  # a part of the target with the lines in it
+
+
+def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | None:
+    """The image around all lines, each line in the colour of its verdict; None when no line lies on the image.
+
+    A target far wider than high, or higher than wide, is cut between its groups into strips below or beside each other.
+    """
+    lines = [line for line in lines_of(results) if line[0].measured.segment is not None]
+    if not lines:
+        return None
+    whole = _box(lines, raster, _margin(lines))
+    if max(whole[2] - whole[0], whole[3] - whole[1]) > _LARGEST_PX:
+        return None
+    axis = 0 if whole[2] - whole[0] >= whole[3] - whole[1] else 1
+    counts = range(1, _MOST_STRIPS + 1)
+    strips = max((_strips(lines, raster, axis, count) for count in counts), key=lambda made: _scale(made, axis)[0])
+    return _drawn(raster, whole, strips, axis)
+
+
+def _strips(lines: Sequence[Line], raster: Raster, axis: int, count: int) -> list[_Strip]:
+    """The lines in their order along the target, in parts that are about equally long; each as thick as all.
+
+    ``axis``: along which the target is longer, 0 for columns, 1 for rows.
+    """
+    margin = _margin(lines)
+    whole = _box(lines, raster, margin)
+    start, end = whole[axis], whole[axis + 2]
+    parts: list[list[Line]] = [[] for _ in range(count)]
+    for line in lines:
+        first, last = line_ends(line)
+        middle = (first[axis] + last[axis]) / 2
+        parts[min(int(count * (middle - start) / (end - start)), count - 1)].append(line)
+    boxes = ((part, _box(part, raster, margin)) for part in parts if part)
+    return [
+        (part, (box[0], whole[1], box[2], whole[3]) if axis == 0 else (whole[0], box[1], whole[2], box[3]))
+        for part, box in boxes
+    ]
+
+
+def _scale(strips: Sequence[_Strip], axis: int) -> tuple[float, np.ndarray]:
+    """Inches a pixel at which strips, one beside the other across the axis, fill the picture; its width and height."""
+    sizes = np.array([(box[2] - box[0], box[3] - box[1]) for _, box in strips])
+    gaps, across = _GAP * (len(strips) - 1), 1 - axis
+    room, taken = np.array([_WIDTH, _HEIGHT]), sizes.max(axis=0).astype(float)
+    room[across] -= gaps
+    taken[across] = sizes[:, across].sum()
+    scale = min(*(room / taken).tolist(), _LARGEST_PIXEL)
+    size = taken * scale
+    size[across] += gaps
+    return scale, size
+
+
+def _drawn(raster: Raster, whole: Box, strips: Sequence[_Strip], axis: int) -> Figure:
+    scale, (width, height) = _scale(strips, axis)
+    figure = plain_figure(width, height)
+    pixels, x, y = _toned(raster, whole), 0.0, height
+    for lines, (first, upper, last, lower) in strips:
+        across, down = (last - first) * scale, (lower - upper) * scale
+        axes = figure.add_axes((x / width, (y - down) / height, across / width, down / height))
+        shown = pixels[int(upper - whole[1]) : int(lower - whole[1]), int(first - whole[0]) : int(last - whole[0])]
+        axes.imshow(shown, cmap="gray", vmin=0, vmax=1, extent=(first, last, lower, upper), interpolation="nearest")
+        axes.set_axis_off()
+        _draw_lines(axes, lines, scale)
+        axes.set_xlim(first, last)
+        axes.set_ylim(lower, upper)
+        x, y = (x, y - down - _GAP) if axis == 0 else (x + across + _GAP, y)
+    return figure
+
+
+def _draw_lines(axes: Axes, lines: Sequence[Line], scale: float) -> None:
+    """Lines, and the numbers of their groups beyond their ends where they cover no other number."""
+    taken: list[tuple[float, float, float]] = []
+    for line in lines:
+        (x1, y1), (x2, y2) = line_ends(line)
+        axes.plot([x1, x2], [y1, y2], color=VERDICT_COLOURS[verdict_of(line)], linewidth=1.6)
+    for line in lines:
+        words = str(line[0].measured.line.group)
+        (x1, y1), (x2, y2) = line_ends(line)
+        length = max(math.hypot(x2 - x1, y2 - y1), 1e-9)
+        half = (0.35 * len(words) + 0.35) * _LETTERS * _POINT / scale  # px: half the label's width
+        away = 0.55 * _LETTERS * _POINT / scale + half * abs(x2 - x1) / length
+        for end, start in (((x2, y2), (x1, y1)), ((x1, y1), (x2, y2))):
+            x = end[0] + away * (end[0] - start[0]) / length
+            y = end[1] + away * (end[1] - start[1]) / length
+            high = 1.3 * _LETTERS * _POINT / scale
+            if all(abs(x - other) > half + reach or abs(y - down) > high for other, down, reach in taken):
+                taken.append((x, y, half))
+                axes.text(
+                    x, y, words, fontsize=_LETTERS, color="white", ha="center", va="center", clip_on=True,
+                    bbox={"facecolor": "black", "alpha": 0.6, "pad": 0.8, "linewidth": 0},
+                )  # fmt: skip
+                break
+
+
+def _margin(lines: Sequence[Line]) -> float:
+    """px around lines in which their numbers have room."""
+    return 0.5 * max(math.dist(*line_ends(line)) for line in lines) + 6
+
+
+def _box(lines: Sequence[Line], raster: Raster, margin: float) -> Box:
+    """The part of the image around lines that is shown, whole pixels."""
+    ends = np.array([end for line in lines for end in line_ends(line)])
+    (left, top), (right, bottom) = ends.min(axis=0), ends.max(axis=0)
+    return (
+        max(0, math.floor(left - margin)), max(0, math.floor(top - margin)),
+        min(raster.columns, math.ceil(right + margin)), min(raster.rows, math.ceil(bottom + margin)),
+    )  # fmt: skip
+
+
+def line_ends(line: Line) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Both ends of a line as it was measured, column and row."""
+    segment = line[0].measured.segment
+    assert segment is not None
+    return segment.start, segment.end
+
+
+def _toned(raster: Raster, box: Box) -> np.ndarray:
+    """The pixels of a box, 0 to 1."""
+    left, top, right, bottom = map(int, box)
+    bands = OpenRaster(raster.ref).read(PixelWindow(left, top, right - left, bottom - top)).bands
+    shown = np.moveaxis(bands[:3], 0, -1) if raster.has_luminance else bands[0]
+    low, high = np.percentile(shown, (0.5, 99.5))
+    return np.asarray(np.clip((shown - low) / max(high - low, 1e-9), 0, 1))

@@ -46,7 +46,7 @@ class SimulateBayer(SeamInspectorAlgorithm):
     def check(self, run: Run) -> None:
         from .measure.bayer import check_demosaic
 
-        check_demosaic(*self._ways(run))
+        check_demosaic(run.word(DEMOSAIC))
         run.north_up(RASTER)
 
     def prepare(self, run: Run) -> None:
@@ -56,9 +56,5 @@ class SimulateBayer(SeamInspectorAlgorithm):
         from .measure.bayer import simulate_file
 
         path = run.layer_path(OUTPUT)
-        simulate_file(self._raster, path, *self._ways(run), run.goes_on)
+        simulate_file(self._raster, path, run.word(PATTERN), run.word(DEMOSAIC), run.goes_on)
         return {OUTPUT: path}
-
-    def _ways(self, run: Run) -> tuple[str, str]:
-        """Pattern and interpolation."""
-        return run.word(PATTERN), run.word(DEMOSAIC)

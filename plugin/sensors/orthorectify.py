@@ -36,7 +36,6 @@ class OrthoAlgorithm(SensorAlgorithm):
     RASTER_LISTS = (DEM,)
 
     def addOrientations(self) -> None:
-        """Add the parameters of aerial photos' orientations."""
         self.addFile(EXTERIOR, tr("Exterior orientation"), tr(
             "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and "
             "kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, Applanix, Inpho, "
@@ -203,7 +202,6 @@ class Orthorectify(OrthoAlgorithm):
 
 
 def described(made: Ortho) -> str:
-    """An orthoimage in words."""
     return filled(
         tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."),
         columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px,

@@ -123,8 +123,6 @@ def _numbers(row: Attributes, place: tuple[float, float] | None = None) -> list[
 
 
 class ModelRow(NamedTuple):
-    """A model in a comparison."""
-
     comparison: Comparison
     model: JudgedModel
 

@@ -39,13 +39,10 @@ IMAGE_SUFFIXES = (".tif", ".tiff", ".vrt", ".ntf", ".nitf", ".jp2", ".img")
 
 
 class SensorAlgorithm(SeamInspectorAlgorithm):
-    """An algorithm of sensor models."""
-
     GROUP = SATELLITE_IMAGES
     RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
 
     def addFile(self, name: str, label: str, purpose: str, advanced: bool = False, filters: str = "") -> None:
-        """A file that may be left out."""
         file = QgsProcessingParameterFile(name, label, optional=True, fileFilter=filters)
         self.addDescribed(file, purpose, advanced)
 
@@ -62,15 +59,12 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addDescribed(common.choice(name, label, words, default), purpose, advanced)
 
     def addSystem(self, name: str, label: str, purpose: str, advanced: bool = False) -> None:
-        """A reference system that may be left out."""
         self.addDescribed(QgsProcessingParameterCrs(name, label, optional=True), purpose, advanced)
 
     def addTable(self, name: str, label: str, purpose: str, kind: QgsProcessing.SourceType = common.TABLE) -> None:
-        """A layer that is made."""
         self.addDescribed(common.result(name, label, kind), purpose)
 
     def addPoints(self) -> None:
-        """The points that a model is fitted to."""
         self.addDescribed(common.features(GCPS, tr("Ground control points"), common.POINT, optional=True), tr(
             "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper "
             "left corner of the first pixel), and if there are any id, z, role (control or check) and sigma "
@@ -79,7 +73,6 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         ))
 
     def addImage(self, optional: bool = True) -> None:
-        """The image as it was taken."""
         self.addDescribed(common.raster(IMAGE, tr("Image"), optional), tr(
             "The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it."
         ))
@@ -127,7 +120,6 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         ), advanced=True, least=0, most=40000)
 
     def addViewNumbers(self) -> None:
-        """The numbers of how obliquely the image was taken."""
         self.addNumbers({
             VIEW_ANGLE: tr("Angle of the view from the vertical, in the middle of the image (degrees)"),
             VIEW_AZIMUTH: tr("Azimuth that the image was taken from (degrees)"),
@@ -164,9 +156,6 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         from .measure.heights import with_heights
         from .measure.points import check_against_rpc, check_inside, check_plausible, choose_check_points
 
-        share = run.real(CHECK_SHARE)
-        if not 0 <= share <= MOST_CHECK_SHARE:
-            raise SettingsError(messages.CHECK_SHARE_UNSOUND(share=share, most=MOST_CHECK_SHARE))
         points, with_roles, notices = self._points_given(run, image)
         run.tell(*notices)
         check_plausible(points)
@@ -182,7 +171,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             run.tell(*check_against_rpc(points, rpc))
         if with_roles:
             return points
-        points = choose_check_points(points, share)
+        points = choose_check_points(points, run.real(CHECK_SHARE))
         total, count = len(points), int((~points.check).sum())
         if request is not None and count < (fewest := request.variant.fewest) <= total:
             few = messages.TOO_FEW_AFTER_SPLIT(total=total, count=count, model=request.name, fewest=fewest)

@@ -96,11 +96,8 @@ class End(Enum):
 
 @dataclass(frozen=True)
 class Outcome:
-    """The end of a task, and why it failed."""
-
     end: End
-    message: Message | None = None
-    """Why it failed."""
+    message: Message | None = None  # why it failed
 
 
 class BackgroundTask(QgsTask):
@@ -109,12 +106,19 @@ class BackgroundTask(QgsTask):
     arrived = pyqtSignal(object)
     ended = pyqtSignal(object)
 
-    def __init__(self, description: str, job: Job, is_unseen: bool = False) -> None:
-        """``is_unseen``: nothing that the user would miss, so that QGIS need not ask before it closes."""
+    def __init__(
+        self, description: str, job: Job, take: Callable[[object], None] | None = None, key: object = None,
+        steps: int = 0,
+    ) -> None:  # fmt: skip
+        """``take``: gets each result; None once nobody waits for them any more. ``key``: what the task is for, so that
+        nothing is asked for twice. ``steps``: how many results count in the progress, those that come ahead left out; 0
+        for work that goes unseen, about which QGIS does not ask when it closes.
+        """
         flags = QgsTask.Flag.CanCancel
-        if is_unseen:
+        if not steps:
             flags |= QgsTask.Flag.CancelWithoutPrompt
         super().__init__(description, flags if SILENT_TASK is None else flags | SILENT_TASK)
+        self.take, self.key, self.steps = take, key, steps
         self._job = job
         self._failure: Message | None = None
 
@@ -134,38 +138,21 @@ class BackgroundTask(QgsTask):
 
     def finished(self, result: bool) -> None:
         hush_end()
-        if self._failure is not None:
-            self.ended.emit(Outcome(End.FAILED, self._failure))
-        elif self.isCanceled() or not result:
-            self.ended.emit(Outcome(End.CANCELLED))
-        else:
-            self.ended.emit(Outcome(End.DONE))
-
-
-@dataclass(frozen=True)
-class _Request:
-    take: Callable[[object], None]
-    """Gets each result."""
-    key: object
-    """What the task is for, so that nothing is asked for twice."""
-    steps: int
-    """How many results count in the progress, those that come ahead left out; 0 for work that goes unseen, about which
-    QGIS does not ask when it closes."""
+        was_cancelled = self.isCanceled() or not result
+        end = End.FAILED if self._failure else End.CANCELLED if was_cancelled else End.DONE
+        self.ended.emit(Outcome(end, self._failure))
 
 
 class BackgroundTasks(QObject):
     """Keeps every task until it has ended, or QGIS would run one whose Python half is gone."""
 
-    progressChanged = pyqtSignal(int, int)
-    """Steps done and asked for; (0, 0) when all is done."""
-    failed = pyqtSignal(object)
-    """The Message of a task that failed."""
-    ended = pyqtSignal(object, object)
-    """The key of a task, and its Outcome."""
+    progressChanged = pyqtSignal(int, int)  # steps done and asked for; (0, 0) when all is done
+    failed = pyqtSignal(object)  # the Message of a task that failed
+    ended = pyqtSignal(object, object)  # the key of a task, and its Outcome
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._tasks: dict[BackgroundTask, _Request | None] = {}  # None: nobody waits for its results any more
+        self._tasks: list[BackgroundTask] = []
         self._done = self._asked = 0
 
     @property
@@ -175,19 +162,16 @@ class BackgroundTasks(QObject):
 
     def is_under_way(self, key: object) -> bool:
         """Whether there is a task for this already, and not a cancelled one."""
-        return any(
-            request is not None and request.key == key and not task.isCanceled()
-            for task, request in self._tasks.items()
-        )
+        return any(task.take is not None and task.key == key and not task.isCanceled() for task in self._tasks)
 
     def start(
         self, description: str, job: Job, take: Callable[[object], None], key: object = None, steps: int = 0
     ) -> None:
-        """Run a job in a task; ``take`` gets each of its results."""
-        task = BackgroundTask(description, job, is_unseen=not steps)
+        """Run a job in a task; the arguments as there."""
+        task = BackgroundTask(description, job, take, key, steps)
         task.arrived.connect(self._arrived)
         task.ended.connect(self._ended)
-        self._tasks[task] = _Request(take, key, steps)
+        self._tasks.append(task)
         self._asked += steps
         if steps:
             self.progressChanged.emit(self._done, self._asked)
@@ -195,58 +179,59 @@ class BackgroundTasks(QObject):
 
     def cancel_others(self, keys: set[object]) -> None:
         """Cancel the unseen work that nobody waits for any more."""
-        for task, request in list(self._tasks.items()):
-            if request is not None and not request.steps and request.key is not None and request.key not in keys:
+        for task in list(self._tasks):
+            if task.take is not None and not task.steps and task.key is not None and task.key not in keys:
                 task.cancel()
 
     def stop(self) -> None:
         """Cancel the work that counts; results that have arrived, or are about to, stay."""
-        for task, request in list(self._tasks.items()):
-            if request is not None and request.steps:
+        for task in list(self._tasks):
+            if task.take is not None and task.steps:
                 task.cancel()
 
     def abandon(self) -> None:
         """Cancel everything; what still arrives is of layers that may be gone and reaches nobody."""
-        self._tasks = dict.fromkeys(self._tasks)
+        for task in self._tasks:
+            task.take = None
         for task in list(self._tasks):
             task.cancel()
         self._settle()
 
     def close(self) -> None:
         """Cancel everything and follow no task any more."""
-        for task in list(self._tasks):
+        tasks, self._tasks = self._tasks, []
+        for task in tasks:
             task.arrived.disconnect(self._arrived)
             task.ended.disconnect(self._ended)
             task.cancel()
-        self._tasks.clear()
         self._done = self._asked = 0
 
     def _arrived(self, result: object) -> None:
         task = self.sender()
-        request = self._tasks.get(task)
-        if request is None or (task.isCanceled() and not request.steps):  # what was cancelled midway is not whole
+        if task.take is None or (task.isCanceled() and not task.steps):  # what was cancelled midway is not whole
             return
         if isinstance(result, Ahead):
-            request.take(result.result)
+            task.take(result.result)
             return
-        request.take(result)
-        if request.steps and self._asked:
+        task.take(result)
+        if task.steps and self._asked:
             self._done += 1
             self.progressChanged.emit(self._done, self._asked)
 
     def _ended(self, outcome: Outcome) -> None:
-        request = self._tasks.pop(self.sender(), None)
-        if request is None:
+        task = self.sender()
+        self._tasks = [other for other in self._tasks if other is not task]
+        if task.take is None:
             return
-        if isinstance(outcome.message, Message):
+        if outcome.message is not None:
             self.failed.emit(outcome.message)
-        if request.steps:
+        if task.steps:
             self._settle()
-        self.ended.emit(request.key, outcome)
+        self.ended.emit(task.key, outcome)
 
     def _settle(self) -> None:
         """Idle again once nothing that counts is under way."""
-        if self._asked and not any(request is not None and request.steps for request in self._tasks.values()):
+        if self._asked and not any(task.take is not None and task.steps for task in self._tasks):
             self._done = self._asked = 0
             self.progressChanged.emit(0, 0)
 
@@ -260,8 +245,7 @@ class LatestOnly(QObject):
 
     arrived = pyqtSignal(object)
     """What was found, in the interface's thread; nothing comes of what was asked before ``forget``."""
-    failed = pyqtSignal(object)
-    """The Message of what failed in a way that nobody foresaw."""
+    failed = pyqtSignal(object)  # the Message of what failed in a way that nobody foresaw
     _ended = pyqtSignal(int, object)
 
     def __init__(self, name: str, parent: QObject | None = None, rest: float = 0.0) -> None:

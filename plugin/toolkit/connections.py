@@ -15,7 +15,6 @@ class Connections:
             signal.connect(slot)
 
     def close(self) -> None:
-        """Disconnect the signals; once is enough."""
         while self._followed:
             signal, slot = self._followed.pop()
             with suppress(TypeError, RuntimeError):  # who emits it is gone already

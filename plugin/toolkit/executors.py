@@ -27,10 +27,8 @@ Crew = Union[Executor, "Client", str, None]
 _ANSWER_SECONDS = 10.0  # to the scheduler, until it is known that it is one
 _PREPARING_SECONDS = 120.0  # for all workers to take the code
 _CANCELLED_EVERY_SECONDS = 0.1  # is asked for
-PATIENCE_SECONDS = 120.0
-"""Without any worker: long enough for those that were lost to be started anew."""
-LOOK_SECONDS = 5.0
-"""Between two looks at the cluster."""
+PATIENCE_SECONDS = 120.0  # without any worker: long enough for those that were lost to be started anew
+LOOK_SECONDS = 5.0  # between two looks at the cluster
 _FORGET = f"""
 import sys
 for name in [name for name in sys.modules if name.partition(".")[0] == {__name__.partition(".")[0]!r}]:

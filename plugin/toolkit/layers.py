@@ -144,7 +144,6 @@ def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:
 
 
 def mosaic_crs(mosaic: Raster) -> QgsCoordinateReferenceSystem:
-    """The mosaic's reference system."""
     return reference_system(mosaic.wkt)
 
 
@@ -179,7 +178,6 @@ def has_numbers(geometry: QgsGeometry) -> bool:
 
 
 def extent(geometry: QgsGeometry) -> Extent:
-    """The bounding box of a geometry."""
     return box_extent(geometry.boundingBox())
 
 
@@ -201,7 +199,6 @@ def outline_extent(feature: QgsFeature, transform: QgsCoordinateTransform | None
 
 
 def rectangle(bounds: Extent) -> QgsGeometry:
-    """The polygon of an extent."""
     return QgsGeometry.fromRect(QgsRectangle(*bounds))
 
 

@@ -7,12 +7,10 @@ from ..imagery.errors import INFO, WARNING, Message
 NOT_A_RASTER_LAYER = Message("{name} is not a raster layer; choose a raster.")
 NOT_A_FILE = Message("{name} is not a file that GDAL reads but comes from a service; choose the raster file itself.")
 WINDOW_LAYER_READ_ONLY = Message(
-    "The window layer {name} can't be edited; choose another one, or let a new one be made."
-)
+    "The window layer {name} can't be edited; choose another one, or let a new one be made.")
 SYSTEM_NOT_WRITTEN = Message(
     "{name} would not lie in the mosaic's reference system, which can't be written into a GeoPackage; give the mosaic "
-    "another one, such as one with an EPSG code."
-)
+    "another one, such as one with an EPSG code.")
 NO_WINDOWS = Message("The window layer is empty; draw windows or place them along the seamlines first.")
 # the outline of a window
 WINDOW_EMPTY = Message("The window has no outline; draw it anew.")
@@ -20,16 +18,17 @@ WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangl
 WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
 WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it anew as a rectangle.")
 WINDOWS_RENUMBERED = Message(
-    "Windows without a number of their own: {count}; they got the next free ones.", WARNING
-)
+    "Windows without a number of their own: {count}; they got the next free ones.", WARNING)
 WINDOWS_RESHAPED = Message(
     "The rectangle around the outline is measured where a window is not a rectangle along the mosaic's axes: {count}.",
-    WARNING,
-)
+    WARNING)
 # numbers
 NOT_A_SYSTEM = Message("'{parameter}' is {value}, which is not a coordinate reference system; choose one.")
 NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
 NO_NUMBER = Message("'{parameter}' is '{value}', which is no number; write it with a point, such as 0.7.")
+NUMBER_TOO_SMALL = Message("'{parameter}' is {value:g}; give {least:g} or more.")
+NUMBER_BEYOND = Message("'{parameter}' is {value:g}; give a number from {least:g} to {most:g}.")
+WORD_UNKNOWN = Message("'{parameter}' is '{value}'; known are {known}.")
 NUMBER_TOO_LARGE = Message("'{parameter}' is {value:g}; give a whole number between -{most} and {most}.")
 # lists of rasters
 NO_RASTERS = Message("No rasters are given; choose at least one.")
@@ -38,36 +37,28 @@ NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")
 TASK_FAILED = Message("{task} failed ({error}); please report this.")
 UNLOADED = Message("Seam Inspector was updated or turned off while this ran; start it again.")
 DASK_MISSING = Message(
-    "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty."
-)
+    "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty.")
 SCHEDULER_SILENT = Message(
     "The Dask scheduler at {address} does not answer ({error}); check the address (the usual port is 8786), or leave "
-    "it empty."
-)
+    "it empty.")
 NOT_A_SCHEDULER = Message(
-    "What answers at {address} is not a Dask scheduler; check the address (the usual port is 8786), or leave it empty."
-)
+    "What answers at {address} is not a Dask scheduler; check the address (the usual port is 8786), or leave it empty.")
 DASK_VERSIONS = Message(
     "Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on "
-    "the scheduler, the workers and here."
-)
+    "the scheduler, the workers and here.")
 NO_EXECUTOR = Message(
-    "A {given} is no executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler."
-)
+    "A {given} is no executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.")
 EXECUTOR_LOST = Message("The executor was shut down or lost its workers; open a new one, then run this again.")
 SCHEDULER_WITHOUT_WORKERS = Message("The Dask scheduler at {address} has no workers; start some or leave it empty.")
 SCHEDULER_LOST = Message("The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.")
 WORKERS_LOST = Message(
-    "The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again."
-)
+    "The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.")
 WORKERS_SILENT = Message(
     "The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; start them anew, then run "
-    "this again."
-)
+    "this again.")
 WORKERS_WITHOUT_PACKAGES = Message(
     "The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as "
-    "'pip install .' in the plugin's folder does (GDAL as osgeo comes from the system), or leave the scheduler empty."
-)
+    "'pip install .' in the plugin's folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.")
 # one or many windows
 OF_A_WINDOW = Message("Window {window}: {what}", INFO)
 OF_WINDOWS = Message("In {count} windows ({windows}): {what}", INFO)
@@ -78,22 +69,17 @@ TABLE_BEGINS_WRONG = Message(
     "'{output}' can't be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name."
 )
 NAME_MISREAD = Message(
-    "'{output}' can't be {path}: QGIS takes '{found}' in the path of a layer for something else; choose another name."
-)
+    "'{output}' can't be {path}: QGIS takes '{found}' in the path of a layer for something else; choose another name.")
 LAYER_NOT_WRITTEN = Message("{path} can't be written; make room on the disk, or choose another folder.")
 FIELD_NAMES_CUT = Message(
     "In {path} names of fields are cut to ten letters ({names}), so nothing that looks for them finds them, or finds "
-    "another one; write a GeoPackage to keep them.", WARNING
-)
+    "another one; write a GeoPackage to keep them.", WARNING)
 LAYER_IN_PART = Message(
-    "{path} holds {held} of {count} features, as the rest can't be written; make room on the disk, and run this again."
-)
+    "{path} holds {held} of {count} features, as the rest can't be written; make room on the disk, and run this again.")
 LAYER_NOT_REPLACED = Message(
     "{path} is as it was, as the run did not come to its end; what was measured until then is in {part}.",
-    WARNING,
-)
+    WARNING)
 LAYER_IN_USE = Message(
-    "{path} is open in another program and can't be replaced; the new layer is {part}.", WARNING
-)
+    "{path} is open in another program and can't be replaced; the new layer is {part}.", WARNING)
 FILE_FORMAT_OTHER = Message("{name} has the wrong ending; the file is written as {filters}, so give it that ending.")
 CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")

@@ -24,20 +24,16 @@ _LEAST_SPAN = 1e-6  # of the value of pixels that are all alike, so that float32
 _LEAST_RANGE = 1e-300
 _ROWS_AT_ONCE = 256  # are stretched in one go: little memory, and the interface's thread gets its turn
 
-GreyRange = tuple[float, float]
-"""The values that become black and white, the same for all bands."""
+GreyRange = tuple[float, float]  # the values that become black and white, the same for all bands
 
-GreyRanges = Mapping[str, GreyRange]
-"""Grey ranges by data type, since numbers of two types can't be compared."""
+GreyRanges = Mapping[str, GreyRange]  # grey ranges by data type, since numbers of two types can't be compared
 
 
 class Stretch(str, Enum):
     """The way in which grey values become brightness on the screen."""
 
-    DELIVERED = "delivered"
-    """8 bit as it is, 16 bit by the range of values that is in use: the same in all windows."""
-    COMMON = "common"
-    """The mosaic's darkest and brightest 2 % cut off: the same in all windows."""
+    DELIVERED = "delivered"  # 8 bit as it is, 16 bit by the range of values that is in use: the same in all windows
+    COMMON = "common"  # the mosaic's darkest and brightest 2 % cut off: the same in all windows
 
 
 def ranges_with(known: GreyRanges, stretch: Stretch, sources: Iterable[tuple[OpenRaster, float]]) -> GreyRanges:

@@ -16,8 +16,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsC
 from ..imagery import messages
 from ..imagery.errors import WindowError
 
-_UNDEFINED = "Undefined "
-"""How GeoPackage calls the system of a table that has none."""
+_UNDEFINED = "Undefined "  # how GeoPackage calls the system of a table that has none
 
 
 def reference_system(wkt: str) -> QgsCoordinateReferenceSystem:

@@ -38,22 +38,18 @@ def _lines(path: Path) -> list[str]:
 
 
 def icon_path(name: str = "seam_inspector") -> str:
-    """An SVG icon."""
     return str(_RESOURCES / "icons" / f"{name}.svg")
 
 
 def style_path(name: str) -> str:
-    """A layer style (QML)."""
     return str(_RESOURCES / "styles" / f"{name}.qml")
 
 
 def reports_path() -> str:
-    """The folder of the reports' templates."""
     return str(_RESOURCES / "reports")
 
 
 def model_paths() -> list[str]:
-    """The ready models."""
     return [str(path) for path in sorted((_RESOURCES / "models").glob("*.model3"))]
 
 
@@ -63,12 +59,10 @@ def help_url(page: str) -> str:
 
 
 def translations_path() -> str:
-    """The folder of the compiled translations."""
     return str(_PLUGIN / "i18n")
 
 
-FIRST_PAGE = "first_inspection"
-"""The page for somebody new."""
+FIRST_PAGE = "first_inspection"  # the page for somebody new
 
 
 def show_first_page() -> None:

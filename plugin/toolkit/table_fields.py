@@ -18,8 +18,7 @@ from .version_differences import field
 if TYPE_CHECKING:
     from ..imagery.records import Column, Result  # with numpy, which is not loaded when QGIS starts
 
-LARGEST_WHOLE = 2**31 - 1
-"""The largest number that a field of whole numbers holds, and Qt's int; of a larger one QGIS makes another."""
+LARGEST_WHOLE = 2**31 - 1  # the largest that a field of whole numbers holds, and Qt's int
 _NO = ("0", "0.0", "false", "no", "off", "f", "n", "")
 
 
@@ -77,7 +76,6 @@ def attributes(rows: Iterable[QgsFeature], names: Sequence[str]) -> Iterator[Att
 
 
 def column_fields(columns: Iterable[Column[Result]], levels: int = 0) -> QgsFields:
-    """The fields of these columns."""
     return table_fields(*((name, column.kind) for column in columns for name in column.names(levels)))
 
 
@@ -90,7 +88,6 @@ def column_values(columns: Iterable[Column[Result]], result: Result, levels: int
 def column_features(
     columns: Sequence[Column[Result]], results: Iterable[Result], levels: int = 0
 ) -> Iterator[QgsFeature]:
-    """The rows of results."""
     fields = column_fields(columns, levels)
     for result in results:
         yield feature(fields, column_values(columns, result, levels))

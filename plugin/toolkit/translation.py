@@ -19,7 +19,6 @@ _LONG = re.compile(r"-?\d{5,}")  # digits that are grouped, where spaces do it: 
 
 
 def tr(text: str) -> str:
-    """The text in the user's language."""
     return QCoreApplication.translate("@default", text)
 
 
@@ -78,7 +77,6 @@ def filled(text: str, /, **values: object) -> str:
 
 
 def sentence(message: Message) -> str:
-    """A message in the user's language."""
     return message.worded(tr, filled)
 
 
@@ -132,7 +130,6 @@ BAND_ORDER = ("luminance", "red", "green", "blue", "nir")
 
 
 def band_title(name: str) -> str:
-    """A band's name for the user."""
     titles = {
         "luminance": tr("luminance"),
         "red": tr("red"),

@@ -6,11 +6,9 @@ from typing import Any
 from qgis.core import Qgis, QgsField, QgsRasterLayer, QgsTask
 from qgis.PyQt import QtCore
 
-PALETTE, ALPHA = 2, 6
-"""Roles of bands, as ``band_roles`` gives them."""
+PALETTE, ALPHA = 2, 6  # roles of bands, as ``band_roles`` gives them
 _KINDS = {"integer": ("Int", "Int"), "real": ("Double", "Double"), "text": ("String", "QString")}
-SILENT_TASK = getattr(QgsTask.Flag, "Silent", None)
-"""The flag of a task whose end QGIS does not tell, from 3.26 on."""
+SILENT_TASK = getattr(QgsTask.Flag, "Silent", None)  # the flag of a task whose end QGIS does not tell, from 3.26 on
 
 
 def field(name: str, kind: str) -> QgsField:

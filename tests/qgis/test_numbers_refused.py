@@ -1,17 +1,19 @@
-"""No algorithm takes NaN, an infinite number, a whole number that is too large for any parameter, or a reference system
-that there is not."""
+"""No algorithm takes NaN, an infinite number, one beyond its limits or too large for any parameter, a word that is none
+of a choice, or a reference system that there is not."""
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import pytest
-from qgis.core import QgsProcessingParameterDefinition, QgsProcessingParameterNumber
+from qgis.core import QgsProcessingParameterDefinition, QgsProcessingParameterEnum, QgsProcessingParameterNumber
 
 from fuzz.calls import MODELS
 from tests.qgis.runs import algorithm, assert_refused, run_unchecked
 from tests.qgis.test_provider import NAMES
 
+LARGEST = 2**31 - 1  # a number that is as large has no limit of its own
 pytestmark = pytest.mark.usefixtures("provider")
 
 
@@ -35,6 +37,20 @@ def test_words_for_numbers_that_may_be_left_out_are_refused(name: str) -> None:
             for value in ("0,3", "much"):
                 words = f"'{definition.description()}' is '{value}', which is no number"
                 assert_refused(name, words.replace("(", r"\(").replace(")", r"\)"), **{definition.name(): value})
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in MODELS])
+def test_numbers_beyond_their_limits_and_unknown_words_are_refused(name: str) -> None:
+    job = algorithm(name)  # which its definitions live with
+    for definition in job.parameterDefinitions():
+        title = re.escape(definition.description())
+        if isinstance(definition, QgsProcessingParameterNumber):
+            least, most = definition.minimum(), definition.maximum()
+            for value in ([least - 1] if abs(least) < LARGEST else []) + ([most + 1] if abs(most) < LARGEST else []):
+                assert_refused(name, f"'{title}' is {re.escape(f'{value:g}')}; give", **{definition.name(): value})
+        elif isinstance(definition, QgsProcessingParameterEnum):
+            words = f"'{title}' is 'another'; known are {re.escape(definition.options()[0])}"
+            assert_refused(name, words, **{definition.name(): "another"})
 
 
 @pytest.mark.parametrize(("name", "parameter"), [("orthorectify", "CRS"), ("fitsensormodel", "GCPS_CRS")])

@@ -265,7 +265,7 @@ def test_the_ready_model_is_valid_and_runs(scene: Scene, repository: Path) -> No
 @pytest.mark.parametrize(
     ("parameters", "words"),
     [
-        ({"side": 0}, r"side is 0\.0 m"),
+        ({"side": 0}, r"'Window side \(metres\)' is 0; give 0\.01 or more"),
         ({"sources": []}, "No sources are given"),
         ({"side": 100}, "The window layer is empty"),  # no window fits this mosaic
     ],

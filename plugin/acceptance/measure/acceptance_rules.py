@@ -34,9 +34,7 @@ KEY_OF_LIMIT = {KEPT: "least", MEASURED_SHARE: "least", FAILED_SHARE: "most", LO
 class SamplingRule:
     """Single sampling by attributes as ISO 2859-1 plans it in normal inspection, or ISO 2859-2 for an isolated lot."""
 
-    aql: str
-    """Acceptance quality limit as the standard writes it: nonconforming pieces per hundred; empty for an isolated
-    lot."""
+    aql: str  # acceptance quality limit: nonconforming pieces per hundred; empty for an isolated lot
     inspection_level: str  # S-1..S-4, I, II or III
     source: str  # where the plan comes from
     lq: str = ""  # limiting quality of an isolated lot as the standard writes it: nonconforming pieces per hundred
@@ -76,6 +74,11 @@ class AcceptanceRules:
     """None: all pieces are inspected."""
     is_of_file: bool = False
     """A file's name may be any: it says nothing of the limits."""
+
+    def __post_init__(self) -> None:
+        """Raise SettingsError for rules that every piece would keep."""
+        if self.least_kept <= 0:
+            raise SettingsError(messages.KEPT_NOTHING())
 
     def limit(self, check: str) -> float | None:
         """Limit of a check; None where there is none."""
@@ -123,14 +126,12 @@ def limit_rules(
     )
 
 
-SUBJECT = "acceptance"
-"""Subject of the ready files."""
+SUBJECT = "acceptance"  # subject of the ready files
 
 _OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 
 
 def ready_files() -> dict[str, Path]:
-    """The ready files by their names."""
     return ready_rules(SUBJECT)
 
 

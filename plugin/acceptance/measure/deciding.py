@@ -27,7 +27,7 @@ from ...imagery.statistics import DECIDED
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, RuleOutcome
-from .delivery import DeliveredLayer, Delivery, Seal, SheetState
+from .delivery import Delivery, Seal, SheetState
 from .failure_runs import failure_runs, unknown_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
@@ -70,7 +70,7 @@ def decide(
         DecidedPiece(
             piece, state,
             not by_observer and state in (PieceState.PASSED, PieceState.FAILED) and is_unclear(piece, rules.least_kept),
-            of_run.get(piece.number), lot is None or piece.number in lot.pieces, over,
+            of_run.get(piece.number), over,
         )
         for piece, state, over in zip(delivery.pieces, states, windows)
     )  # fmt: skip
@@ -87,7 +87,7 @@ def decide(
     longest_rule = None if delivery.is_part else rules.rule(LONGEST_FAILURE)
     unknown = () if longest_rule is None else tuple(run for run in unknown if not longest_rule.passes(run.length_m))
     if lot is not None:
-        outcomes.insert(0, lot.rule_outcome)
+        outcomes.insert(0, lot[1])
     outcome, sure = outcome_of(outcomes), [*_against_any(delivery)]
     lacking = [*_lacking(delivery, whole, rules), *_unseen(delivery, sheets if lot is None else (), rules)]
     unsealed = [*_unsealed(delivery)]
@@ -105,12 +105,12 @@ def decide(
         *_figures(whole, runs, rules),
         *_unknown_rows(unknown),
         *_sample_sentences(delivery, lot is not None),
-        *(() if lot is None else lot.notices),
+        *(() if lot is None else lot[2]),
         *(_by_observer(delivery) if by_observer else ()),
     )
     return Decision(
         outcome, why, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), tuple(sheet_outcomes), pieces,
-        runs, unknown, None if lot is None else lot.outcome, by_observer,
+        runs, unknown, None if lot is None else lot[0], by_observer,
     )  # fmt: skip
 
 
@@ -122,8 +122,7 @@ def _headline(outcome: AcceptanceOutcome, rules: Message, why: Message) -> Messa
     }[outcome]
 
 
-Doubt = tuple[Message, Message]
-"""Why a delivery can't be accepted as it is given, and what would decide it."""
+Doubt = tuple[Message, Message]  # why a delivery can't be accepted as it is given, and what would decide it
 
 
 def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
@@ -150,7 +149,6 @@ def _against_any(delivery: Delivery) -> Iterator[Doubt]:
 
 
 def _unsealed(delivery: Delivery) -> Iterator[Doubt]:
-    """Which layers are not as their scan left them."""
     names = {seal: [one.name for one in delivery.layers if one.seal is seal] for seal in Seal}
     advice = messages.WOULD_GIVE_LAYER()
     if changed := names[Seal.BROKEN]:
@@ -390,7 +388,7 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
     if names := [one.name for one in layers if not SeenGround.of_settings(one.settings).is_known]:
         yield messages.SEAMS_ELSEWHERE_UNKNOWN(names=_first_names(names))
     for one in layers:
-        yield from _seen(one)
+        yield from ground_sentences(one.name, one.settings)
     if names := [one.name for one in layers if one.settings.get("seams") == "found"]:
         yield messages.SEAMS_FOUND(name=_first_names(names))
     if names := [one.name for one in layers if one.settings.get("seams") == "given"]:
@@ -402,7 +400,6 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
 
 
 def _files(delivery: Delivery) -> Iterator[Message]:
-    """The rasters that were scanned."""
     files, settings = delivery.files, [one.settings for one in delivery.layers]
     if files.same:
         yield messages.FILES_AS_SCANNED(count=files.same)
@@ -416,26 +413,13 @@ def _files(delivery: Delivery) -> Iterator[Message]:
         yield messages.SOURCES_BELIEVED()
 
 
-def _seen(layer: DeliveredLayer) -> Iterator[Message]:
-    """Where its scan could not find or measure seams."""
-    if layer.unexplained >= TOLD_UNEXPLAINED:
-        place = "; ".join(map(str, SeenGround.of_settings(layer.settings).unexplained_at))
-        yield messages.SCAN_UNEXPLAINED(name=layer.name, share=layer.unexplained, place=place)
-    yield from ground_sentences(layer.name, layer.settings)
-    if names := layer.settings.get("not_given"):
-        yield messages.SOURCES_NOT_GIVEN(name=layer.name, names=names)
-
-
-TOLD_UNEXPLAINED = 0.03
-"""Share of a mosaic without an orthoimage behind it, from which on it is told: where the scan tells it, too."""
 MOST_AT_ENDS = 0.2
 """Share of the metres that may fail, which the ends of failures inside of pieces may leave open: with more the pieces
 are too coarse, as nothing above 1.25 times the allowed share is to be accepted nor below 0.8 times rejected."""
 MOST_OF_RUN = 1.5
 """Times the longest failure that is allowed: how long a piece of a scan with such a PIECE may be. A longer one averages
 a failure with what is sound beside it. Where no piece may fail its length does not matter."""
-MOST_DOUBLED = 0.1
-"""Share of all metres that may lie on others, as where sheets meet: with more two scans of one mosaic were given."""
+MOST_DOUBLED = 0.1  # share of all metres that lie on others: with more a mosaic was scanned twice
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
 """What makes figures of one layer differ from those of another."""
 
@@ -468,8 +452,6 @@ def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
         yield messages.MAY_HIDE(worst=worst, limit=Stated(share.limit))
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))
-    if rules.least_kept <= 0:
-        yield messages.NOTHING_IS_ASKED()
 
 
 def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:

@@ -17,77 +17,48 @@ from .sampling_plans import OperatingCharacteristic, SamplingPlan
 class AcceptanceOutcome(Enum):
     """What is decided. The values are words of the outputs."""
 
-    ACCEPTED = "accepted"
-    """Every rule is kept."""
-    REJECTED = "rejected"
-    """A rule is broken, whatever else is unknown."""
-    UNDECIDED = "undecided"
-    """None is broken as far as can be told, and of one at least it can't be told."""
+    ACCEPTED = "accepted"  # every rule is kept
+    REJECTED = "rejected"  # a rule is broken, whatever else is unknown
+    UNDECIDED = "undecided"  # none is broken as far as can be told, and of one at least it can't be told
 
 
 @dataclass(frozen=True, eq=False)
 class DecidedPiece:
     """A piece of seam, held against the least that it must keep."""
 
-    piece: DeliveredPiece
-    """The piece as it was delivered."""
-    state: PieceState
-    """Passed, failed, not measured, or on ground without detail."""
-    is_unclear: bool
-    """It was measured, and its 95 % interval holds the limit: it counts by its value."""
-    run: int | None
-    """The failure without a break it belongs to, by its ``FailureRun.number``; None where it did not fail."""
-    is_sampled: bool
-    """Whether the decision by a plan looks at it; with all inspected every piece is."""
-    windows: tuple[SeenWindow, ...] = ()
-    """Inspected windows that lie over it, the one whose middle is nearest first."""
+    piece: DeliveredPiece  # the piece as it was delivered
+    state: PieceState  # passed, failed, not measured, or on ground without detail
+    is_unclear: bool  # it was measured, and its 95 % interval holds the limit: it counts by its value
+    run: int | None  # the ``FailureRun.number`` of the failure that it belongs to; None where it did not fail
+    windows: tuple[SeenWindow, ...] = ()  # inspected windows that lie over it, the one whose middle is nearest first
 
 
 @dataclass(frozen=True)
 class FailureRun:
     """Failed pieces that follow each other without a break, across sheets where their ends touch."""
 
-    number: int
-    """1 for the longest."""
-    length_m: float
-    """Length of its pieces together."""
-    pieces: tuple[int, ...]
-    """The pieces' numbers, in the order in which they follow each other."""
-    turned: tuple[bool, ...]
-    """Whether the failure runs against its line, for each piece."""
-    sheets: tuple[str, ...]
-    """That it lies in."""
-    place: tuple[float, float]
-    """A point half-way along it, in the delivery's reference system."""
+    number: int  # 1 for the longest
+    length_m: float  # length of its pieces together
+    pieces: tuple[int, ...]  # the pieces' numbers, in the order in which they follow each other
+    sheets: tuple[str, ...]  # that it lies in
+    place: tuple[float, float]  # a point half-way along it, in the delivery's reference system
 
 
 @dataclass(frozen=True)
 class MetreFigures:
     """Numbers of pieces and metres of seam, of a sheet or of the whole delivery."""
 
-    name: str
-    """Name of the sheet; empty for the whole delivery."""
-    piece_count: int
-    """All pieces."""
-    failed_count: int
-    """Pieces that failed."""
-    total_m: float
-    """Metres of all seams."""
-    no_detail_m: float
-    """Metres of the pieces on ground without detail, which has nothing to lose: no part of what is judged."""
-    measured_m: float
-    """Metres of the pieces that could be measured."""
-    failed_m: float
-    """Metres of the pieces that failed."""
-    unclear_m: float
-    """In pieces of which the interval holds the limit, failed or passed."""
-    longest_failure_m: float | None
-    """Metres of the pieces in the longest failure without a break, these alone; None where they are a sample."""
-    failed_unclear_m: float = 0.0
-    """Metres that failed, in pieces whose interval reaches above the limit."""
-    longest_unknown_m: float = 0.0
-    """Metres of the longest row of pieces that were not measured, with those that failed among them: so long a failure
-    may be."""
+    name: str  # name of the sheet; empty for the whole delivery
+    piece_count: int  # all pieces
+    failed_count: int  # pieces that failed
+    total_m: float  # metres of all seams
+    no_detail_m: float  # metres on ground without detail, which has nothing to lose and is not judged
+    measured_m: float  # metres of the pieces that could be measured
+    failed_m: float  # metres of the pieces that failed
+    unclear_m: float  # in pieces of which the interval holds the limit, failed or passed
+    longest_failure_m: float | None  # metres of the failed pieces in the longest failure; None where they are a sample
+    failed_unclear_m: float = 0.0  # metres that failed, in pieces whose interval reaches above the limit
+    longest_unknown_m: float = 0.0  # metres of the longest row of pieces that failed or were not measured
 
     @property
     def judged_m(self) -> float:
@@ -117,32 +88,19 @@ class MetreFigures:
 
 @dataclass(frozen=True)
 class RuleOutcome:
-    """One rule, held against the delivery."""
-
-    check: str
-    """One of ``acceptance_rules.CHECKS``."""
-    value: float | None
-    """Share as a fraction of 1, length in metres, or nonconforming items; None where it can't be measured."""
-    limit: float
-    """The smallest or largest value that passes."""
-    is_least: bool
-    """Whether ``limit`` is the smallest one."""
-    passed: bool | None
-    """None where it can't be told."""
-    source: str
-    """Where the limit comes from."""
-    sentence: Message
-    """The outcome in words."""
-    low: float | None = None
-    """The smallest that the value may be, by what is not known; None where nothing is told of that."""
-    high: float | None = None
-    """The largest one."""
+    check: str  # one of ``acceptance_rules.CHECKS``
+    value: float | None  # share of 1, metres, or nonconforming items; None where it can't be measured
+    limit: float  # the smallest or largest value that passes
+    is_least: bool  # whether ``limit`` is the smallest one
+    passed: bool | None  # None where it can't be told
+    source: str  # where the limit comes from
+    sentence: Message  # the outcome in words
+    low: float | None = None  # the smallest that the value may be, by what is not known; None: nothing is told of that
+    high: float | None = None  # the largest one
 
 
 @dataclass(frozen=True)
 class PlanOutcome:
-    """What a plan of sampling decided."""
-
     plan: SamplingPlan
     characteristic: OperatingCharacteristic
     seed: int | None  # seed of the drawing; None where the sample came with the layer, or is the whole lot
@@ -230,7 +188,6 @@ class Defect:
 
     @property
     def worst(self) -> DecidedPiece:
-        """The piece that kept least."""
         return min(self.pieces, key=lambda one: float("inf") if one.piece.kept_1 is None else one.piece.kept_1)
 
     @property
@@ -250,7 +207,6 @@ class Defect:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What operators wrote of the windows on it."""
         return tuple(dict.fromkeys(words for one in self._windows() for words in (one.remark, one.remark_2) if words))
 
     def _windows(self) -> list[SeenWindow]:

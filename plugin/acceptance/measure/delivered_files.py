@@ -22,7 +22,6 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import geometry_on, same_system, system_name
 from . import messages
 from .delivery import SheetState
-from .overlapping_files import otherwise
 
 _AT_ONCE = 1 << 22  # pixels
 _LEAST_MISSING = 1e-9  # of an outline: less is rounding
@@ -58,8 +57,6 @@ class OrderedSheet:
 
 @dataclass(frozen=True)
 class CheckedSheet:
-    """What was found at a sheet."""
-
     sheet: OrderedSheet
     raster: Raster | None  # None where there is no file that can be read
     missing: float | None  # share of the outline without data, 0 to 1; None where that can't be told
@@ -196,7 +193,6 @@ def _checked(
     sheet: OrderedSheet, raster: Raster | None, trouble: tuple[Message, ...], form: OrderedForm,
     tell: Callable[[float], None],
 ) -> CheckedSheet:
-    """One sheet by itself."""
     missing, state = None, SheetState.SHOWN
     if raster is not None:
         try:
@@ -299,3 +295,100 @@ def _is_like(raster: Raster, other: Raster | None) -> bool:
         and raster.data_type == other.data_type
         and abs(raster.ground_sample_distance / other.ground_sample_distance - 1) <= MAX_PIXEL_SIZE_DIFFERENCE
     )  # fmt: skip
+
+
+_LEAST_PX = 2.0  # of an overlap: what is narrower comes of outlines that are drawn on the ground, not on pixels
+_MOST_ASIDE = 0.05  # of a pixel, that grids may lie beside each other
+_LOOKED_AT = 1 << 27  # pixels of which a file is asked at once whether it has any
+_COARSE_PX, _CELL_PX = 4, 64
+_LOSSY_WHITE, _LOSSY_SHARE, _LOSSY_DETAIL = 2 / 255, 0.15, 2.5
+"""What compression of one scene may make of it, JPEG of quality 60 and 90: means of 4 px differ in a cell by so much of
+the brightest value and of their own standard deviation (0.11 of it, an image that is moved by a pixel by 0.4), the
+energies of the finest detail by such a factor (2.1, and 4 in the median where it was blurred by 0.6 px)."""
+_LEAST_DETAIL = 8 / 255**2
+"""Energy of the finest detail, of the brightest value squared, that is no more than rounding and noise."""
+
+
+def otherwise(rasters: Sequence[Raster], tell: Callable[[float], None]) -> list[list[int]]:
+    """For each raster, all of one reference system and pixel size, the numbers of those that show something else where
+    both have pixels.
+
+    Files compressed with loss may differ by that. ``tell``: is told the share that is done; what it raises ends the
+    look.
+    """
+    found: list[list[int]] = [[] for _ in rasters]
+    edges = np.array([one.extent for one in rasters]).reshape(-1, 4)
+    least = np.array([_LEAST_PX * one.grid.pixel_width for one in rasters])
+    with RasterPool() as pool:
+        for number, one in enumerate(rasters):
+            tell(number / len(rasters))
+            left, bottom, right, top = edges[number]
+            width = np.minimum(edges[:, 2], right) - np.maximum(edges[:, 0], left)
+            height = np.minimum(edges[:, 3], top) - np.maximum(edges[:, 1], bottom)
+            for other in np.flatnonzero((width > least) & (height > least)).tolist():
+                if other > number and _differ(one, rasters[other], pool):
+                    found[number].append(other)
+                    found[other].append(number)
+    return found
+
+
+def _differ(one: Raster, other: Raster, pool: RasterPool) -> bool:
+    """Whether two rasters show different things; not where one of them can't be read, which is told elsewhere."""
+    grid, (left, bottom, right, top) = one.grid, other.extent
+    aside = [grid.column_at(left), grid.column_at(right) - other.columns]
+    aside += [grid.row_at(top), grid.row_at(bottom) - other.rows]
+    columns, rows = round(aside[0]), round(aside[2])
+    if max(abs(found - whole) for found, whole in zip(aside, (columns, columns, rows, rows))) > _MOST_ASIDE:
+        return True
+    shared = PixelWindow(columns, rows, other.columns, other.rows).cut_to(one.columns, one.rows)
+    is_lossy = one.is_lossy or other.is_lossy
+    try:
+        first, second = pool.open(one.ref), pool.open(other.ref)
+
+        def has_any(window: PixelWindow) -> bool:
+            return bool(first.stored_share(window) or second.stored_share(window.moved_by(-columns, -rows)))
+
+        parts = filter(has_any, first.blocks(shared, _LOOKED_AT))
+        for window in filter(has_any, (window for part in parts for window in first.blocks(part, _AT_ONCE))):
+            mine, theirs = first.read(window), second.read(window.moved_by(-columns, -rows))
+            valid = mine.valid & theirs.valid
+            if (_differ_much if is_lossy else _differ_at_all)(mine.bands, theirs.bands, valid):
+                return True
+    except RasterError:
+        pass
+    return False
+
+
+def _differ_at_all(one: np.ndarray, other: np.ndarray, valid: np.ndarray) -> bool:
+    return bool(((one != other).any(axis=0) & valid).any())
+
+
+def _differ_much(one: np.ndarray, other: np.ndarray, valid: np.ndarray) -> bool:
+    """Whether any cell differs by more than compression does: what it shows, or how much detail it has."""
+    images = [np.where(valid, found, 0).astype(np.float32) for found in (one, other)]
+    white = max(float(image.max(initial=0)) for image in images)
+    coarse, their_coarse = (_means(image, _COARSE_PX) for image in images)
+    cell = _CELL_PX // _COARSE_PX
+    difference = np.sqrt(_means((coarse - their_coarse) ** 2, cell))
+    deviation = np.sqrt(np.maximum(_means(coarse**2, cell) - _means(coarse, cell) ** 2, 0))
+    if (difference > _LOSSY_WHITE * white + _LOSSY_SHARE * deviation).any():
+        return True
+    detail, their_detail = (_means(_detail(image), _CELL_PX) + _LEAST_DETAIL * white**2 for image in images)
+    return bool((np.maximum(detail, their_detail) > _LOSSY_DETAIL * np.minimum(detail, their_detail)).any())
+
+
+def _means(values: np.ndarray, side: int) -> np.ndarray:
+    """Means of squares of ``side`` px, those at the edge smaller, (..., rows, columns)."""
+    rows, columns = (np.arange(0, length, side) for length in values.shape[-2:])
+    sums = np.add.reduceat(np.add.reduceat(values, rows, axis=-2), columns, axis=-1)
+    high, wide = (np.diff(np.append(first, length)) for first, length in zip((rows, columns), values.shape[-2:]))
+    return np.asarray(sums / (high[:, np.newaxis] * wide))
+
+
+def _detail(image: np.ndarray) -> np.ndarray:
+    """Squares of the steps from pixel to pixel, of the mean of all bands."""
+    grey = image.mean(axis=0)
+    found = np.zeros_like(grey)
+    found[:, :-1] += np.diff(grey, axis=1) ** 2
+    found[:-1] += np.diff(grey, axis=0) ** 2
+    return found

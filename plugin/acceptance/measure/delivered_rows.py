@@ -305,7 +305,12 @@ def make_delivery(
 def united_delivery(
     pieces: Sequence[DeliveredPiece], wkt: str, lot_size: int | None = None, layers: Sequence[DeliveredLayer] = ()
 ) -> tuple[Delivery, list[Message]]:
-    """The pieces of all sheets in order, each once, and what is told of those that lie on each other or lack."""
+    """The pieces of all sheets in order, each once, and what is told of those that lie on each other or lack.
+
+    Raises SettingsError where there is none.
+    """
+    if not pieces:
+        raise SettingsError(messages.LAYERS_EMPTY())
     once, copies = without_copies(in_order(pieces))
     told = [messages.PIECES_TWICE(count=copies)] if copies else []
     if doubled := overlap(once, metres_in_unit((piece.vertices for piece in once), wkt)):
@@ -319,20 +324,20 @@ def united_delivery(
     return found, told
 
 
+_SUMMED = ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres")
+"""Metres that several scans have together, also where they have the same number of them."""
+
+
 def united_settings(layers: Sequence[DeliveredLayer]) -> dict[str, str]:
     """What a layer of pieces of several says of how they were measured, and of which files."""
     found: dict[str, str] = {}
     for name in dict.fromkeys(name for one in layers for name in one.settings):
-        values = list(dict.fromkeys(one.settings[name] for one in layers if name in one.settings))
+        values = [one.settings[name] for one in layers if name in one.settings]
+        if name not in _SUMMED:
+            values = list(dict.fromkeys(values))
         found[name] = ", ".join(values)
         if name in (MOSAIC_FILES, SOURCE_FILES) and len(values) > 1:
             found[name] = states_text([file for value in values for file in states_in(value)])
-    for name, figure in (
-        ("unexplained", max((one.unexplained for one in layers), default=0.0)),
-        ("unexplained_border", sum(one.unseen_m for one in layers)),
-    ):  # fmt: skip
-        if name in found:
-            found[name] = repr(figure)
     return found
 
 
@@ -359,7 +364,6 @@ def _vertices(row: SeamRow) -> np.ndarray:
 
 
 def _number(value: object) -> float | None:
-    """A finite number."""
     try:
         found = float(str(value))
     except ValueError:

@@ -38,13 +38,10 @@ class DeliveredPiece:
     right_source: str = ""
     left_date: str = ""  # when the orthoimage on the left hand was taken, as the layer has it
     right_date: str = ""
-    sample_number: int | None = None
-    """Place in the order in which its sample was drawn, from 1; None where the layer is no sample."""
+    sample_number: int | None = None  # place in the order of drawing, from 1; None where the layer is no sample
     scan: str = ""  # what seam_id numbers the seams of, where that is not the sheet: a scan of many sheets
-    visibility: float | None = None
-    """The loss in just noticeable differences of contrast at 2x; None where the scan says nothing of it."""
-    profile: tuple[KeptBeside, ...] = ()
-    """The judged strip, then what is kept step by step from the seam; empty where the layer does not say."""
+    visibility: float | None = None  # the loss in just noticeable differences at 2x; None where the scan does not say
+    profile: tuple[KeptBeside, ...] = ()  # the judged strip, then step by step from the seam; empty where unknown
     has_detail: bool = True  # False on ground that has nothing to lose, as the scan says
 
     @property
@@ -54,11 +51,9 @@ class DeliveredPiece:
 
     @property
     def middle(self) -> tuple[float, float]:
-        """The point half-way along it."""
         return self.point(0.5)
 
     def point(self, share: float) -> tuple[float, float]:
-        """The point at a share of its length."""
         x, y = self.vertices.T
         along = vertex_stations(self.vertices)
         return float(np.interp(share * along[-1], along, x)), float(np.interp(share * along[-1], along, y))
@@ -114,19 +109,22 @@ class SeenWindow:
     remark_2: str = ""
 
 
+def numbers_in(text: str) -> list[float]:
+    """The numbers of a text, between blanks, or commas where several scans say one each; none where a word is none."""
+    try:
+        return [float(word) for word in text.replace(",", " ").split()]
+    except ValueError:
+        return []
+
+
 class SheetState(Enum):
     """What a sheet is to the mosaic of all sheets. The values are words of the checked layer."""
 
-    SHOWN = "shown"
-    """The mosaic shows all of it."""
-    DAMAGED = "damaged"
-    """Some of its pixels can't be read."""
-    OVERLAPS = "overlaps"
-    """It and another sheet show different things where they overlap, and the mosaic shows one of them."""
-    LEFT_OUT = "left_out"
-    """It was ordered, and is no part of the mosaic."""
-    NOT_ORDERED = "not_ordered"
-    """It was not ordered, and is no part of the mosaic."""
+    SHOWN = "shown"  # the mosaic shows all of it
+    DAMAGED = "damaged"  # some of its pixels can't be read
+    OVERLAPS = "overlaps"  # it and another sheet differ where they overlap, and the mosaic shows one of them
+    LEFT_OUT = "left_out"  # it was ordered, and is no part of the mosaic
+    NOT_ORDERED = "not_ordered"  # it was not ordered, and is no part of the mosaic
 
     @classmethod
     def of_word(cls, word: str) -> SheetState:
@@ -148,20 +146,14 @@ class Seal(Enum):
     """Whether a layer is as its scan, or ``planinspection``, left it."""
 
     WHOLE = "whole"
-    BROKEN = "broken"
-    """Rows, lines, or what stands beside them were changed."""
-    OTHER_SYSTEM = "other_system"
-    """It was given another reference system."""
-    MISSING = "missing"
-    """It has none, as exports and layers of other makers."""
-    NOT_ASKED = "not_asked"
-    """Nobody needs it: rows in memory, and plain seamlines, of which nothing was measured."""
+    BROKEN = "broken"  # rows, lines, or what stands beside them were changed
+    OTHER_SYSTEM = "other_system"  # it was given another reference system
+    MISSING = "missing"  # it has none, as exports and layers of other makers
+    NOT_ASKED = "not_asked"  # nobody needs it: rows in memory, and plain seamlines, of which nothing was measured
 
 
 @dataclass(frozen=True)
 class DeliveredLayer:
-    """A layer that pieces were read from."""
-
     name: str
     seal: Seal  # anything but a whole one, where it is asked for, and nothing is accepted
     lacking_m: float  # metres that the scan had, or that lie between stations, and the layer does not have
@@ -173,23 +165,17 @@ class DeliveredLayer:
     @property
     def unexplained(self) -> float:
         """Share of its mosaic that follows none of the orthoimages, in which no seam is found; 0 where nothing says."""
-        return self._number("unexplained")
+        return max(numbers_in(self.settings.get("unexplained", "")), default=0.0)
 
     @property
     def unseen_m(self) -> float:
         """Metres of border around that: as much seam may be in no figure; 0 where nothing says."""
-        return self._number("unexplained_border")
+        return sum(numbers_in(self.settings.get("unexplained_border", "")))
 
     @property
     def unread(self) -> float:
         """Share of its mosaic that its scan could not read; 0 where nothing says."""
-        return self._number("unread")
-
-    def _number(self, setting: str) -> float:
-        try:
-            return float(self.settings.get(setting, 0))
-        except ValueError:
-            return 0.0
+        return max(numbers_in(self.settings.get("unread", "")), default=0.0)
 
 
 @dataclass(frozen=True)
@@ -207,26 +193,15 @@ class FileDoubts:
 
 @dataclass(frozen=True)
 class Delivery:
-    """All that is judged together."""
-
-    pieces: tuple[DeliveredPiece, ...]
-    """Pieces of all sheets, in order."""
-    wkt: str
-    """The reference system of all coordinates."""
-    windows: tuple[SeenWindow, ...] = ()
-    """That were inspected, and judged perhaps."""
-    lot_size: int | None = None
-    """Pieces of the lot that the pieces are a sample of; None where they are no sample."""
-    outlines: tuple[SheetOutline, ...] = ()
-    """Outlines of the sheets where they were given."""
-    is_checked: bool = False
-    """Whether the outlines come from a check of the files: those without findings are complete."""
-    layers: tuple[DeliveredLayer, ...] = ()
-    """That the pieces were read from, in the order in which they were given."""
-    doubled_m: float = 0.0
-    """Metres of pieces that lie on others, which are not the same."""
-    files: FileDoubts = FileDoubts()
-    """Whether what was scanned is what is given, or there, now."""
+    pieces: tuple[DeliveredPiece, ...]  # pieces of all sheets, in order
+    wkt: str  # the reference system of all coordinates
+    windows: tuple[SeenWindow, ...] = ()  # that were inspected, and judged perhaps
+    lot_size: int | None = None  # pieces of the lot that the pieces are a sample of; None where they are no sample
+    outlines: tuple[SheetOutline, ...] = ()  # outlines of the sheets where they were given
+    is_checked: bool = False  # whether the outlines come from a check of the files: those without findings are complete
+    layers: tuple[DeliveredLayer, ...] = ()  # that the pieces were read from, in the order in which they were given
+    doubled_m: float = 0.0  # metres of pieces that lie on others, which are not the same
+    files: FileDoubts = FileDoubts()  # whether what was scanned is what is given, or there, now
 
     @cached_property
     def unit_m(self) -> float:

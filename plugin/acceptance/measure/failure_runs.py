@@ -34,21 +34,17 @@ class PiecePlaces:
         self._ends = np.array([[piece.vertices[0], piece.vertices[-1]] for piece in pieces]) * unit_m
         touching = cKDTree(self._ends.reshape(-1, 2)).query_pairs(self._tolerance_m)
         joined = [(one, other) for one, other in touching if one // 2 != other // 2]
-        self._places = _united([*self._along_seams(), *joined], 2 * len(pieces)).reshape(-1, 2).tolist()
-
-    def of(self, number: int) -> tuple[int, int]:
-        """Where a piece begins and ends."""
-        start, stop = self._places[number]
-        return start, stop
+        places = _united([*self._along_seams(), *joined], 2 * len(pieces)).reshape(-1, 2).tolist()
+        self._places: list[tuple[int, int]] = [(start, stop) for start, stop in places]
 
     def joined(self, failed: Iterable[int], unknown: Iterable[int]) -> dict[int, tuple[int, int]]:
         """The places of failed pieces, the same for two where no more than a typical piece of unknown ones lies
         between.
         """
-        ends = {number: self.of(number) for number in failed}
+        ends = {number: self._places[number] for number in failed}
         lengths: dict[tuple[int, int], float] = {}  # the shortest of the unknown pieces between two places
         for number in unknown:
-            way = min(self.of(number)), max(self.of(number))
+            way = min(self._places[number]), max(self._places[number])
             lengths[way] = min(self._pieces[number].length_m, lengths.get(way, np.inf))
         own = {place for places in ends.values() for place in places}
         bridged = list(_near(lengths, own, self._typical_m * (1 + 1e-9)))
@@ -98,8 +94,7 @@ def _near(lengths: Mapping[tuple[int, int], float], wanted: set[int], limit: flo
         yield from ((int(places[some[i]]), int(places[starts[j]])) for i, j in np.argwhere(reached).tolist())
 
 
-Step = tuple[int, bool]
-"""A piece, and whether it is walked from its first place to its second."""
+Step = tuple[int, bool]  # a piece, and whether it is walked from its first place to its second
 
 
 def unbroken_lines(
@@ -186,7 +181,4 @@ def _run(steps: Sequence[Step], pieces: Sequence[DeliveredPiece]) -> FailureRun:
     share = 1 - float(reached[at] - half) / own[at].length_m
     place = own[at].point(share if steps[at][1] else 1 - share)
     sheets = tuple(dict.fromkeys(piece.sheet for piece in own))
-    return FailureRun(
-        0, float(reached[-1]), tuple(piece.number for piece in own), tuple(not forward for _, forward in steps), sheets,
-        place,
-    )
+    return FailureRun(0, float(reached[-1]), tuple(piece.number for piece in own), sheets, place)

@@ -1,10 +1,11 @@
 """Planning an inspection: how many pieces of a lot, and which."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Hashable, Iterator, Sequence
 
 import numpy as np
+from scipy import stats
 
 from ...imagery.errors import Message, SettingsError
 from ...imagery.lines import Seam, points_at, vertex_stations
@@ -14,7 +15,6 @@ from .acceptance_rules import SAMPLING, SamplingRule
 from .decision import PlanOutcome, RuleOutcome
 from .delivery import DeliveredPiece, Delivery
 from .sampling_plans import OperatingCharacteristic, SamplingPlan, isolated_lot_plan, single_sampling_plan
-from .sampling_risks import operating_characteristic, stratified_sample
 
 
 def drawn_sample(pieces: Sequence[DeliveredPiece], count: int, seed: int) -> list[DeliveredPiece]:
@@ -64,20 +64,10 @@ def plan_sentence(plan: SamplingPlan, risks: OperatingCharacteristic) -> Message
     )
 
 
-@dataclass(frozen=True)
-class SampledLot:
-    """What a plan looks at and decides."""
-
-    outcome: PlanOutcome
-    rule_outcome: RuleOutcome
-    pieces: set[int]  # numbers of the pieces of the sample
-    notices: tuple[Message, ...]
-
-
 def sampled_lot(
     delivery: Delivery, states: Sequence[PieceState], rule: SamplingRule, lot_size: int | None, seed: int
-) -> SampledLot:
-    """Draw the sample, or take that which the layers are, and count.
+) -> tuple[PlanOutcome, RuleOutcome, tuple[Message, ...]]:
+    """Draw the sample, or take that which the layers are, and count; with what is told of it.
 
     Where the sample is drawn here, pieces that could not be measured are no part of what it is drawn from, as far as
     the rules let so much be left out. Of a sample that was drawn before they might be failures. On ground without
@@ -103,7 +93,7 @@ def sampled_lot(
     needed = min(plan.sample_size, len(measured)) if plan.is_whole_lot and given is None else plan.sample_size
     outcome = PlanOutcome(plan, operating_characteristic(plan), used_seed, len(inspected), failed)
     ruled = _rule_outcome(outcome, rule, max(needed - len(inspected), 0))
-    return SampledLot(outcome, ruled, set(sample), tuple(_notices(plan, used_seed, len(measured), given)))
+    return outcome, ruled, tuple(_notices(plan, used_seed, len(measured), given))
 
 
 def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> RuleOutcome:
@@ -129,3 +119,70 @@ def _notices(
         yield messages.DRAWN(size=plan.sample_size, given=measured, seed=seed)
     if given is None and plan.is_whole_lot:
         yield messages.WHOLE_LOT(lot=plan.lot_size)
+
+
+CONSUMERS_RISK = 0.10  # ISO 2859-1:1999, 12.6: the limiting quality is that accepted with 10 %
+PRODUCERS_RISK = 0.05
+_LAST_DIGITS = 1e-9
+
+
+def operating_characteristic(plan: SamplingPlan) -> OperatingCharacteristic:
+    good, limiting = good_items(plan) / plan.lot_size, limiting_quality(plan)
+    producers, consumers = 1 - acceptance_probability(plan, good), acceptance_probability(plan, limiting)
+    return OperatingCharacteristic(good, float(producers), limiting, float(consumers))
+
+
+def acceptance_probability(plan: SamplingPlan, shares: np.ndarray | float) -> np.ndarray:
+    """For shares of nonconforming items, which are rounded to whole items of the lot."""
+    items = np.rint(np.asarray(shares, float) * plan.lot_size)
+    return stats.hypergeom.cdf(plan.acceptance_number, plan.lot_size, items, plan.sample_size)
+
+
+def good_items(plan: SamplingPlan) -> int:
+    """How many items of a lot are nonconforming that is as good as the AQL; of an isolated lot the most with which it
+    is rejected with 5 % at most, or one."""
+    def is_often_rejected(items: int) -> bool:
+        return bool(1 - acceptance_probability(plan, items / plan.lot_size) > PRODUCERS_RISK)
+
+    if plan.aql is None:
+        return max(_first(is_often_rejected, 0, plan.lot_size) - 1, 1)
+    return int(np.floor(plan.aql / 100 * plan.lot_size + 1e-9))
+
+
+def limiting_quality(plan: SamplingPlan) -> float:
+    """The smallest share of nonconforming items at which a lot is accepted with a probability of 10 % at most; of an
+    isolated lot as many whole items as its limiting quality makes."""
+    def is_rare(items: int) -> bool:
+        return bool(acceptance_probability(plan, items / plan.lot_size) <= CONSUMERS_RISK)
+
+    if plan.lq is not None:
+        return math.ceil(plan.lq / 100 * plan.lot_size - _LAST_DIGITS) / plan.lot_size
+    return _first(is_rare, 0, plan.lot_size) / plan.lot_size  # with none the lot is accepted, with all it is not
+
+
+def _first(holds: Callable[[int], bool], below: int, known: int) -> int:
+    """The smallest number for which something holds, as it does for all larger ones: above ``below``, where it does not
+    hold, and at most the one for which that is ``known``; by bisection."""
+    while known - below > 1:
+        middle = (below + known) // 2
+        below, known = (below, middle) if holds(middle) else (middle, known)
+    return known
+
+
+def stratified_sample(strata: Sequence[Hashable], count: int, seed: int) -> list[int]:
+    """Places of ``count`` items, all of them where there are no more, in the order in which they were drawn.
+
+    ``strata``: that of each item. The same items, count and seed give the same sample. Every so many-th item is taken
+    from a random one on (systematic sampling), the items of a stratum and the strata in random order: each item is as
+    likely to be drawn as any other, and a stratum gives its share, rounded down or up. The first part of a sample of
+    one stratum is a sample, too.
+    """
+    random, count = np.random.default_rng(seed), min(count, len(strata))
+    members: dict[Hashable, list[int]] = {}
+    for place, stratum in enumerate(strata):
+        members.setdefault(stratum, []).append(place)
+    of_strata = list(members.values())
+    items = [item for number in random.permutation(len(of_strata)) for item in random.permutation(of_strata[number])]
+    places = (random.random() + np.arange(count)) * (len(items) / max(count, 1))
+    drawn = [int(items[min(int(place), len(items) - 1)]) for place in places]
+    return [drawn[place] for place in random.permutation(count)]

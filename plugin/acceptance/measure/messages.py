@@ -5,58 +5,46 @@ from ...imagery.errors import INFO, WARNING, Message
 
 # an index of sheets
 SHEETS_WITHOUT_NAMES = Message(
-    "The layer of sheets does not name them; it needs one of the fields {fields}."
-)
+    "The layer of sheets does not name them; it needs one of the fields {fields}.")
 SHEETS_ELSEWHERE = Message(
-    "No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system."
-)
+    "No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system.")
 SHEET_WITHOUT_NAME = Message("The sheet no. {number} has no name in the field {field}; write it there.")
 SHEET_WITHOUT_PLACE = Message("The outline of the sheet {name} has coordinates that are no numbers; draw it again.")
 PIECES_OFF_SHEETS = Message(
-    "Pieces of seam that lie in none of the sheets: {count}. They keep their layer's name.", WARNING
-)
+    "Pieces of seam that lie in none of the sheets: {count}. They keep their layer's name.", WARNING)
 SEAMS_NOT_ON_GROUND = Message(
-    "The seams lie beyond what their coordinate reference system describes; give them the system of their coordinates."
-)
+    "The seams lie beyond what their coordinate reference system describes; give them the system of their coordinates.")
 # a file with rules
 TWO_RULES_FOR_CHECK = Message("{name} has two rules for '{check}' ({place} is the second); keep one.")
 RULES_WITHOUT_KEPT = Message("{name} does not say what a piece must keep; add a rule with the check 'kept'.")
+KEPT_NOTHING = Message("A piece that has to keep 0 always passes; give the share that it has to keep, such as 0.7.")
 RULES_DECIDE_NOTHING = Message(
-    "{name} has nothing to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'."
-)
+    "{name} has nothing to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'.")
 RULES_LIMIT_MISSING = Message("{place} in {name}: the check '{check}' needs '{key}'; give it.")
 RULES_NO_SHARE = Message("{place} in {name}: '{key}' is {limit:g} and a share is at most 1; write 2 % as 0.02.")
 RULES_QUALITY_UNKNOWN = Message(
-    "{place} in {name}: the {key} '{value}' is none of the standard's; known are {known}."
-)
+    "{place} in {name}: the {key} '{value}' is none of the standard's; known are {known}.")
 RULES_AND_PARAMETER = Message(
-    "{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out."
-)
+    "{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.")
 TWO_RULES = Message("Both the ready rules '{ready}' and the rules in {name} are given; choose one of them.")
 RULES_SAY_NOTHING = Message("nothing of it", INFO)
 # plans of sampling
 LOT_TOO_SMALL = Message("The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.")
 LOT_SMALLER_THAN_GIVEN = Message(
     "The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is "
-    "given."
-)
-COUNT_NOT_POSITIVE = Message("A sample of {count} pieces was asked for; give 1 or more.")
+    "given.")
 WINDOWS_WITHOUT_MOSAIC = Message("Windows are placed on the mosaic's pixels; give MOSAIC, or take pieces as the unit.")
 MOSAIC_SMALLER_THAN_WINDOW = Message(
-    "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE."
-)
+    "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.")
 WINDOW_SIDE_TOO_SHORT = Message(
-    "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE."
-)
+    "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
 SHEET_FIELD_MISSING = Message("No layer of seams has the field {field}; choose one that says which sheet it is.")
 PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are no part of the lot.", WARNING)
 ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
 PLANNED_BY_STANDARD = Message(
-    "{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO
-)
+    "{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO)
 SAMPLE_LARGER_THAN_GIVEN = Message(
-    "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING
-)
+    "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING)
 PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.", INFO)
 # the decision: {why} and {also} are reasons from below
 ACCEPTED = Message("Accepted by {rules}: {why}.", INFO)
@@ -77,26 +65,21 @@ SHARE_KEPT = Message("{value:.2%} of the measured metres failed and {limit:.2%} 
 SHARE_EXCEEDED = Message("{value:.2%} of the measured metres failed and only {limit:.2%} may", INFO)
 SHARE_OPEN = Message(
     "{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is "
-    "not known", INFO
-)
+    "not known", INFO)
 RUN_KEPT = Message("the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m", INFO)
 RUN_EXCEEDED = Message("the longest failure without a break is {value:.1f} m and the limit is only {limit:.1f} m", INFO)
 RUN_OPEN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to "
-    "{high:.1f} m by the intervals of its pieces", INFO
-)
+    "{high:.1f} m by the intervals of its pieces", INFO)
 RUN_UNKNOWN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {metres:.1f} m "
-    "by a row of pieces that were not measured", INFO
-)
+    "by a row of pieces that were not measured", INFO)
 RUN_IN_PIECE = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but pieces are up to "
-    "{metres:.1f} m long, which can hide a longer one", INFO
-)
+    "{metres:.1f} m long, which can hide a longer one", INFO)
 MEASURED_ENOUGH = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 MEASURED_TOO_LITTLE = Message(
-    "only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can't be decided", INFO
-)
+    "only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can't be decided", INFO)
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
 MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may", INFO)
 MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of {name} could not be read, such as around {place}", INFO)
@@ -104,12 +87,10 @@ SHEETS_NOT_MEASURED = Message("sheets of which nothing was measured: {count} ({n
 SHEETS_LEFT_OUT = Message("sheets that are missing in the mosaic that was scanned: {count} ({names})", INFO)
 SHEETS_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names})", INFO)
 SHEETS_OVERLAP = Message(
-    "sheets that overlap others and show something else there, which nobody has looked at: {count} ({names})", INFO
-)
+    "sheets that overlap others and show something else there, which nobody has looked at: {count} ({names})", INFO)
 LAYERS_WERE_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
 LAYERS_WERE_MOVED = Message(
-    "layers of seams have another reference system than their scan gave them: {count} ({names})", INFO
-)
+    "layers of seams have another reference system than their scan gave them: {count} ({names})", INFO)
 LAYERS_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
 FILES_NOT_SCANNED = Message("files are given that are not those that were scanned: {names}", INFO)
 FILES_CHANGED = Message("files were changed since they were scanned: {count} ({names})", INFO)
@@ -119,175 +100,134 @@ SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
 SEAMS_HIDDEN = Message("rows of {name} were changed so that {metres:.0f} m which its scan failed pass", INFO)
 SOURCES_ARE_MOSAIC = Message(
     "images are given as orthoimages that are the mosaic, or were made of others, so that they hide what it lost: "
-    "{names}", INFO
-)
+    "{names}", INFO)
 SEAMS_UNSEEN = Message(
     "parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no "
-    "figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO
-)
+    "figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 SEAMS_DIFFER = Message(
     "{judged:.0f} m of seam are judged and the scan saw the mosaic change its orthoimage along {seen:.0f} m: "
     "{unseen:.0f} m of these are in no figure (the longest around {place}), and along {unchanged:.0f} m nothing "
-    "changes; {limit:.0%} may differ", INFO
-)
+    "changes; {limit:.0%} may differ", INFO)
 SEAMS_UNCHANGED = Message(
     "{judged:.0f} m of seam are judged and along {unchanged:.0f} m of them the mosaic does not change its orthoimage; "
-    "{limit:.0%} may differ", INFO
-)
+    "{limit:.0%} may differ", INFO)
 BORDER_WITHOUT_SEAM = Message(
     "along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and "
-    "{limit:.1f} m may fail without a break", INFO
-)
+    "{limit:.1f} m may fail without a break", INFO)
 BORDER_HIDDEN = Message(
     "along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these "
-    "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO
-)
+    "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
 PLAN_KEPT = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})", INFO)
 PLAN_EXCEEDED = Message("{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})", INFO)
 BY_AQL = Message(
     "{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, "
-    "{producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted", INFO
-)
+    "{producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted", INFO)
 BY_LQ = Message(
     "{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, "
-    "{consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected", INFO
-)
+    "{consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected", INFO)
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_LACKS_PIECES = Message(
-    "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO
-)
+    "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
 # what the decision rests on
 METRES_FAILED = Message("{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.", INFO)
 NOT_MEASURED = Message(
-    "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING
-)
+    "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING)
 MAY_HIDE = Message(
     "What was not measured is taken to be as good as the rest. If all of it had failed, {worst:.1%} would have, and "
-    "{limit:.1%} may.", WARNING
-)
+    "{limit:.1%} may.", WARNING)
 UNCLEAR = Message(
-    "{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO
-)
+    "{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO)
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
-    "judged.", INFO
-)
+    "judged.", INFO)
 ROW_NOT_MEASURED = Message(
     "A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: "
-    "{metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", WARNING
-)
+    "{metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", WARNING)
 MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
     "What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field "
     "'reason' of the seams says why each was not; scan with longer pieces, or judge windows there by eye (JUDGE "
-    "observer).", WARNING
-)
+    "observer).", WARNING)
 WOULD_MEASURE_ALONE = Message(
     "What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
-    "orthoimages beside them, or judge windows there by eye (JUDGE observer).", WARNING
-)
+    "orthoimages beside them, or judge windows there by eye (JUDGE observer).", WARNING)
 WOULD_LOOK = Message(
-    "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING
-)
+    "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING)
 WOULD_TELL_APART = Message(
     "What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). "
-    "Judge windows on them by eye (JUDGE observer).", WARNING
-)
+    "Judge windows on them by eye (JUDGE observer).", WARNING)
 WOULD_SHORTEN = Message(
     "What would decide it: a scan with shorter pieces. Failures end inside of pieces, so a sum of pieces of "
-    "{piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.", WARNING
-)
+    "{piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.", WARNING)
 WOULD_GIVE_SCAN = Message("What would decide it: the layers of the whole scan, not a sample of their pieces.", WARNING)
 WOULD_GIVE_ORTHOIMAGES = Message(
     "What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.",
-    WARNING
-)
+    WARNING)
 WOULD_GIVE_SEAMS = Message(
     "What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with "
-    "all seamlines, or without any.", WARNING
-)
+    "all seamlines, or without any.", WARNING)
 WOULD_GIVE_LAYER = Message(
     "What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of "
-    "these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.", WARNING
-)
+    "these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.", WARNING)
 WOULD_SCAN_AGAIN = Message(
     "What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a scan of "
-    "those that are there now.", WARNING
-)
+    "those that are there now.", WARNING)
 WOULD_GIVE_MOSAICS = Message(
     "What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the "
-    "layers of others out.", WARNING
-)
+    "layers of others out.", WARNING)
 WOULD_MEASURE_ROWS = Message(
     "What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
-    "windows there by eye (JUDGE observer); the field 'reason' of the seams says why each was not measured.", WARNING
-)
+    "windows there by eye (JUDGE observer); the field 'reason' of the seams says why each was not measured.", WARNING)
 WOULD_CUT = Message(
     "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: "
-    "a longer piece keeps enough though a part of it failed.", WARNING
-)
+    "a longer piece keeps enough though a part of it failed.", WARNING)
 WOULD_SEE_SHEETS = Message(
     "What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; "
-    "leave out the layer of a sheet without seams.", WARNING
-)
+    "leave out the layer of a sheet without seams.", WARNING)
 WOULD_LEAVE_OUT = Message("What would decide it: layers without what was scanned twice.", WARNING)
 WOULD_GIVE_ORIGINALS = Message(
-    "What would decide it: a scan with the whole orthoimages as they were rectified, and no others.", WARNING
-)
+    "What would decide it: a scan with the whole orthoimages as they were rectified, and no others.", WARNING)
 # the layers that are decided on
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
 FILES_AS_SCANNED = Message("Files that are as they were scanned: {count}.", INFO)
 OF_MOSAICS = Message(
     "The layers of seams are of {count} mosaics, and none is given to the decision: whether all of these belong to the "
-    "delivery is not known.", INFO
-)
+    "delivery is not known.", INFO)
 SOURCES_GONE = Message(
     "Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again "
-    "what the decision rests on.", WARNING
-)
+    "what the decision rests on.", WARNING)
 SETTINGS_DIFFER = Message(
     "The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.",
-    WARNING
-)
+    WARNING)
 LAYER_FILTERED = Message(
-    "{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them."
-)
+    "{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.")
 LAYER_LACKS_SEAMS = Message(
     "{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have "
-    "no line.", WARNING
-)
+    "no line.", WARNING)
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
-NOTHING_IS_ASKED = Message(
-    "A piece fails when it keeps less than 0, which none can, so every measured piece passes.", WARNING
-)
 SAMPLE_GIVEN = Message(
     "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the "
-    "longest failure of the delivery is can't be told from it.", INFO
-)
+    "longest failure of the delivery is can't be told from it.", INFO)
 SAMPLE_ONLY = Message(
     "The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was "
-    "drawn for, or give the layers of the scan.", WARNING
-)
+    "drawn for, or give the layers of the scan.", WARNING)
 RUN_NOT_IN_SAMPLE = Message("how long the longest failure is can't be told from a sample", INFO)
 # observers
 BY_OBSERVER = Message("Pieces failed where the operator saw a loss in their window, whatever they kept.", INFO)
 NO_JUDGED_WINDOWS = Message("The operators' verdicts are in the windows; give WINDOWS, or judge by the tool.")
 NO_WINDOW_JUDGED = Message(
     "None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the "
-    "tool."
-)
+    "tool.")
 WINDOWS_NO_POLYGONS = Message("{name} holds no windows; choose polygons that were inspected or judged.")
 WINDOWS_SAY_NOTHING = Message(
     "The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.",
-    WARNING,
-)
+    WARNING)
 WINDOWS_WIDER_THAN_PIECES = Message(
     "The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen "
-    "beside it, too; plan windows with a SIDE of a piece.", WARNING
-)
+    "beside it, too; plan windows with a SIDE of a piece.", WARNING)
 # layers
 NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
 LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; check the path.")
@@ -295,114 +235,85 @@ LAYER_NOT_LINES = Message("{name} holds no lines; choose the layer 'Seams' of a 
 LAYER_WITHOUT_KEPT = Message("{name} has no field 'kept_1'; choose the layer 'Seams' of a scan, not the seamlines.")
 LAYER_EMPTY = Message("{name} is empty: no seam of it can be judged.", WARNING)
 LAYER_TWICE = Message("{name} is given twice and counts once.", WARNING)
-LAYERS_EMPTY = Message("The layers of seams are empty; choose those of a scan that found seams.")
+LAYERS_EMPTY = Message(
+    "The layers of seams are empty, or none of their rows is a piece of seam (field 'level'); choose the layers as the "
+    "scans wrote them.")
 LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it in the layer's properties.")
 PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({count}).", WARNING)
 PIECES_TWICE = Message(
-    "{count} pieces of seam are given twice, the same line with the same figures; they count once.", WARNING
-)
+    "{count} pieces of seam are given twice, the same line with the same figures; they count once.", WARNING)
 SEAMS_DOUBLED = Message("{metres:.0f} m of the seams lie on others and count again", INFO)
 SEAMS_OVERLAP = Message(
-    "{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.", WARNING
-)
+    "{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.", WARNING)
 KEPT_NO_SHARES = Message(
-    "kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86."
-)
+    "kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.")
 KEPT_NO_NUMBERS = Message(
     "kept_1 of {count} pieces of {name} is not a number (such as '{value}'; write decimals with a point); they count "
-    "as not measured.", WARNING
-)
+    "as not measured.", WARNING)
 KEPT_NEGATIVE = Message("kept_1 of {count} pieces of {name} is below 0; they count as not measured.", WARNING)
 KEPT_LARGE = Message(
     "kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so "
-    "check whether they are shares.", WARNING,
-)
+    "check whether they are shares.", WARNING)
 LENGTHS_DIFFER = Message(
     "The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m "
-    "along the line); the field counts, so check whether it holds metres.", WARNING
-)
+    "along the line); the field counts, so check whether it holds metres.", WARNING)
 PLACES_IN = Message("The layers are in degrees; places and lengths are given in {system}.", INFO)
 NOT_TRANSFORMED = Message(
-    "{name} can't be transformed to the reference system of the first layer; check the systems of both."
-)
+    "{name} can't be transformed to the reference system of the first layer; check the systems of both.")
 LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
-QUALITY_UNKNOWN = Message("The {parameter} {value} is none of the standard's; known are {known}.")
-LQ_UNKNOWN = Message(
-    "{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; take the next smaller one, or "
-    "inspect the whole lot (PLAN all)."
-)
-WORD_UNKNOWN = Message("{parameter} is '{value}'; known are {known}.")
 
 
 DEFECTS_NOT_WRITTEN = Message(
-    "The layer of failures can't be written; choose another folder, and close the file where it is open."
-)
+    "The layer of failures can't be written; choose another folder, and close the file where it is open.")
 PICTURES_NOT_WRITTEN = Message(
-    "The folder {folder} can't be written ({error}), so the layer of failures has no pictures."
-)
+    "The folder {folder} can't be written ({error}), so the layer of failures has no pictures.")
 PICTURES_MISSING = Message(
-    "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING
-)
+    "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING)
 PICTURES_LIMITED = Message("There are pictures of the longest {shown} of {count} failures.", INFO)
 LOSS_NOT_OF_SCAN = Message(
-    "{name} was not written by a scan as its picture of losses and is left out; choose the scan's LOSS.", WARNING
-)
+    "{name} was not written by a scan as its picture of losses and is left out; choose the scan's LOSS.", WARNING)
 SEAMS_ELSEWHERE_UNKNOWN = Message(
     "Without what a scan with orthoimages tells of the ground, in Python told=, nothing is known of seams that are in "
-    "no row: {names}.", INFO
-)
+    "no row: {names}.", INFO)
 SCAN_UNEXPLAINED = Message(
     "The scan of {name} found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there "
-    "are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING
-)
+    "are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING)
 SCAN_UNSEEN = Message(
     "The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is "
-    "measured, the longest around {place}.", WARNING
-)
+    "measured, the longest around {place}.", WARNING)
 SCAN_UNCHANGED = Message(
     "Along {metres:.0f} m of the seamlines given for {name} the mosaic shows one orthoimage on both sides; they are no "
-    "seams.", WARNING
-)
+    "seams.", WARNING)
 SCAN_NODATA = Message(
-    "Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.", INFO
-)
+    "Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.", INFO)
 SCAN_PARTLY = Message(
-    "In {name} {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.", INFO
-)
+    "In {name} {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.", INFO)
 SOURCES_NOT_GIVEN = Message(
     "The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not "
     "measured.",
-    WARNING
-)
+    WARNING)
 SCANNED_APART = Message(
     "{count} mosaics were scanned one by one: a seam along the border between two of them is in no figure. Scan sheets "
-    "that meet as one mosaic.", WARNING
-)
+    "that meet as one mosaic.", WARNING)
 SOURCES_BELIEVED = Message(
     "The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make "
-    "sure that they are the ones that the mosaic was made from.", INFO
-)
+    "sure that they are the ones that the mosaic was made from.", INFO)
 SEAMS_GIVEN = Message(
     "The seams of {name} are those of the given seamlines; one that lacks shows where it is longer than some 150 "
     "pixels.",
-    INFO
-)
+    INFO)
 SEAMS_FOUND = Message(
     "In {name} the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "
-    "seamlines to the scan to measure all of them.", WARNING
-)
+    "seamlines to the scan to measure all of them.", WARNING)
 RADIOMETRY_NO_TABLE = Message(
-    "{name} is not a table of 'Check radiometry'; choose the output 'Radiometry' of a run of it."
-)
+    "{name} is not a table of 'Check radiometry'; choose the output 'Radiometry' of a run of it.")
 MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, not a mosaic; no pictures are cut from it.", WARNING)
 PAPER_STOPPED = Message(
-    "The run was stopped: the failures have no pictures, and there is neither report nor XML.", WARNING
-)
+    "The run was stopped: the failures have no pictures, and there is neither report nor XML.", WARNING)
 DIGESTS_STOPPED = Message("The run was stopped: there is neither report nor XML.", WARNING)
 SHEETS_NOT_WRITTEN = Message(
-    "The layer of decided sheets can't be written; choose another folder, and close the file where it is open."
-)
+    "The layer of decided sheets can't be written; choose another folder, and close the file where it is open.")
 DATE_IS_NONE = Message("{parameter} is '{value}', which is no date; write it as 2026-11-23 or 23.11.2026.")
 # the files of a delivery; what is found at a sheet goes into tables
 NO_DELIVERY = Message("Neither a folder nor sheets are given; choose where the delivery lies, or its index.")

@@ -22,12 +22,10 @@ class SamplingPlan:
 
     lot_size: int  # items: pieces of seam
     sample_size: int
-    acceptance_number: int
-    """Ac: the lot is accepted up to so many nonconforming items in the sample, and rejected with more."""
+    acceptance_number: int  # Ac: with so many nonconforming items in the sample the lot is still accepted
     aql: float | None  # acceptance quality limit: nonconforming items per hundred; None for one of an isolated lot
     inspection_level: str
-    code_letter: str
-    """Letter of the table's row that the plan was taken from, arrows followed; empty where there are no letters."""
+    code_letter: str  # of the table's row that the plan was taken from, arrows followed; empty where there are none
     lq: float | None = None
     """Limiting quality of an isolated lot: nonconforming items per hundred with which it is hardly ever accepted."""
 
@@ -53,8 +51,7 @@ class OperatingCharacteristic:
     limiting_quality: float
     """The smallest share of nonconforming items at which a lot is accepted with 10 % at most (LQ, LTPD); of an isolated
     lot that of its plan, in whole items."""
-    consumers_risk: float
-    """With which it is then: 10 %, or what whole items of a lot leave below; up to 13 % for an isolated lot."""
+    consumers_risk: float  # probability that it is accepted then: some 10 %, by whole items up to 13 %
 
 
 INSPECTION_LEVELS = ("S-1", "S-2", "S-3", "S-4", "I", "II", "III")
@@ -81,7 +78,6 @@ _ACCEPTANCE = {14: 0, 17: 1, 18: 2, 19: 3, 20: 5, 21: 7, 22: 10, 23: 14, 24: 21}
 
 
 def code_letter(lot_size: int, inspection_level: str) -> str:
-    """Code letter of a lot by table 1."""
     place = sum(lot_size > largest for largest in _LARGEST_LOTS)
     return _LETTERS_OF_LEVEL[inspection_level][place]
 
@@ -112,8 +108,7 @@ _ISOLATED = {  # table A: sample sizes and acceptance numbers by the lot sizes
     "20.0": "9/0 10/0 10/0 13/0 20/1 20/1 32/3 50/5 80/10 125/18 125/18 125/18 125/18",
     "31.5": "6/0 6/0 8/0 13/1 13/1 20/3 32/5 50/10 80/18 80/18 80/18 80/18 80/18",
 }
-LIMITING_QUALITIES = tuple(_ISOLATED)
-"""Limiting qualities as the standard writes them: nonconforming items per cent."""
+LIMITING_QUALITIES = tuple(_ISOLATED)  # limiting qualities as the standard writes them: nonconforming items per cent
 DEFAULT_LQ = "5.00"
 
 

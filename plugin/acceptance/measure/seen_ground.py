@@ -13,11 +13,13 @@ from ...imagery.errors import Message, Stated
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, AcceptanceRules
 from .decision import MetreFigures
-from .delivery import Delivery
+from .delivery import Delivery, numbers_in
 
 MOST_APART = 0.05
 """Share of the metres that only the scan or only the seamlines may have as a seam: sound seamlines, and what a scan
 finds of them in samples, differ by less."""
+
+TOLD_UNEXPLAINED = 0.03  # share of a mosaic without orthoimage that is told, as the scan does
 
 
 @dataclass(frozen=True)
@@ -42,8 +44,7 @@ class SeenGround:
     seams: frozenset[str]  # given, found; empty where nothing says
     is_known: bool  # whether it was looked at what the ground follows
     unchanged_m: float = 0.0  # metres of given seams along which the mosaic does not change its orthoimage
-    unseen_m: float = 0.0
-    """Metres of border between two orthoimages of which no seam tells, in places as long as a piece."""
+    unseen_m: float = 0.0  # metres of border of which no seam tells, in places as long as a piece
     longest_unseen_m: float = 0.0
     hidden_m: float = 0.0  # those of them along which no orthoimage explains the mosaic
     longest_hidden_m: float = 0.0
@@ -59,10 +60,10 @@ class SeenGround:
     def of_settings(cls, settings: Mapping[str, str]) -> SeenGround:
         """What a scan wrote beside its rows."""
         def figures(name: str, nothing: float) -> list[float]:
-            return _numbers(settings.get(name, "").replace(",", " ")) or [nothing]
+            return numbers_in(settings.get(name, "")) or [nothing]
 
         def places(name: str) -> tuple[SeenPlace, ...]:
-            held = map(_numbers, settings.get(name, "").replace(",", ";").split(";"))
+            held = map(numbers_in, settings.get(name, "").replace(",", ";").split(";"))
             return tuple(SeenPlace(*one) for one in held if len(one) in (2, 4))
 
         return cls(
@@ -124,8 +125,11 @@ def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules
 
 
 def ground_sentences(name: str, settings: Mapping[str, str]) -> Iterator[Message]:
-    """What one scan saw beside its seams."""
+    """What one scan saw beside its seams, and where it could not find or measure any."""
     ground = SeenGround.of_settings(settings)
+    if ground.unexplained >= TOLD_UNEXPLAINED:
+        place = "; ".join(map(str, ground.unexplained_at))
+        yield messages.SCAN_UNEXPLAINED(name=name, share=ground.unexplained, place=place)
     if ground.unseen_m:
         yield messages.SCAN_UNSEEN(name=name, metres=ground.unseen_m, place=_first(ground.unseen_at))
     if ground.unchanged_m:
@@ -134,15 +138,9 @@ def ground_sentences(name: str, settings: Mapping[str, str]) -> Iterator[Message
         yield messages.SCAN_NODATA(name=name, share=ground.nodata, place=_first(ground.nodata_at))
     if ground.looked_at < 1:
         yield messages.SCAN_PARTLY(name=name, share=ground.looked_at)
+    if names := settings.get("not_given"):
+        yield messages.SOURCES_NOT_GIVEN(name=name, names=names)
 
 
 def _first(places: tuple[SeenPlace, ...]) -> str:
     return str(places[0]) if places else "-"
-
-
-def _numbers(text: str) -> list[float]:
-    """Words of a text as numbers, where all of them are; none otherwise."""
-    try:
-        return [float(word) for word in text.split()]
-    except ValueError:
-        return []

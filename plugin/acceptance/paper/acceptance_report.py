@@ -20,10 +20,9 @@ from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, PlanOutcome
 from ..measure.seen_ground import SeenGround
 from .charts import STATE_COLOURS, pale, profile_figure, seams_figure
-from .defect_files import DefectPicture
+from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name
 from .paper_head import iso_date
-from .proofs import CUT_PANEL, MOSAIC_PANEL
 from .words import (
     DIGEST_STANDARD,
     NOTHING,
@@ -43,14 +42,10 @@ from .words import (
     sheet_word,
 )
 
-MOST_ROWS = 300
-"""Most rows of the table of failures, the longest first."""
-MOST_LAYERS = 40
-"""Most layers of seams that are listed with where they were read from."""
-MOST_IMAGES = 1000
-"""Listed with their dates: some 25 pages."""
-_LONG = 12
-"""Rows of a list above which it is folded up."""
+MOST_ROWS = 300  # most rows of the table of failures, the longest first
+MOST_LAYERS = 40  # most layers of seams that are listed with where they were read from
+MOST_IMAGES = 1000  # listed with their dates: some 25 pages
+_LONG = 12  # rows of a list above which it is folded up
 _MOST_REASONS = 3  # why seams were not measured, of most metres
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail

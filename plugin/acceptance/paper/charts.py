@@ -4,7 +4,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import chain
-from typing import Callable
 
 import numpy as np
 from matplotlib import patheffects
@@ -15,7 +14,6 @@ from matplotlib.figure import Figure
 from ...imagery.clips import read_overview
 from ...imagery.errors import RasterError, printable
 from ...imagery.grids import Extent, middle_of
-from ...imagery.lines import vertex_stations
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import extent_on, metres_per_unit
 from ...imagery.seam_totals import PieceState
@@ -92,7 +90,6 @@ _WIDTHS = {PieceState.NO_DETAIL: 0.5, PieceState.PASSED: 0.7, PieceState.NOT_MEA
 _WIDTH, _MOST_HEIGHT, _LEAST_HEIGHT = 6.7, 6.2, 1.6  # inches on paper
 _STRIP = 0.35  # inches: below the map, for scale bar and north
 _MARGIN = 0.04  # of the longer side
-_FINEST_PT = 0.25  # lines are thinned to it
 _MOST_SHEET_NAMES = 60
 _BACKDROP_PX, _LEAST_BACKDROP_PX = 640, 16  # the longer side of the mosaics on the map, and of one of many
 _PALEST, _GREYS = 0.55, 31  # the darkest grey of that, and how many: more make the file larger, and nothing clearer
@@ -114,48 +111,60 @@ def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
     failures, coordinates along the frame. None without seams."""
     if not decision.pieces:
         return None
-    outlines = decision.delivery.sheet_rings()
-    xmin, ymin, xmax, ymax = extent_of([*(one.piece.vertices for one in decision.pieces), *chain(*outlines.values())])
-    metres_x, metres_y = metres_per_unit(decision.delivery.wkt, middle_of((xmin, ymin, xmax, ymax)))
-    margin = max((xmax - xmin) * metres_x, (ymax - ymin) * metres_y, 1.0) * _MARGIN
-    across, down = (xmax - xmin) * metres_x + 2 * margin, (ymax - ymin) * metres_y + 2 * margin
-    height = min(max(_WIDTH * down / across, _LEAST_HEIGHT), _MOST_HEIGHT)
+    wkt, outlines = decision.delivery.wkt, decision.delivery.sheet_rings()
+    corners = np.reshape(extent_of([*(one.piece.vertices for one in decision.pieces), *chain(*outlines.values())]),
+                         (2, 2))
+    metres = np.array(metres_per_unit(wkt, middle_of((*corners[0], *corners[1]))))
+    margin = max(*(np.diff(corners, axis=0)[0] * metres), 1.0) * _MARGIN / metres
+    corners += np.outer((-1, 1), margin)
+    across, down = np.diff(corners, axis=0)[0] * metres
+    height = float(np.clip(_WIDTH * down / across, _LEAST_HEIGHT, _MOST_HEIGHT))
+    scale = min(72 * _WIDTH / across, 72 * height / down) * metres  # points a unit
     figure = Figure(figsize=(_WIDTH, height + _STRIP))
-    axes = figure.add_axes((0, 0, 1, 1))
-    axes.set_axis_off()
-    scale = min(72 * _WIDTH / across, 72 * height / down)  # points per metre
-
-    def placed(points: np.ndarray) -> np.ndarray:
-        middle = np.array([(xmin + xmax) / 2, (ymin + ymax) / 2])
-        return (points - middle) * (metres_x * scale, metres_y * scale)
-
-    bounds = xmin - margin / metres_x, ymin - margin / metres_y, xmax + margin / metres_x, ymax + margin / metres_y
-    for pixels, extent in _backdrop(mosaics, bounds, decision.delivery.wkt):
-        (left, bottom), (right, top) = placed(np.array(extent).reshape(2, 2))
-        axes.imshow(pixels, extent=(left, right, bottom, top), aspect="auto", zorder=0, interpolation="bilinear")
-    _draw_coordinates(axes, placed, bounds)
-    _draw_sheets(axes, placed, decision, outlines)
+    axes = figure.add_axes((0, _STRIP / (height + _STRIP), 1, height / (height + _STRIP)))
+    axes.set(xlim=corners[:, 0], ylim=corners[:, 1], aspect=metres[1] / metres[0])
+    _draw_coordinates(axes, scale)
+    bounds = (*corners[0].tolist(), *corners[1].tolist())
+    for pixels, (left, bottom, right, top) in _backdrop(mosaics, bounds, wkt):
+        where = left, right, bottom, top
+        axes.imshow(pixels, extent=where, aspect=axes.get_aspect(), zorder=0, interpolation="bilinear")
+    _draw_sheets(axes, scale, decision, outlines)
     for state, colour in STATE_COLOURS.items():
-        lines = [_thinned(placed(one.piece.vertices)) for one in decision.pieces if one.state is state]
+        lines = [np.append(one.piece.vertices, [[np.nan, np.nan]], axis=0) for one in decision.pieces
+                 if one.state is state]
         if lines:  # one path, which is small in the page's SVG
             axes.plot(*np.concatenate(lines).T, color=colour, linewidth=_WIDTHS[state], solid_capstyle="round")
-    _draw_numbers(axes, {one.run.number: placed(np.array([one.run.place]))[0] for one in defects})
-    axes.set_xlim(-36 * _WIDTH, 36 * _WIDTH)
-    axes.set_ylim(-36 * height - 72 * _STRIP, 36 * height)
-    _draw_scale_bar(axes, scale, -36 * height - 72 * _STRIP)
+    _draw_numbers(axes, scale, {one.run.number: np.array(one.run.place) for one in defects})
+    axes.set(xlim=corners[:, 0], ylim=corners[:, 1])
+    _draw_scale_bar(figure, float(scale[0] / metres[0]))
     return figure
 
 
-def _draw_numbers(axes: Axes, places: Mapping[int, np.ndarray]) -> None:
+def _draw_coordinates(axes: Axes, scale: np.ndarray) -> None:
+    """Round coordinates within the frame, along its lower and left edges."""
+    limits = np.array([axes.get_xlim(), axes.get_ylim()])
+    step = round_below(float(np.ptp(limits, axis=1).max()) / _TICKS)
+    within = limits + np.outer(_CORNER_PT / scale, (1, -1))
+    for axis, (low, high), beside in zip((axes.xaxis, axes.yaxis), within, ("top", "center")):
+        places = np.arange(np.ceil(low / step), np.floor(high / step) + 1) * step
+        axis.set_ticks(places, [formatted(place, ".0f") for place in places], path_effects=_HALO, va=beside)
+    inwards = {"direction": "in", "length": _TICK_PT, "labelsize": _COORDINATE_PT, "colors": PAPER.quiet}
+    axes.tick_params(width=0.6, pad=-_TICK_PT - _COORDINATE_PT - 1, **inwards)
+    axes.tick_params(axis="y", labelrotation=90)
+    axes.spines[:].set_color(PAPER.quiet)
+    axes.spines[:].set_linewidth(0.6)
+
+
+def _draw_numbers(axes: Axes, scale: np.ndarray, places: Mapping[int, np.ndarray]) -> None:
     """Draw the numbers of failures, each beside its place; those without room are left out."""
     taken = np.zeros((0, 2))
     for number, place in places.items():
-        beside = next((at for at in place + _BESIDE_PT if (np.abs(at - taken) > _CROWDED_PT).any(axis=1).all()), None)
-        if beside is not None:
-            taken = np.append(taken, beside[np.newaxis], axis=0)
+        free = (by for by in _BESIDE_PT if (np.abs(place * scale + by - taken) > _CROWDED_PT).any(axis=1).all())
+        if (beside := next(free, None)) is not None:
+            taken = np.append(taken, [place * scale + beside], axis=0)
             axes.annotate(
-                str(number), place, beside, fontsize=7, fontweight="bold", color=PAPER.text, path_effects=_HALO,
-                zorder=4, ha="center", va="center",
+                str(number), place, beside, textcoords="offset points", fontsize=7, fontweight="bold",
+                color=PAPER.text, path_effects=_HALO, zorder=4, ha="center", va="center",
                 arrowprops={"arrowstyle": "-", "color": PAPER.text, "linewidth": 0.5, "shrinkA": 3},
             )
 
@@ -186,7 +195,7 @@ def _backdrop(mosaics: Sequence[Raster], bounds: Extent, wkt: str) -> Iterator[t
 
 
 def _draw_sheets(
-    axes: Axes, placed: Callable[[np.ndarray], np.ndarray], decision: Decision, outlines: Mapping[str, list[np.ndarray]]
+    axes: Axes, scale: np.ndarray, decision: Decision, outlines: Mapping[str, list[np.ndarray]]
 ) -> None:
     """Outlines in the colours of the verdicts, and as many names as have room."""
     states = {one.name: outcome for one, outcome in zip(decision.sheets, decision.sheet_outcomes)}
@@ -194,36 +203,14 @@ def _draw_sheets(
     for name, rings in outlines.items():
         colour = SHEET_COLOURS[states.get(name)] if len(outlines) > 1 else PAPER.quiet
         for ring in rings:
-            axes.fill(*placed(ring).T, facecolor=(*to_rgb(colour), _SHEET_ALPHA), edgecolor=_SHEET_EDGE, linewidth=0.8)
-        left, _, right, top = extent_of(map(placed, rings))
-        corner = np.array([left, top])
-        is_free = all((abs(corner - other) > _CROWDED_NAMES_PT).any() for other in named)
+            axes.fill(*ring.T, facecolor=(*to_rgb(colour), _SHEET_ALPHA), edgecolor=_SHEET_EDGE, linewidth=0.8)
+        left, _, right, top = extent_of(rings)
+        is_free = all((np.abs((left, top) - other) * scale > _CROWDED_NAMES_PT).any() for other in named)
         if 1 < len(outlines) <= _MOST_SHEET_NAMES and is_free:
-            named.append(corner)
-            axes.text(left + 2, top - 2, _short(printable(name), (right - left - 4) / _LETTER_PT), color=_NAME_COLOUR,
-                      fontsize=_NAME_PT, ha="left", va="top", parse_math=False, path_effects=_HALO, zorder=3)
-
-
-def _draw_coordinates(axes: Axes, placed: Callable[[np.ndarray], np.ndarray], bounds: Extent) -> None:
-    """A frame with round coordinates along its lower and left edges."""
-    left, bottom, right, top = bounds
-    corners = placed(np.array([(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]))
-    axes.plot(*corners.T, color=PAPER.quiet, linewidth=0.6)
-    step = round_below(max(right - left, top - bottom) / _TICKS)
-    style = {"fontsize": _COORDINATE_PT, "color": PAPER.quiet, "path_effects": _HALO, "zorder": 3}
-    (most_left, least), (most_right, most) = placed(np.array([(left, bottom), (right, top)]))
-    for x in np.arange(np.ceil(left / step), np.floor(right / step) + 1) * step:
-        (across, foot), = placed(np.array([(x, bottom)]))
-        if not most_left + _CORNER_PT < across < most_right - _CORNER_PT:
-            continue
-        axes.plot([across, across], [foot, foot + _TICK_PT], color=PAPER.quiet, linewidth=0.6)
-        axes.text(across, foot + _TICK_PT, formatted(x, ".0f"), ha="center", va="bottom", **style)
-    for y in np.arange(np.ceil(bottom / step), np.floor(top / step) + 1) * step:
-        (edge, up), = placed(np.array([(left, y)]))
-        if not least + _CORNER_PT < up < most - _CORNER_PT:
-            continue
-        axes.plot([edge, edge + _TICK_PT], [up, up], color=PAPER.quiet, linewidth=0.6)
-        axes.text(edge + _TICK_PT, up, formatted(y, ".0f"), ha="left", va="center", rotation=90, **style)
+            named.append(np.array([left, top]))
+            words = _short(printable(name), ((right - left) * scale[0] - 4) / _LETTER_PT)
+            axes.annotate(words, (left, top), (2, -2), textcoords="offset points", color=_NAME_COLOUR, zorder=3,
+                          fontsize=_NAME_PT, ha="left", va="top", parse_math=False, path_effects=_HALO)
 
 
 def _short(name: str, most: float) -> str:
@@ -235,19 +222,15 @@ def _short(name: str, most: float) -> str:
     return name[:begin] + "…" + name[begin + 1 - letters :]
 
 
-def _thinned(points: np.ndarray) -> np.ndarray:
-    """A line of which each vertex but the last lies a little farther on; (n, 2) points on paper, at the end NaN."""
-    cells = np.floor(vertex_stations(points) / _FINEST_PT)
-    return np.append(points[np.append(np.diff(cells, prepend=-1)[:-1] > 0, True)], [[np.nan, np.nan]], axis=0)
-
-
-def _draw_scale_bar(axes: Axes, scale: float, foot: float) -> None:
-    """A round length in the lower left corner, north up in the lower right one; ``foot``: of the strip for them."""
-    metres = round_below(0.25 * 72 * _WIDTH / scale)
-    left, bottom = -36 * _WIDTH + 6, foot + 6
-    axes.plot([left, left + metres * scale], [bottom, bottom], color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
+def _draw_scale_bar(figure: Figure, scale: float) -> None:
+    """A round length in the lower left corner of the page, north up in the lower right one; ``scale``: points a
+    metre."""
+    width, height = 72 * figure.get_size_inches()
+    axes = figure.add_axes((0, 0, 1, 72 * _STRIP / height), xlim=(0, width), ylim=(0, 72 * _STRIP))
+    axes.set_axis_off()
+    metres = round_below(0.25 * width / scale)
+    axes.plot([6, 6 + metres * scale], [6, 6], color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
     words = formatted(metres / 1000, "g") + " km" if metres >= 1000 else formatted(metres, "g") + " m"
-    axes.text(left, bottom + 4, words, fontsize=7, color=PAPER.text)
-    right = 36 * _WIDTH - 10
-    axes.annotate(tr("N"), (right, bottom + 22), (right, bottom - 4), ha="center", fontsize=8, color=PAPER.text,
+    axes.text(6, 10, words, fontsize=7, color=PAPER.text)
+    axes.annotate(tr("N"), (width - 10, 24), (width - 10, 2), ha="center", fontsize=8, color=PAPER.text,
                   arrowprops={"arrowstyle": "-|>", "color": PAPER.text, "linewidth": 1})

@@ -4,11 +4,12 @@ from __future__ import annotations
 import errno
 import math
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from qgis.core import QgsFeature, QgsGeometry, QgsLineString
@@ -20,7 +21,7 @@ from ...imagery.grids import PixelWindow
 from ...imagery.lines import points_at, vertex_stations
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
-from ...imagery.rasters import Raster
+from ...imagery.rasters import Raster, RasterRef
 from ...imagery.records import Column
 from ...imagery.reference_systems import extent_on, transform_points
 from ...toolkit.pages.picture_files import encoded
@@ -28,8 +29,38 @@ from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_
 from ...toolkit.table_fields import column_features
 from ..measure import messages
 from ..measure.decision import Decision, Defect
-from .proofs import MOSAIC_PANEL, PROOF_PX, ProofPanel, Prover
 from .words import rounded
+
+if TYPE_CHECKING:
+    from ...toolkit.algorithms.run import Run
+
+PROOF_PX = 106  # side of what is shown at 2x: three of them stand beside each other on A4
+MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL = "mosaic", "cut", "image"
+
+
+@dataclass(frozen=True, eq=False)
+class ProofPanel:
+    """One of the pictures of a place."""
+
+    kind: str  # mosaic, cut (the composite: the same orthoimages cut hard) or image (an orthoimage)
+    name: str  # name of the orthoimage's file; empty for the others
+    pixels: np.ndarray  # (rows, columns, 3) uint8, pixel by pixel; all panels of a place are stretched alike
+
+
+Prover = Callable[[Raster, PixelWindow, tuple[str, str]], Sequence[ProofPanel]]
+"""From a mosaic, a part of it, and what the piece in its middle calls the two orthoimages beside it, to the panels of
+that part: mosaic, cut and up to two orthoimages; empty where no orthoimage shows it."""
+
+
+class Proving(Protocol):
+    """Who knows the orthoimages and proves failures: the algorithm."""
+
+    def orthoimages(self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]) -> tuple[RasterRef, ...]:
+        """What the mosaics were made from: as given, else as the scan says (``scanned``, paths)."""
+
+    def prover(self) -> Prover | None:
+        """Who proves failures, once ``orthoimages`` was asked; None where nobody does."""
+
 
 _NAME = "defect_{}.jpg"
 
@@ -60,10 +91,8 @@ def save_pictures(
         paths[number] = str(path)
 
 
-PICTURE_PX = 400
-"""Side of the picture that shows where a failure lies."""
-MOST_REDUCED = 8.0
-"""Pixels of the mosaic, along a side, on one of it."""
+PICTURE_PX = 400  # side of the picture that shows where a failure lies
+MOST_REDUCED = 8.0  # pixels of the mosaic, along a side, on one of it
 
 _AROUND = 1.25  # of a failure's extent
 _DASHES_PX = (7.0, 9.0)  # and gaps: what is lost has to be seen between the dashes
@@ -78,12 +107,10 @@ _HELD = 8  # open sheets
 class DefectPicture:
     """The mosaic around a failure, and pixel by pixel the middle of its piece that kept least, beside orthoimages."""
 
-    around: np.ndarray
-    """(rows, columns, 3) uint8: where it lies, with dashes along it and a frame around what the panels show."""
+    around: np.ndarray  # (rows, columns, 3) uint8: where it lies, dashes along it, a frame around the panels' place
     side_m: float  # what that shows across
     is_whole: bool  # whether all of the failure is on it
-    panels: tuple[ProofPanel, ...]
-    """The mosaic first; alone where nobody has orthoimages. The seam is marked where it enters and leaves."""
+    panels: tuple[ProofPanel, ...]  # the mosaic first, alone without orthoimages; the seam is marked at both edges
 
     def jpeg(self) -> bytes:
         """A JPEG of all: below the picture the panels at 2x in a row."""
@@ -98,8 +125,7 @@ class DefectPictures:
     """Cuts pictures from the sheets of a delivery, all shown by the same range of values."""
 
     def __init__(self, mosaics: Sequence[Raster], decision: Decision, prover: Prover | None = None) -> None:
-        self.paths = [path for mosaic in mosaics for path in mosaic.ref.paths]
-        """What the pictures are cut from."""
+        self.paths = [path for mosaic in mosaics for path in mosaic.ref.paths]  # what the pictures are cut from
         self._mosaics, self._wkt, self._prover = mosaics, decision.delivery.wkt, prover
         self._seams = [one.piece.vertices for one in decision.pieces]
         self._boxes = np.array([[*line.min(axis=0), *line.max(axis=0)] for line in self._seams]).reshape(-1, 4)

@@ -78,11 +78,9 @@ class InspectionRecord:
     rules: str = ""  # the file of rules; empty for ready ones
     mosaics: tuple[Raster, ...] = ()  # what the pictures of failures are cut from
     loss: Raster | None = None  # the picture of losses of the scan
-    scan: Mapping[str, str] = field(default_factory=dict)
-    """How the seams were measured: ``scan_settings`` of the picture of losses."""
+    scan: Mapping[str, str] = field(default_factory=dict)  # how the seams were measured: ``scan_settings``
     loss_bands: tuple[str, ...] = ()  # what the picture of losses holds: described_bands of it
-    head: PaperHead = field(default_factory=PaperHead)
-    """Head of the paper: which delivery it is of, under which contract."""
+    head: PaperHead = field(default_factory=PaperHead)  # which delivery it is of, under which contract
     images: tuple[ListedImage, ...] = ()  # the orthoimages, by name
     digests: tuple[Digest, ...] = ()  # digests of what was decided on; none where they were not wanted
     radiometry: tuple[RatedImage, ...] = ()  # the images whose radiometry was checked; none where it was not
@@ -91,7 +89,6 @@ class InspectionRecord:
 
     @property
     def defects(self) -> tuple[Defect, ...]:
-        """The longest failure first."""
         return defects_of(self.decision)
 
 

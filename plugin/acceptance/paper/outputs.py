@@ -46,10 +46,9 @@ from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS
 from .words import rounded
 
 if TYPE_CHECKING:
-    from .proofs import Proving
+    from .defect_files import Proving
 
-ScannedLoss = tuple[Raster, Mapping[str, str]]
-"""A picture of losses, and how its scan says it was measured."""
+ScannedLoss = tuple[Raster, Mapping[str, str]]  # a picture of losses, and how its scan says it was measured
 
 
 @dataclass(frozen=True)
@@ -211,8 +210,6 @@ def _cut_pictures(
 
 @dataclass(frozen=True, eq=False)
 class _DecidedSheet:
-    """A row."""
-
     figures: MetreFigures
     outcome: AcceptanceOutcome | None  # None without seams, or where the delivery was decided on by a sample
     findings: tuple[str, ...]  # what is wrong with its file; none where that was not looked at

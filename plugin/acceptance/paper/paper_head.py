@@ -56,7 +56,6 @@ class PaperHead:
 
 
 def add_head(algorithm: SeamInspectorAlgorithm) -> None:
-    """The parameters, all optional."""
     for name, (title, help_text) in _TEXTS.items():
         algorithm.addDescribed(common.remembered_text(name, tr(title)), tr(help_text))
 

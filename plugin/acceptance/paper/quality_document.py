@@ -250,7 +250,6 @@ def save_quality_document(path: Path, record: InspectionRecord) -> None:
 
 
 def quality_document(record: InspectionRecord) -> str:
-    """The text of the XML."""
     decision = record.decision
     sheets = decision.delivery.sheets
     names = ", ".join(sheets[:_NAMED]) + (f" (+{len(sheets) - _NAMED})" if len(sheets) > _NAMED else "")
@@ -288,7 +287,6 @@ def _in_degrees(decision: Decision) -> Extent | None:
 
 
 def _steps(record: InspectionRecord) -> Iterator[str]:
-    """What was done, with its settings."""
     if record.scan:
         settings = ", ".join(f"{name} {value}" for name, value in record.scan.items())
         yield filled(tr("The seams were measured (scanmosaic): {settings}."), settings=settings)
@@ -298,7 +296,6 @@ def _steps(record: InspectionRecord) -> Iterator[str]:
 
 
 def _sources(record: InspectionRecord) -> list[str]:
-    """What was read."""
     found = [f"{sheet}: {path}" for sheet, path in record.seams]
     found += [whole_path(one.ref.path) for one in record.mosaics]
     found += [one for one in (record.windows, record.rules) if one]

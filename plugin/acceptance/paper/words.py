@@ -27,10 +27,8 @@ _UNITS = {
 }  # fmt: skip
 """What a figure is multiplied by, with how many decimals it is shown at least, and its unit."""
 QUALITY_STANDARDS = "ISO 19157:2013", "ISO/TS 19157-2:2016", "ISO 19115-3:2016"
-DIGEST_STANDARD = "FIPS 180-4 (SHA-256)"
-"""With their editions, on which the decision rests, its record and its digests."""
-NOTHING = "\u2013"
-"""Where there is no value."""
+DIGEST_STANDARD = "FIPS 180-4 (SHA-256)"  # with their editions, on which the decision rests, its record and its digests
+NOTHING = "\u2013"  # where there is no value
 
 
 def check_word(check: str) -> str:
@@ -58,7 +56,6 @@ def metres(value: float | None) -> str:
 
 
 def share(value: float | None, decimals: int = 2) -> str:
-    """A fraction of 1 in per cent."""
     return NOTHING if value is None else f"{formatted(100 * value, f'.{decimals}f')}\u00a0%"
 
 
@@ -80,7 +77,6 @@ def _beside(value: float, limit: float, decimals: int) -> str:
 
 
 def failing_sentence(decision: Decision) -> str:
-    """Sentence that says by what pieces fail."""
     if decision.by_observer:
         return tr("A piece of seam fails where the operator saw a loss in its window, whatever it kept.")
     least = f"{formatted(100 * decision.rules.least_kept, '.6g')}\u00a0%"
@@ -96,14 +92,12 @@ def outcome_value(outcome: RuleOutcome) -> str:
 
 
 def outcome_limit(outcome: RuleOutcome) -> str:
-    """The limit in words."""
     scale, _, unit = _UNITS[outcome.check]
     limit = formatted(scale * outcome.limit, ".6g") + unit
     return filled(tr("at least {least}"), least=limit) if outcome.is_least else filled(tr("at most {most}"), most=limit)
 
 
 def outcome_title(outcome: AcceptanceOutcome) -> str:
-    """The decision in one word."""
     return tr(_OUTCOMES[outcome])
 
 
@@ -122,6 +116,5 @@ def sheet_word(outcome: AcceptanceOutcome | None, figures: MetreFigures) -> str:
 
 
 def outcome_word(outcome: RuleOutcome) -> str:
-    """What came of a rule."""
     open_ = tr("too little") if outcome.check == rules.MEASURED_SHARE else tr("can't be told")
     return {True: tr("passed"), False: tr("failed"), None: open_}[outcome.passed]

@@ -51,7 +51,6 @@ class Arrangement:
 
     @property
     def score(self) -> float:
-        """Grows with the number of marks and their correlation."""
         return float(sum(self.values.values()))
 
     @property
@@ -61,12 +60,10 @@ class Arrangement:
 
     @property
     def angle(self) -> float:
-        """Rotation of the frame in the photo, degrees clockwise."""
         return math.degrees(math.atan2(self.matrix[1, 0], self.matrix[0, 0]))
 
     @property
     def scale(self) -> float:
-        """Pixels per millimetre."""
         return float(math.hypot(self.matrix[0, 0], self.matrix[1, 0]))
 
     @property
@@ -160,10 +157,8 @@ def best_arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], rea
     single mark's best candidate is taken as it is. Every pair of candidates of two marks gives a shift, a rotation and
     a scale, which say where the others are.
 
-    Parameters
-    ----------
-    candidates : the peaks that may be each mark of the frame, columns and rows in the photo
-    reach : how far a candidate may lie from where the pair puts it, px
+    ``candidates``: the peaks that may be each mark of the frame (columns and rows in the photo). ``reach``: how far one
+    may lie from where the pair puts it, px.
     """
     count = len(frame.marks)
     if count == 1:
@@ -283,12 +278,10 @@ class Candidate:
     arrangement: Arrangement
     template: MarkShape | CutOut
     fitness: float = 1.0  # how like the figure its marks are: the median correlation, less where marks are missing
-    others: tuple[Arrangement, ...] = ()
-    """Arrangements of the same figure that lie as the calibration says when it is turned another way."""
+    others: tuple[Arrangement, ...] = ()  # of the same figure, for the calibration turned another way
 
     @property
     def side(self) -> int:
-        """Side of the template, px."""
         return 2 * self.template.margin + 1 if isinstance(self.template, MarkShape) else min(self.template.pixels.shape)
 
     @property

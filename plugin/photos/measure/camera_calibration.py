@@ -45,7 +45,6 @@ class CameraCalibration:
 
     @property
     def span(self) -> float:
-        """The longer extent of the marks, mm."""
         return float(np.ptp(self.points, axis=0).max())
 
 

@@ -74,7 +74,6 @@ def _window_sums(values: np.ndarray, size: tuple[int, int]) -> np.ndarray:
 
 
 def peak_pixel(field: np.ndarray) -> tuple[int, int]:
-    """Row and column of the largest value."""
     row, column = np.unravel_index(int(np.argmax(field)), field.shape)
     return int(row), int(column)
 

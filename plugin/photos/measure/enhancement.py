@@ -18,8 +18,6 @@ MAX_FILTER_PX = 101  # a wider one wants another tool
 
 
 class Operation(Enum):
-    """An operation on a photo."""
-
     NEGATIVE = "negative"
     GREY = "grey"
     MEAN = "mean"

@@ -248,6 +248,5 @@ def _surroundings(
 
 
 def _nearest_scan_orientation(fitted: FittedTransformation) -> ScanOrientation:
-    """The way to lie that a transformation comes nearest."""
     back = fitted.to_pixels.linear(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))[:, :2]
     return max(SCAN_ORIENTATIONS, key=lambda orientation: float(np.sum(orientation.matrix * back)))

@@ -15,8 +15,7 @@ from .transformations import PlaneModel, fit_transformation
 
 PICTURE_ENDINGS = ("tif", "tiff", "jpg", "jpeg", "png", "bmp", "jp2", "img", "vrt", "ecw", "sid", "pix", "gif")
 
-MarkKey = tuple[str, str]
-"""Photo and mark."""
+MarkKey = tuple[str, str]  # photo and mark
 
 
 @dataclass(frozen=True)
@@ -47,7 +46,6 @@ class MarkDifference:
 
     @property
     def distance(self) -> float:
-        """px."""
         return math.hypot(self.column, self.row)
 
 
@@ -63,7 +61,6 @@ class DifferenceStatistics:
 
     @property
     def lengths(self) -> tuple[float, float, float, float]:
-        """Mean, standard deviation, maximum and minimum."""
         return self.mean, self.standard_deviation, self.maximum, self.minimum
 
     def scaled(self, factor: float) -> DifferenceStatistics:
@@ -109,7 +106,6 @@ def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> dict[MarkKey, Comp
 
 
 def distance_statistics(differences: Sequence[MarkDifference]) -> DifferenceStatistics:
-    """Statistics of the distances, px."""
     distances = np.array([difference.distance for difference in differences])
     spread = float(distances.std(ddof=1)) if len(distances) > 1 else math.nan
     mean, largest, smallest = (float(value) for value in (distances.mean(), distances.max(), distances.min()))

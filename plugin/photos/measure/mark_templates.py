@@ -47,8 +47,7 @@ class MarkShape:
     width: float = 0.1  # line width as a share of the size; of a ring with dot the dot's diameter is twice that
     reach: float = 1.0  # how far the arms of a ring with cross go, ring radii
     softness: float = 0.5  # standard deviation of the blur, px
-    angle: float = 0.0
-    """Rotation in degrees, clockwise on the screen. Wedges at 0 lie left and right of the mark, their tips on it."""
+    angle: float = 0.0  # degrees, clockwise on the screen; wedges at 0 lie left and right, their tips on the mark
 
     @property
     def radius(self) -> float:

@@ -47,8 +47,7 @@ class MeasuredMark:
     """A mark as measured, or why it could not be."""
 
     place: Place | None = None  # column and row, px, pixel centres at .5; None where it could not be measured
-    correlation: float | None = None
-    """With the template at its very place, 1 at most; of a mark that failed the best one, where there was any."""
+    correlation: float | None = None  # with the template at its very place; of a failed mark the best one
     reason: Message | None = None  # why it could not be measured
 
 
@@ -84,10 +83,8 @@ def measure_mark(
     the extremum is at the middle of the pixels it is computed from, where it has no bias. No second place in the whole
     window may fit nearly as well.
 
-    Parameters
-    ----------
-    near, reach : where the mark should be (column and row in the photo) and how far from there it may be, px
-    least : smallest correlation of a mark that is measured
+    ``near``: where the mark should be (column and row in the photo). ``reach``: how far from there it may be, px.
+    ``least``: smallest correlation of a mark that is measured.
     """
     field = correlate(window.pixels, template.at((0.0, 0.0)))
     if field.size == 0:

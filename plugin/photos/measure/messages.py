@@ -61,8 +61,7 @@ SCAN_ORIENTATION_ASSUMED = Message(
     "of three marks if that is wrong.", WARNING)
 MARK_STANDS_OUT = Message(
     "The mark '{mark}' stands out: the others, which agree well, place it {worst:.2f} mm away; look at its picture.",
-    WARNING,
-)
+    WARNING)
 NO_MARK_TRUSTED = Message(
     "No mark of {name} can be trusted ({why}); check the positions, their names and the calibration.")
 # why a mark failed

@@ -17,8 +17,6 @@ from .transformations import PlaneModel, Transformation
 
 @dataclass(frozen=True)
 class FittedTransformation:
-    """A transformation and its residuals."""
-
     to_mm: Transformation  # columns and rows to photo coordinates, mm
     to_pixels: Transformation  # back, fitted the same way's inverse
     marks: int  # how many took part
@@ -42,28 +40,18 @@ class MarkStatus(Enum):
 
 @dataclass(frozen=True)
 class OrientationSettings:
-    """The settings by which a photo is measured."""
-
-    template: CutOut | None = None
-    """The user's own; else marks are drawn."""
-    shapes: tuple[MarkShape, ...] = ()
-    """The marks that are drawn, their sizes of no meaning; none for all there are."""
+    template: CutOut | None = None  # the user's own; else marks are drawn
+    shapes: tuple[MarkShape, ...] = ()  # the marks that are drawn, their sizes of no meaning; none for all there are
     sign: int | None = None
     """1 for marks lighter than their ground (or like the template), -1 for darker ones; None for either."""
-    search_mm: float = limits.DEFAULT_SEARCH_MM
-    """Distance around a position within which its mark is looked for, mm."""
-    min_correlation: float = limits.DEFAULT_MIN_CORRELATION
-    """Smallest correlation of a measured mark."""
-    surface: SurfaceBasis = SurfaceBasis.CORRELATION
-    """The values of the surface that places a mark to a fraction of a pixel."""
-    model: PlaneModel = PlaneModel.AFFINE
-    """The transformation from the scan to the calibration."""
+    search_mm: float = limits.DEFAULT_SEARCH_MM  # distance around a position within which its mark is looked for, mm
+    min_correlation: float = limits.DEFAULT_MIN_CORRELATION  # smallest correlation of a measured mark
+    surface: SurfaceBasis = SurfaceBasis.CORRELATION  # what a mark is placed to a fraction of a pixel by
+    model: PlaneModel = PlaneModel.AFFINE  # the transformation from the scan to the calibration
 
 
 @dataclass(frozen=True)
 class GivenPosition:
-    """The user's position of a mark."""
-
     place: Place  # column and row, px, pixel centres at .5
     measure: bool = True  # whether it is approximate and to be measured; else it is taken as it is
 
@@ -83,27 +71,17 @@ class MarkResult:
 
 @dataclass(frozen=True)
 class PhotoOrientation:
-    """The result for one photo."""
-
-    marks: tuple[MarkResult, ...]
-    """In the order of the calibration."""
-    fitted: FittedTransformation | None
-    """The transformation; None where too few marks were found."""
-    scan_orientation: ScanOrientation | None
-    """The way the photo lies in the scan; None where it is not known."""
-    evidence: OrientationEvidence | None
-    """The evidence for that."""
-    template: MarkShape | CutOut | None
-    """The template that the marks were measured with."""
-    notices: tuple[Message, ...] = ()
-    """Warnings and remarks for the user."""
+    marks: tuple[MarkResult, ...]  # in the order of the calibration
+    fitted: FittedTransformation | None  # the transformation; None where too few marks were found
+    scan_orientation: ScanOrientation | None  # the way the photo lies in the scan; None where it is not known
+    evidence: OrientationEvidence | None  # the evidence for that
+    template: MarkShape | CutOut | None  # the template that the marks were measured with
+    notices: tuple[Message, ...] = ()  # warnings and remarks for the user
     views: Mapping[str, PhotoView] = field(default_factory=dict)
     """The surroundings of each mark, for pictures; of a failed one where it should be."""
-    expected: Mapping[str, Place] = field(default_factory=dict)
-    """Places of the marks that failed, by the transformation, px."""
+    expected: Mapping[str, Place] = field(default_factory=dict)  # where failed marks should be, px
 
     def count(self, status: MarkStatus) -> int:
-        """Number of marks of a status."""
         return sum(mark.status is status for mark in self.marks)
 
 
@@ -111,8 +89,7 @@ class PhotoOrientation:
 class MarkSearch:
     """The marks that were looked for, as measured or failed."""
 
-    results: Mapping[str, MeasuredMark] = field(default_factory=dict)
-    """Measured marks by the calibration's names; marks with a given place are not among them."""
+    results: Mapping[str, MeasuredMark] = field(default_factory=dict)  # by the calibration's names, but for given marks
     template: MarkShape | CutOut | None = None  # what they were measured with
     scan_orientation: ScanOrientation | None = None  # how the photo lies, where the search told
     evidence: OrientationEvidence | None = None  # what told
@@ -120,5 +97,4 @@ class MarkSearch:
 
     @property
     def count(self) -> int:
-        """Number of marks that were measured."""
         return sum(mark.place is not None for mark in self.results.values())

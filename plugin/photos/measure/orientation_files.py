@@ -79,7 +79,6 @@ def world_file(made: PhotoOrientation) -> str:
 
 
 def parameters_text(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> str:
-    """``parameters`` as JSON."""
     return json.dumps(parameters(photo, calibration, made), indent=2, ensure_ascii=False) + "\n"
 
 

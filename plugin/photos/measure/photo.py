@@ -21,8 +21,7 @@ STRIP_PIXELS = 4_000_000  # read at a time: 16 MB as float32
 COARSEST_SIDE_PX = 150  # of a photo: marks up to a tenth of it wide
 COARSEST_WINDOW_PX = 64  # of a search window: a coarse figure is 25 px wide with its ground
 
-Place = tuple[float, float]
-"""Column and row in the photo, px."""
+Place = tuple[float, float]  # column and row in the photo, px
 
 
 class Photo(OpenRaster):
@@ -148,13 +147,11 @@ class MarkFrame:
     rotation: float  # largest rotation, radians
 
     def only(self, wanted: Sequence[int]) -> MarkFrame:
-        """Some of its marks, by their numbers."""
         marks, areas = tuple(self.marks[k] for k in wanted), tuple(self.areas[k] for k in wanted)
         return replace(self, marks=marks, places=self.places[list(wanted)], areas=areas)
 
     @property
     def sites(self) -> dict[str, Place]:
-        """The places by mark."""
         return {mark: (float(x), float(y)) for mark, (x, y) in zip(self.marks, self.places)}
 
 

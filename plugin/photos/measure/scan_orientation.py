@@ -38,10 +38,8 @@ class OrientationEvidence(Enum):
     DOTS = "dots"
     DATA_STRIP = "data strip"
     RESIDUALS = "residuals"
-    MARKS = "marks"
-    """The marks' own arrangement allows one way only."""
-    ASSUMED = "assumed"
-    """Nothing told; it is taken to lie upright and not mirrored."""
+    MARKS = "marks"  # the marks' own arrangement allows one way only
+    ASSUMED = "assumed"  # nothing told; it is taken to lie upright and not mirrored
 
 
 @dataclass(frozen=True)
@@ -194,7 +192,6 @@ def matching_data_strip(
 
 
 def mark_number(mark: str) -> int | None:
-    """The number at the end of a mark's name."""
     ending = re.search(r"(\d+)\s*$", mark)
     return int(ending[1]) if ending else None
 

@@ -11,8 +11,6 @@ from . import messages
 
 
 class PlaneModel(Enum):
-    """A transformation between two planes."""
-
     AFFINE = "affine"
     SIMILARITY = "similarity"
     PROJECTIVE = "projective"
@@ -29,8 +27,6 @@ _PARAMETERS = {PlaneModel.SIMILARITY: 4, PlaneModel.AFFINE: 6, PlaneModel.PROJEC
 
 @dataclass(frozen=True, eq=False)
 class Transformation:
-    """A plane to a plane."""
-
     model: PlaneModel
     matrix: np.ndarray  # (3, 3) homogeneous, its last element 1
 
@@ -41,7 +37,6 @@ class Transformation:
 
     @property
     def inverse(self) -> Transformation:
-        """Back again."""
         matrix = np.linalg.inv(self.matrix)
         return Transformation(self.model, matrix / matrix[2, 2])
 

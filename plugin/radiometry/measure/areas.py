@@ -28,10 +28,8 @@ MID_TONES = (0.25, 0.75)  # of the available range: the middle half
 UNIFORM_SHARE = 0.25  # the quarter of the uniform areas with the least noise: the others may be fine texture
 
 _HALF = limits.AREA_PX // 2
-_PIXELS = _HALF * _HALF
-"""Pixels of a quadrant."""
-_FREE = 4 * (_PIXELS - 1)
-"""Degrees of freedom of the noise within an area."""
+_PIXELS = _HALF * _HALF  # pixels of a quadrant
+_FREE = 4 * (_PIXELS - 1)  # degrees of freedom of the noise within an area
 _QUADRANTS = np.kron(np.eye(2).repeat(_HALF, axis=0), np.eye(2).repeat(_HALF, axis=0))
 """(pixels of an area in a row, 4): which of them belong to each quadrant; a matrix product is the fastest sum."""
 
@@ -40,14 +38,10 @@ _QUADRANTS = np.kron(np.eye(2).repeat(_HALF, axis=0), np.eye(2).repeat(_HALF, ax
 class Areas:
     """Samples of a raster with b bands: n areas."""
 
-    means: np.ndarray
-    """(n, b) float64."""
-    noise: np.ndarray
-    """(n, b) float64: standard deviation within the quadrants."""
-    uniform: np.ndarray
-    """(n, b) bool."""
-    corners: np.ndarray
-    """(n, 2) int64: column and row of the upper left pixel."""
+    means: np.ndarray  # (n, b) float64
+    noise: np.ndarray  # (n, b) float64: standard deviation within the quadrants
+    uniform: np.ndarray  # (n, b) bool
+    corners: np.ndarray  # (n, 2) int64: column and row of the upper left pixel
 
 
 def sample_areas(
@@ -55,14 +49,8 @@ def sample_areas(
 ) -> Areas:
     """The areas of a block of pixels that lie in even steps and have no invalid pixel.
 
-    Parameters
-    ----------
-    bands : (bands, rows, columns)
-    invalid : (rows, columns) of bool, or None
-    step : int
-        px between the upper left corners of areas.
-    corner : (column, row)
-        Place of the block's first pixel in the raster.
+    ``bands``: (bands, rows, columns). ``step``: px between upper left corners. ``corner``: column and row of the
+    block's first pixel in the raster.
     """
     side = limits.AREA_PX
     if min(bands.shape[1:]) < side:
@@ -92,7 +80,6 @@ def sample_areas(
 
 
 def joined(parts: Sequence[Areas]) -> Areas:
-    """The areas of several blocks as those of one."""
     columns = zip(*((part.means, part.noise, part.uniform, part.corners) for part in parts))
     return Areas(*map(np.concatenate, columns))
 
@@ -132,55 +119,37 @@ _MOST_PIXELS = 1024 * 1024  # read at a time
 class GreyArea:
     """An area of which the user says that it is grey."""
 
-    number: int
-    """Number of its feature in the layer."""
-    wkb: bytes
-    """A polygon in the image's reference system."""
+    number: int  # number of its feature in the layer
+    wkb: bytes  # a polygon in the image's reference system
 
 
 @dataclass(frozen=True)
 class GreyTone:
-    """The colour of a grey area on an image."""
-
-    number: int
-    """Number of the area, as in ``GreyArea``."""
-    pixels: int
-    """Valid ones."""
-    means: tuple[float, float, float]
-    """Means of red, green and blue, DN."""
-    place: tuple[float, float]
-    """The middle of its pixels, in the image's reference system."""
+    number: int  # number of the area, as in ``GreyArea``
+    pixels: int  # valid ones
+    means: tuple[float, float, float]  # means of red, green and blue, DN
+    place: tuple[float, float]  # the middle of its pixels, in the image's reference system
 
 
 @dataclass(frozen=True)
 class ColourBalance:
     """The difference of the colours of grey areas from grey."""
 
-    value: float
-    """Largest difference between the means of red, green and blue over all areas, each counted once, as a share of
-    the range."""
-    means: tuple[float, float, float]
-    """Means of red, green and blue over all areas, DN."""
-    tones: tuple[GreyTone, ...]
-    """Tones of the areas that counted."""
-    worst: GreyTone
-    """The area whose bands differ most."""
-    worst_value: float
-    """How much its bands differ, as a share of the range."""
+    value: float  # largest difference between the means of red, green and blue of all areas, share of the range
+    means: tuple[float, float, float]  # means of red, green and blue over all areas, DN
+    tones: tuple[GreyTone, ...]  # tones of the areas that counted
+    worst: GreyTone  # the area whose bands differ most
+    worst_value: float  # how much its bands differ, as a share of the range
 
 
 @dataclass(frozen=True, eq=False)
 class MaybeGrey:
     """The areas that may be grey, for somebody to look at."""
 
-    corners: np.ndarray
-    """(n, 2): columns and rows of the upper left pixels of areas of 16 x 16."""
-    means: np.ndarray
-    """(n, 3) of red, green and blue, DN."""
-    spreads: np.ndarray
-    """(n,): largest difference between the bands, as a share of the range."""
-    share: float
-    """Share of these among all areas that were looked at."""
+    corners: np.ndarray  # (n, 2): columns and rows of the upper left pixels of areas of 16 x 16
+    means: np.ndarray  # (n, 3) of red, green and blue, DN
+    spreads: np.ndarray  # (n,): largest difference between the bands, as a share of the range
+    share: float  # share of these among all areas that were looked at
 
     @property
     def difference(self) -> float:

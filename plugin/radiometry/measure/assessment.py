@@ -22,29 +22,19 @@ from .seam_steps import SeamStep, worst_step
 class Spot:
     """The place that a figure comes from."""
 
-    place: tuple[float, float]
-    """In the image's reference system."""
-    what: Message
-    """What is there."""
+    place: tuple[float, float]  # in the image's reference system
+    what: Message  # what is there
 
 
 @dataclass(frozen=True)
 class CheckedFigure:
-    """One figure of one band against its rule."""
-
-    band: str
-    """Name of the band as in ``Image.band_names``, or ``luminosity`` or ``all``."""
+    band: str  # name of the band as in ``Image.band_names``, or ``luminosity`` or ``all``
     rule: Rule
-    value: float | None
-    """Shares are fractions of 1; None when it can't be measured."""
-    passed: bool | None
-    """None when it can't be measured or the rule has no limit."""
-    reason: Message | None = None
-    """Why it can't be measured or judged."""
-    spot: Spot | None = None
-    """Place of the worst seam, or of the grey area with most colour."""
-    is_applicable: bool = True
-    """False where an image has nothing of the kind, as one band has no colours."""
+    value: float | None  # shares are fractions of 1; None when it can't be measured
+    passed: bool | None  # None when it can't be measured or the rule has no limit
+    reason: Message | None = None  # why it can't be measured or judged
+    spot: Spot | None = None  # place of the worst seam, or of the grey area with most colour
+    is_applicable: bool = True  # False where an image has nothing of the kind, as one band has no colours
 
     @property
     def is_missed(self) -> bool:
@@ -57,32 +47,24 @@ class Assessment:
     """An image, or a window of it, and what was found."""
 
     image: Raster
-    window_id: int | None
-    """None for the whole image."""
+    window_id: int | None  # None for the whole image
     checked_figures: tuple[CheckedFigure, ...]
-    available: ValueRange | None
-    """The range that shares are shares of; None where nobody says it."""
-    histograms: Mapping[str, Histogram]
-    """Histograms by band name, and luminosity; empty when the values can't be counted."""
+    available: ValueRange | None  # the range that shares are shares of; None where nobody says it
+    histograms: Mapping[str, Histogram]  # by band name, and luminosity; empty when the values can't be counted
     seams: tuple[SeamStep, ...] = ()
     notices: tuple[Message, ...] = ()
-    maybe_grey: MaybeGrey | None = None
-    """What may be grey, where no grey areas were given."""
-    balance: ColourBalance | None = None
-    """Colour balance by the grey areas that were given."""
+    maybe_grey: MaybeGrey | None = None  # what may be grey, where no grey areas were given
+    balance: ColourBalance | None = None  # colour balance by the grey areas that were given
 
     @property
     def pixels(self) -> int:
-        """The number of valid pixels."""
         return min((histogram.pixels for histogram in self.histograms.values()), default=0)
 
     def measured(self, check: str) -> list[CheckedFigure]:
-        """The figures of a check that could be measured."""
         return [figure for figure in self.checked_figures if figure.rule.check == check and figure.value is not None]
 
 
-_Found = tuple[float, Optional["Spot"]]
-"""A figure, and where it comes from."""
+_Found = tuple[float, Optional["Spot"]]  # a figure, and where it comes from
 
 
 def judge(measured: MeasuredImage, rules: RuleSet, of_image: ImageRange) -> Assessment:
@@ -239,12 +221,9 @@ def _checked(measured: MeasuredImage, rule: Rule, band: str, figure: _Found | Me
 class RadiometricOutcome(Enum):
     """The decision on an image, or on all."""
 
-    ACCEPTED = "accepted"
-    """Every figure that has a limit keeps it, those apart that could not be measured and that no rule requires."""
-    REJECTED = "rejected"
-    """At least one figure is beyond its limit."""
-    UNDECIDED = "undecided"
-    """Nothing is beyond its limit, and something that a rule requires is not known."""
+    ACCEPTED = "accepted"  # every limit is kept, but for figures that are not measurable and not required
+    REJECTED = "rejected"  # at least one figure is beyond its limit
+    UNDECIDED = "undecided"  # nothing is beyond its limit, and something that a rule requires is not known
 
 
 @dataclass(frozen=True, eq=False)
@@ -253,12 +232,9 @@ class ImageDecision:
 
     result: Assessment
     outcome: RadiometricOutcome
-    failed: tuple[CheckedFigure, ...]
-    """Figures beyond their limits."""
-    missed: tuple[CheckedFigure, ...]
-    """Figures that are not known and would have to be."""
-    unmeasured: tuple[CheckedFigure, ...]
-    """Figures with a limit that are not known and that the rules can do without."""
+    failed: tuple[CheckedFigure, ...]  # figures beyond their limits
+    missed: tuple[CheckedFigure, ...]  # figures that are not known and would have to be
+    unmeasured: tuple[CheckedFigure, ...]  # figures with a limit that are not known and that the rules can do without
 
     @property
     def is_without_limit(self) -> bool:
@@ -268,15 +244,11 @@ class ImageDecision:
 
 @dataclass(frozen=True, eq=False)
 class RadiometricDecision:
-    """The decision on all images together."""
-
     outcome: RadiometricOutcome
     images: tuple[ImageDecision, ...]
-    left_out: tuple[Message, ...]
-    """Why images or windows were not looked at; nothing is accepted unseen."""
+    left_out: tuple[Message, ...]  # why images or windows were not looked at; nothing is accepted unseen
 
     def those(self, outcome: RadiometricOutcome) -> list[ImageDecision]:
-        """The images with this outcome."""
         return [image for image in self.images if image.outcome is outcome]
 
 

@@ -60,14 +60,11 @@ _SHOWN_BINS = 256
 class Histogram:
     """The number of pixels with each value of a band."""
 
-    values: np.ndarray
-    """(bins,) float64: the value of each bin, rising; the middle of the bin for values without steps."""
-    counts: np.ndarray
-    """(bins,) int64, valid pixels only."""
+    values: np.ndarray  # (bins,) float64: the value of each bin, rising; the middle of the bin for values without steps
+    counts: np.ndarray  # (bins,) int64, valid pixels only
 
     @property
     def pixels(self) -> int:
-        """The number of valid pixels."""
         return int(self.counts.sum())
 
     @property
@@ -77,7 +74,6 @@ class Histogram:
 
     @property
     def deviation(self) -> float:
-        """Standard deviation of all valid pixels."""
         return math.sqrt(self.counts @ (self.values - self.mean) ** 2 / self.pixels) if self.pixels else math.nan
 
     @property
@@ -122,16 +118,10 @@ def stream_statistics(
 ) -> tuple[dict[str, Histogram], Areas] | None:
     """Histograms and areas of a window of a raster, read block by block, every block once and one ahead.
 
-    Parameters
-    ----------
-    counted : tuple of str
-        Names of the bands, and ``luminosity``, that have histograms, at least one.
-    looked_at : tuple of str
-        The bands of areas of 16 x 16 px, spread over the window, those with an invalid pixel left out.
-    given : (lowest, highest) DN, optional
-        The range over which values other than 8 and 16 bit are counted.
-    progress : callable
-        Gets the share that is done after each block, and ends the work by returning False: then there is no result.
+    ``counted``: names of the bands, and ``luminosity``, that have histograms, at least one. ``looked_at``: the bands of
+    areas of 16 x 16 px, spread over the window, those with an invalid pixel left out. ``given``: the range (DN) over
+    which values other than 8 and 16 bit are counted. ``progress`` gets the share that is done after each block, and
+    ends the work by returning False: then there is no result.
 
     Raises RasterError when the pixels can't be read.
     """
@@ -201,8 +191,7 @@ PILE_PIXELS = 8  # at the largest value: fewer may be there by chance
 PILE_BELOW = 16  # values below the largest, none of which has as many pixels where the values end at it
 
 
-ImageRange = Union[ValueRange, "Message"]
-"""The range of an image's values, or the reason why it is not known."""
+ImageRange = Union[ValueRange, "Message"]  # the range of an image's values, or the reason why it is not known
 
 
 @dataclass(frozen=True)
@@ -210,8 +199,7 @@ class LargestValue:
     """The largest value of an image in 16 bit that says nothing of its range."""
 
     value: int
-    is_piled_up: bool
-    """Whether so many pixels have it that values end there."""
+    is_piled_up: bool  # whether so many pixels have it that values end there
 
 
 def own_range(image: Raster, given: ValueRange | None) -> ValueRange | None:
@@ -230,7 +218,6 @@ def own_range(image: Raster, given: ValueRange | None) -> ValueRange | None:
 
 
 def largest_value(histograms: Iterable[Histogram]) -> LargestValue:
-    """The largest value of an image's bands."""
     bands = list(histograms)
     largest = int(max(histogram.largest for histogram in bands))
     is_piled_up = False

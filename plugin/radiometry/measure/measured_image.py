@@ -20,25 +20,16 @@ MIN_STATISTICS_PIXELS = 4096  # 64 x 64: a histogram of fewer is no picture of a
 
 @dataclass(frozen=True, eq=False)
 class MeasuredImage:
-    """The statistics of an image."""
-
     image: Raster
-    window_id: int | None
-    """None for the whole image."""
-    seams: tuple[SeamStep, ...] | None = None
-    """With the bands of ``areas``; None without seamlines."""
-    grey: tuple[GreyTone, ...] | None = None
-    """Empty where no grey area lies on the image; None where none were given."""
-    bands: tuple[str, ...] = ()
-    """The bands that areas and seams are measured in: those of the image, and luminosity where a rule asks for it."""
-    histograms: Mapping[str, Histogram] = field(default_factory=dict)
-    """Histograms by band name, and luminosity; empty where the values can't be counted."""
-    areas: Areas | None = None
-    """None where the values can't be counted."""
+    window_id: int | None  # None for the whole image
+    seams: tuple[SeamStep, ...] | None = None  # with the bands of ``areas``; None without seamlines
+    grey: tuple[GreyTone, ...] | None = None  # empty where no grey area lies on the image; None where none were given
+    bands: tuple[str, ...] = ()  # of areas and seams: the image's, and luminosity where a rule asks for it
+    histograms: Mapping[str, Histogram] = field(default_factory=dict)  # by band name, and luminosity; empty without
+    areas: Areas | None = None  # None where the values can't be counted
 
     @property
     def pixels(self) -> int:
-        """The number of valid pixels."""
         return min((histogram.pixels for histogram in self.histograms.values()), default=0)
 
     @property

@@ -31,18 +31,14 @@ CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST = "clipped_low", "clipped_high", "peak
 SIGNAL_TO_NOISE, COLOUR_BALANCE = "signal_to_noise", "colour_balance"
 SEAM_STEP, SEAM_CONTRAST = "seam_step", "seam_contrast"
 FROM_HISTOGRAM = (CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST)
-AT_SEAMS = (SEAM_STEP, SEAM_CONTRAST)
-"""Measured only where seamlines are given."""
+AT_SEAMS = (SEAM_STEP, SEAM_CONTRAST)  # measured only where seamlines are given
 CHECKS = (*FROM_HISTOGRAM, SIGNAL_TO_NOISE, COLOUR_BALANCE, *AT_SEAMS)
 
-LUMINOSITY = "luminosity"
-"""0.299 R + 0.587 G + 0.114 B; of an image with one band that band."""
+LUMINOSITY = "luminosity"  # 0.299 R + 0.587 G + 0.114 B; of an image with one band that band
 EACH_BAND = "each"
-ALL_BANDS = "all"
-"""The band of a figure that is taken between the bands."""
+ALL_BANDS = "all"  # the band of a figure that is taken between the bands
 
-SUBJECT, DEFAULT_RULES = "radiometry", "jrc_lpis"
-"""The ready files, and the one that counts where none is named."""
+SUBJECT, DEFAULT_RULES = "radiometry", "jrc_lpis"  # the ready files, and the one that counts where none is named
 
 _CLIPPING = (CLIPPED_LOW, CLIPPED_HIGH)
 _RULE_KEYS = ("check", "band", "least", "most", "required", "values", "source")
@@ -53,30 +49,19 @@ _OTHER_BAND = re.compile(r"band_[1-9]\d*")
 
 @dataclass(frozen=True)
 class Rule:
-    """One figure and its limits."""
-
-    check: str
-    """One of ``CHECKS``."""
-    least: float | None
-    """Smallest value that passes; None for no such limit."""
-    most: float | None
-    """Largest value that passes; None for no such limit."""
-    source: str
-    """Origin of the limits."""
-    values: int = _DEFAULT_VALUES
-    """How many values at the end of the range count as clipped."""
-    band: str = EACH_BAND
-    """``luminosity``, ``each`` or the name of a band; ``all`` for what is taken between the bands."""
-    required: bool = True
-    """Whether an image can't be accepted when the figure is not measurable."""
+    check: str  # one of ``CHECKS``
+    least: float | None  # smallest value that passes; None for no such limit
+    most: float | None  # largest value that passes; None for no such limit
+    source: str  # origin of the limits
+    values: int = _DEFAULT_VALUES  # how many values at the end of the range count as clipped
+    band: str = EACH_BAND  # ``luminosity``, ``each`` or the name of a band; ``all`` for what is taken between the bands
+    required: bool = True  # whether an image can't be accepted when the figure is not measurable
 
     @property
     def has_limit(self) -> bool:
-        """Whether there is anything to pass."""
         return self.least is not None or self.most is not None
 
     def passes(self, value: float) -> bool:
-        """Whether a value is within the limits."""
         return (self.least is None or value >= self.least) and (self.most is None or value <= self.most)
 
     def bands_of(self, names: Sequence[str]) -> Sequence[str]:
@@ -88,12 +73,9 @@ class Rule:
 
 @dataclass(frozen=True)
 class RuleSet:
-    """All rules of one specification."""
-
     name: str
     rules: tuple[Rule, ...]
-    value_range: ValueRange | None = None
-    """Lowest and highest value that pixels could have; None: as the files say."""
+    value_range: ValueRange | None = None  # lowest and highest value that pixels could have; None: as the files say
 
 
 def ready_rule_files() -> dict[str, Path]:

@@ -17,22 +17,14 @@ _RUN = 512  # px of seam read at a time
 
 @dataclass(frozen=True)
 class SeamStep:
-    """The step at one seam."""
-
-    seam_id: int
-    """Number of the seam, as in ``Seam``."""
-    stations: int
-    """Pieces of 16 px along the seam that have valid pixels on both sides."""
-    steps: tuple[float, ...]
-    """Step of each band, DN: the means to the left less those to the right, the median over the stations."""
-    contrasts: tuple[float, ...]
-    """Contrast of each band, DN: standard deviation on either side of a station, root mean square over the stations."""
+    seam_id: int  # number of the seam, as in ``Seam``
+    stations: int  # pieces of 16 px along the seam that have valid pixels on both sides
+    steps: tuple[float, ...]  # by band, DN: means on the left less those on the right, median over the stations
+    contrasts: tuple[float, ...]  # by band, DN: standard deviation beside the seam, root mean square over the stations
     places: tuple[tuple[float, float], ...]
     """Place for each band: the middle of the station whose difference is nearest to the seam's step, on the map."""
-    features: tuple[str, ...] = ()
-    """The features of the seamline layer that the seam comes from, as its user knows them; empty where nobody asked."""
-    layer: str = ""
-    """The name of that layer."""
+    features: tuple[str, ...] = ()  # of the seamline layer, as its user knows them; empty where nobody asked
+    layer: str = ""  # the name of that layer
 
 
 def seam_steps(
@@ -63,7 +55,6 @@ def seam_steps(
 
 
 def worst_step(steps: Sequence[SeamStep], band: int) -> SeamStep:
-    """The seam at which a band's tone steps most."""
     return max(steps, key=lambda step: abs(step.steps[band]))
 
 

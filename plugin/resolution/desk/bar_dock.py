@@ -58,10 +58,7 @@ if TYPE_CHECKING:
 
 
 class TargetSettings(QObject):
-    """The boxes of a target."""
-
-    changed = pyqtSignal()
-    """Another target is set."""
+    changed = pyqtSignal()  # another target is set
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -90,21 +87,18 @@ class TargetSettings(QObject):
             choice.currentIndexChanged.connect(lambda *_: self.changed.emit())
 
     def target(self) -> Target:
-        """The target as it is set."""
         return Target(
             self.bars.value(), self.reference_group.value(), self.reference_grd.value(),
             grd_of=self.grd_of.currentData(), full_amplitude=self.full_amplitude.currentData(),
         )
 
     def add_to(self, form: QFormLayout) -> None:
-        """Add a row for each setting."""
         form.addRow(tr("Bars"), self.bars)
         form.addRow(tr("Reference"), row(self.reference_group, self.reference_grd, self.grd_of))
         form.addRow(tr("Full amplitude"), self.full_amplitude)
 
 
 def whole_box(value: int, least: int = -999) -> QSpinBox:
-    """A box for a number of groups or bars."""
     box = QSpinBox()
     box.setRange(least, 999)
     box.setValue(value)
@@ -112,7 +106,6 @@ def whole_box(value: int, least: int = -999) -> QSpinBox:
 
 
 def choice_box(values: Sequence[str], *words: str) -> QComboBox:
-    """A choice of values by their words."""
     box = QComboBox()
     for value, word in zip(values, words):
         box.addItem(word, value)
@@ -129,8 +122,7 @@ def row(*widgets: QWidget) -> QWidget:
     return box
 
 
-MeasuredLines = dict[tuple[Optional["Segment"], int, float], MeasuredLine]
-"""Measured lines by place, bars in a group and width."""
+MeasuredLines = dict[tuple[Optional["Segment"], int, float], MeasuredLine]  # by place, bars in a group, width
 
 
 def image_job(ref: RasterRef) -> Job:

@@ -8,12 +8,11 @@ from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPolygon
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
 from ...toolkit.charts.chart_painter import ChartPainter
-from ...toolkit.charts.chart_style import ChartStyle
+from ...toolkit.charts.chart_style import BAND_COLOURS, ChartStyle, band_colour
 from ...toolkit.charts.round_ticks import even_ticks
 from ...toolkit.desk.theme import chart_style
 from ...toolkit.painting import painting
 from ...toolkit.translation import band_title, formatted, tr
-from ..band_colours import BAND_COLOURS, band_colour
 from ..measure.bar_groups import GroupResult
 from ..measure.bars import BarReading
 
@@ -64,7 +63,8 @@ class ProfilesPainter(ChartPainter):
         if self._is_roomy:
             self._words_around(painter, axes.center().x(), axes.bottom() + 2.3 * self.line, tr("along the line, px"))
         for place, (band, reading) in enumerate(self._readings.items()):
-            self._paint_profile(painter, reading, QColor(band_colour(band, place, len(self._readings), self.style)))
+            colour = band_colour(band, place, len(self._readings) == 1, self.style)
+            self._paint_profile(painter, reading, QColor(colour))
         if len(weakest.bars) > 1:
             self._paint_threshold(painter, weakest)
         if self._names_bands:
@@ -94,7 +94,7 @@ class ProfilesPainter(ChartPainter):
         x = self.axes.right()
         for place, band in reversed(list(enumerate(self._readings))):
             words = band_title(band)
-            painter.setPen(QColor(band_colour(band, place, len(self._readings), self.style)))
+            painter.setPen(QColor(band_colour(band, place, False, self.style)))
             self._words_left_of(painter, x, self.axes.top() - 0.5 * self.line, words)
             x -= self.metrics.horizontalAdvance(words) + self.line
 

@@ -18,12 +18,9 @@ class BarTool(DrawingTool):
     Esc takes the first end back; the right button does too, or ends when there is none.
     """
 
-    moved = pyqtSignal(QgsPointXY, QgsPointXY)
-    """Both ends, on the map, while the second one follows the mouse."""
-    drawn = pyqtSignal(QgsPointXY, QgsPointXY)
-    """Both ends of a finished line, on the map."""
-    cancelled = pyqtSignal()
-    """The line under way was given up."""
+    moved = pyqtSignal(QgsPointXY, QgsPointXY)  # both ends, on the map, while the second one follows the mouse
+    drawn = pyqtSignal(QgsPointXY, QgsPointXY)  # both ends of a finished line, on the map
+    cancelled = pyqtSignal()  # the line under way was given up
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)

@@ -28,21 +28,14 @@ class GroupResult:
     """The verdict on a line in one band."""
 
     measured: MeasuredLine
-    band: str
-    """Empty for a line that could not be measured."""
-    grd_cm: float | None
-    """Ground resolved distance of the group; None without a group."""
+    band: str  # empty for a line that could not be measured
+    grd_cm: float | None  # ground resolved distance of the group; None without a group
     resolved: bool = False
-    spurious: bool = False
-    """Whether bars are seen there that are aliasing."""
-    reason: Message | None = None
-    """Why it is not resolved, or what to know about it."""
-    grd_error_cm: float | None = None
-    """Standard deviation of the distance, from those of the amplitudes; None where there are none."""
-    may_pass: bool = False
-    """Whether its bars stand out and their share of the full amplitude may reach the criterion (95 %)."""
-    may_fail: bool = True
-    """Whether it is not resolved, or its share may lie below the criterion (95 %)."""
+    spurious: bool = False  # whether bars are seen there that are aliasing
+    reason: Message | None = None  # why it is not resolved, or what to know about it
+    grd_error_cm: float | None = None  # its standard deviation, from those of the amplitudes
+    may_pass: bool = False  # whether its bars stand out and their share may reach the criterion (95 %)
+    may_fail: bool = True  # whether it is not resolved, or its share may lie below the criterion (95 %)
 
     @property
     def reading(self) -> BarReading | None:
@@ -51,7 +44,6 @@ class GroupResult:
 
     @property
     def key(self) -> tuple[str, str]:
-        """Direction and band."""
         return self.measured.line.direction, self.band
 
     @property
@@ -65,18 +57,12 @@ class GroupResult:
 class TargetResolution:
     """The verdicts on all groups of a target, and its ground resolved distances."""
 
-    results: tuple[GroupResult, ...]
-    """Verdicts by line and band, in the order of the lines."""
-    grd_cm: dict[tuple[str, str], float | None]
-    """Ground resolved distance by direction and band; None where no group is resolved."""
-    grd_error_cm: dict[tuple[str, str], float | None]
-    """Standard deviation of each, from those of the amplitudes of its group."""
-    contrasts: dict[str, float]
-    """Bars to gaps of the coarsest group, DN over DN, by band; those without one are missing."""
-    notices: tuple[Message, ...]
-    """What the user should know of the target as a whole."""
-    scale_notice: Message | None = None
-    """The one of them that says that the bars do not lie as the group numbers and the pixel size say."""
+    results: tuple[GroupResult, ...]  # verdicts by line and band, in the order of the lines
+    grd_cm: dict[tuple[str, str], float | None]  # by direction and band; None where no group is resolved
+    grd_error_cm: dict[tuple[str, str], float | None]  # its standard deviation, from those of the amplitudes
+    contrasts: dict[str, float]  # bars to gaps of the coarsest group, DN over DN, by band that has one
+    notices: tuple[Message, ...]  # what the user should know of the target as a whole
+    scale_notice: Message | None = None  # says that bars do not lie as numbers and pixel size say
 
     def worst(self, direction: str) -> float | None:
         """The largest distance of a direction over its bands; None unless every band resolves a group."""
@@ -126,7 +112,6 @@ class TargetResolution:
         return tuple(dict.fromkeys(name for result in self.results for name in result.measured.line.seen))
 
     def worst_error(self, direction: str) -> float | None:
-        """Standard deviation of that distance; None without one."""
         worst = self.worst(direction)
         errors = [
             self.grd_error_cm.get(key) for key, value in self.grd_cm.items() if key[0] == direction and value == worst
@@ -136,7 +121,6 @@ class TargetResolution:
 
     @property
     def mean_error(self) -> float | None:
-        """Standard deviation of the geometric mean."""
         parts = [(self.worst(direction), self.worst_error(direction)) for direction in DIRECTIONS]
         relative = [error / grd for grd, error in parts if grd and error is not None]
         return self.mean * math.hypot(*relative) / 2 if self.mean is not None and len(relative) == 2 else None
@@ -148,7 +132,6 @@ class TargetResolution:
 
     @property
     def mean(self) -> float | None:
-        """Geometric mean of both directions."""
         along, across = (self.worst(direction) for direction in DIRECTIONS)
         return None if along is None or across is None else math.sqrt(along * across)
 

@@ -28,22 +28,17 @@ _GROUND = (0.55, 1.25)  # of a cycle from an outer bar's middle: where the groun
 class PlainPlace(Enum):
     """The place at which a target's plain brightness was measured."""
 
-    GROUPS = "groups"
-    """In its own bars and gaps, as the fall of the amplitude from group to group tells."""
-    GROUND = "ground"
-    """In the ground beside the bars."""
-    NOWHERE = "nowhere"
-    """Nowhere: the darkest place that was seen is taken."""
+    GROUPS = "groups"  # in its own bars and gaps, as the fall of the amplitude from group to group tells
+    GROUND = "ground"  # in the ground beside the bars
+    NOWHERE = "nowhere"  # nowhere: the darkest place that was seen is taken
 
 
 @dataclass(frozen=True)
 class Extreme:
     """The middle of a bar or of a gap."""
 
-    position: float
-    """px from the line's start, to a fraction of a pixel."""
-    value: float
-    """DN."""
+    position: float  # px from the line's start, to a fraction of a pixel
+    value: float  # DN
 
 
 @dataclass(frozen=True)
@@ -51,26 +46,16 @@ class BarReading:
     """The bars and gaps of a profile in one band."""
 
     profile: Profile
-    bright: bool
-    """Whether the bars are brighter than the ground."""
-    bars: tuple[Extreme, ...]
-    """The bars that stand out, in the order of the profile."""
-    gaps: tuple[Extreme, ...]
-    """The gap between each two neighbouring bars."""
-    grounds: tuple[float, ...]
-    """The ground beside the outer bars, within a cycle and as unlike the bars as it gets there, DN."""
-    full_amplitude: float
-    """What the amplitude is a share of, DN: to the darkest place seen, until the target as a whole puts it right."""
-    full_error: float
-    """Standard deviation of the full amplitude, DN."""
-    amplitude: float | None
-    """Mean of the inner bars less that of the gaps, DN; None for fewer than two bars."""
-    amplitude_error: float | None
-    """Standard deviation of the amplitude, DN: from the noise of the pixels, and from how much bars and gaps differ."""
-    modulation: float | None
-    """(max - min)/(max + min) of the bars and the gaps between them; None for fewer than two bars."""
-    plain: PlainPlace | None = None
-    """The place of the gaps' plain brightness; None before the target as a whole put the full amplitude right."""
+    bright: bool  # whether the bars are brighter than the ground
+    bars: tuple[Extreme, ...]  # the bars that stand out, in the order of the profile
+    gaps: tuple[Extreme, ...]  # the gap between each two neighbouring bars
+    grounds: tuple[float, ...]  # the ground beside the outer bars, within a cycle and as unlike them as it gets, DN
+    full_amplitude: float  # what the amplitude is a share of, DN: to the darkest place, until the target puts it right
+    full_error: float  # standard deviation of the full amplitude, DN
+    amplitude: float | None  # mean of the inner bars less that of the gaps, DN; None for fewer than two bars
+    amplitude_error: float | None  # its standard deviation, DN: from the noise, and from how much bars and gaps differ
+    modulation: float | None  # (max - min)/(max + min) of bars and gaps; None for fewer than two bars
+    plain: PlainPlace | None = None  # where the gaps' plain brightness is; None until the target puts it right
 
     @property
     def spacing(self) -> float | None:
@@ -84,12 +69,10 @@ class BarReading:
 
     @property
     def share(self) -> float | None:
-        """The amplitude's share of the full amplitude."""
         return None if self.amplitude is None or self.full_amplitude <= 0 else self.amplitude / self.full_amplitude
 
     @property
     def share_error(self) -> float | None:
-        """The share's standard deviation."""
         if self.share is None or not self.amplitude or self.amplitude_error is None:
             return None
         errors = self.amplitude_error / self.amplitude, self.full_error / self.full_amplitude
@@ -107,15 +90,7 @@ class BarReading:
 
 
 def read_bars(profile: Profile, bars: int, bright: bool | None = None) -> BarReading:
-    """Find the bars of a group in a profile.
-
-    Parameters
-    ----------
-    profile : Profile
-    bars : int
-        Bars in a group of the target.
-    bright : bool, optional
-        Whether the bars are brighter than the ground; None for whichever there are ``bars`` of.
+    """Find the bars of a group, ``bright`` (than the ground) or dark, None for whichever there are ``bars`` of.
 
     A bar stands out by a quarter of the profile's range, on the side of a gap at least: the ground beside the outer
     bars may be as bright as they are. Its brightness and place are those of the vertex of a parabola through its middle
@@ -246,50 +221,28 @@ GREEN = "green"
 class BarLine:
     """One line of the user, in pixels of the raster."""
 
-    group: int | None
-    """Number of the group; None where none is given."""
-    direction: str
-    """``along`` or ``across`` the flight, or what was given instead."""
-    segment: Segment | None
-    """None where the line can't be used."""
-    reason: Message | None = None
-    """Why it can't be used."""
-    seen: Mapping[str, bool] = field(default_factory=dict)
-    """Whether each observer who judged the group tells its bars apart."""
+    group: int | None  # number of the group; None where none is given
+    direction: str  # ``along`` or ``across`` the flight, or what was given instead
+    segment: Segment | None  # None where the line can't be used
+    reason: Message | None = None  # why it can't be used
+    seen: Mapping[str, bool] = field(default_factory=dict)  # whether each observer tells its bars apart
 
 
 @dataclass(frozen=True)
 class MeasuredLine:
-    """The readings of one line."""
-
     line: BarLine
-    segment: Segment | None
-    """The line turned to be perpendicular to the bars; None when it could not be measured."""
-    readings: dict[str, BarReading] = field(default_factory=dict)
-    """Readings by band."""
-    saturated: dict[str, float] = field(default_factory=dict)
-    """The DN that bars are clipped at, by band."""
-    shifts: dict[str, float] = field(default_factory=dict)
-    """Displacement of a band's bars against those of green along the line, px, by band."""
-    reason: Message | None = None
-    """Why it could not be measured."""
+    segment: Segment | None  # the line turned to be perpendicular to the bars; None when it could not be measured
+    readings: dict[str, BarReading] = field(default_factory=dict)  # readings by band
+    saturated: dict[str, float] = field(default_factory=dict)  # the DN that bars are clipped at, by band
+    shifts: dict[str, float] = field(default_factory=dict)  # px along the line against the bars of green, by band
+    reason: Message | None = None  # why it could not be measured
 
 
 def measure_line(raster: Raster, line: BarLine, bars: int, width: float, band: int | None = None) -> MeasuredLine:
     """Profiles across the bars of one group and what they show; never raises for a line that can't be measured.
 
-    Parameters
-    ----------
-    line : BarLine
-        In pixels of the raster.
-    bars : int
-        Bars in a group of the target.
-    width : float
-        px either side of the line that the profile is averaged over.
-    band : int, optional
-        The place of the only band that is measured; None for all.
-
-    Raises RasterError when the raster can't be read.
+    ``line``: in pixels of the raster. ``width``: px either side of it that are averaged over. ``band``: the place of
+    the only one that is measured, None for all. Raises RasterError when the raster can't be read.
     """
     if line.segment is None or line.reason is not None:
         return MeasuredLine(line, None, reason=line.reason)

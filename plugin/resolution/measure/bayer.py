@@ -25,10 +25,8 @@ _STRIP_PIXELS = 4_000_000
 _CODES = {"RGGB": "BG", "BGGR": "RG", "GRBG": "GB", "GBRG": "GR"}  # OpenCV names the second row's second pixel first
 
 
-def check_demosaic(pattern: str, demosaic: str) -> None:
-    """Raise SettingsError for a pattern or a way of interpolation that is not there."""
-    limits.check_word(pattern, limits.BAYER_PATTERNS)
-    limits.check_word(demosaic, limits.DEMOSAICS)
+def check_demosaic(demosaic: str) -> None:
+    """Raise SettingsError for a way of interpolation that needs OpenCV where that is not there."""
     if demosaic == EDGE_AWARE and find_spec("cv2") is None:
         raise SettingsError(messages.OPENCV_MISSING())
 
@@ -39,11 +37,11 @@ def simulate_file(
     """Write what a single-chip camera would have seen of a raster, strip by strip.
 
     A raster of one band is a grey scene. Pixels without data stay so. ``progress`` gets the share that is done and
-    says whether to go on. Raises SettingsError for unknown ways, RasterError for a raster that has no colours, or
+    says whether to go on. Raises SettingsError without OpenCV, RasterError for a raster that has no colours, or
     can't be read or written, CancelledError when cancelled; no half-written file is left then, and an older one as it
     was.
     """
-    check_demosaic(pattern, demosaic)
+    check_demosaic(demosaic)
     names = raster.band_names
     if not raster.has_luminance and len(names) > 1:
         raise RasterError(messages.BANDS_NOT_COLOURS(name=raster.ref.name, count=len(names)))
@@ -72,19 +70,9 @@ def _strips(source: OpenRaster, pattern: str, demosaic: str) -> Iterator[tuple[i
 
 
 def filtered(colours: np.ndarray, pattern: str) -> np.ndarray:
-    """The values that the chip records.
+    """What the chip records (rows, columns) of a scene's red, green and blue (3, rows, columns).
 
-    Parameters
-    ----------
-    colours : (3, rows, columns)
-        Red, green and blue of the scene.
-    pattern : str
-        Colours of the filter over the first two pixels of the first row, then of the second.
-
-    Returns
-    -------
-    (rows, columns)
-        Of each pixel the colour of its filter.
+    ``pattern``: colours of the filter over the first two pixels of the first row, then of the second.
     """
     return np.asarray(np.choose(_colour_indices(pattern, colours.shape[1:]), colours))
 

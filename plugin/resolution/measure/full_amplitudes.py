@@ -22,10 +22,8 @@ _WIDTHS = np.geomspace(1.2, 40.0, 240)  # of the coarsest group's cycle, in stan
 class TargetLevels:
     """A target's plain brightness in one band, DN."""
 
-    gap: float
-    """Brightness of its gaps, where nothing blurs them."""
-    error: float
-    """Standard deviation of the gaps' brightness, DN."""
+    gap: float  # brightness of its gaps, where nothing blurs them
+    error: float  # standard deviation of the gaps' brightness, DN
     place: PlainPlace
 
 
@@ -46,12 +44,8 @@ def kept_slope(kept: float) -> float:
 
 
 def target_levels(groups: Sequence[tuple[float, BarReading]]) -> TargetLevels | None:
-    """The plain brightness of a target in one band; None where no group shows bars.
-
-    Parameters
-    ----------
-    groups : sequence of (float, BarReading)
-        Width of a group's cycle, in any unit, and its reading.
+    """The plain brightness of a target in one band; None where no group shows bars. ``groups``: cycle, in any unit, and
+    reading.
 
     A blur raises gaps by what it takes from the bars, so bars and gaps together say the middle of the target's
     contrast, and the fall of their difference from group to group says how much of it even the coarsest one lost. The

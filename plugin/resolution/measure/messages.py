@@ -3,19 +3,11 @@ from __future__ import annotations
 
 from ...imagery.errors import INFO, WARNING, Message
 
-# the target and how it is measured
-TOO_FEW_BARS = Message("A group of {bars} bars can't be measured; a target has at least {least} bars in a group.")
-GRD_NOT_POSITIVE = Message("The ground resolved distance is {grd} cm; give a positive number of centimetres.")
-STEP_TOO_SMALL = Message("The step from group to group is {step}; give a factor above 1, such as 1.1225.")
-CRITERION_OUT_OF_RANGE = Message("The criterion is {criterion}; give a share of the full amplitude between 0 and 1.")
-CHOICE_UNKNOWN = Message("'{word}' is none of {known}; choose one of them.")
-BAR_WIDTH_OUT_OF_RANGE = Message("The profile is averaged over {width} px either side; give 0 to {most}.")
 # the layer of lines
 NO_BAR_IMAGE = Message("No image of a bar target is chosen; choose one above, then draw a line across its bars.", INFO)
 NO_BAR_LINES = Message("The layer has no lines; draw one across the bars of each group.")
 BAR_LAYER_NOT_CREATED = Message(
-    "No layer of bar groups can be written to {folder}; save the project in a folder that you may write to."
-)
+    "No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.")
 FIELD_MISSING = Message("The layer has no field '{field}'; add it and fill it in.")
 # a line across the bars of a group
 BAR_LINE_EMPTY = Message("The line has no geometry; draw it anew across the bars of the group.", INFO)
@@ -25,111 +17,83 @@ BAR_LINE_OUTSIDE = Message("The line leaves {name}; draw it on the image, across
 BAR_LINE_ON_NODATA = Message("The line crosses pixels of {name} without data; draw it where the image is.")
 BAR_LINE_TOO_SHORT = Message(
     "The line is {length:.1f} px long, and {bars} bars with their gaps need {least} px at least; draw it from the "
-    "ground on one side of the bars to that on the other."
-)
+    "ground on one side of the bars to that on the other.")
 BAR_LINE_TOO_LONG = Message(
-    "The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only."
-)
+    "The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only.")
 GROUP_NOT_GIVEN = Message("The line has no whole number in its field 'group'; fill in the group's number.", INFO)
 DIRECTION_UNKNOWN = Message("The line's direction is '{direction}'; fill in 'along' or 'across'.", INFO)
 GROUP_TOO_FAR = Message(
-    "Group {group} is too far from the reference group {reference} to have a width; correct one of the numbers.", INFO
-)
+    "Group {group} is too far from the reference group {reference} to have a width; correct one of the numbers.", INFO)
 GROUP_TWICE = Message(
     "Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its "
-    "number.", INFO
-)
+    "number.", INFO)
 # why a group is not resolved, or how sure that is
 NO_BARS = Message("No bars stand out on the line; draw it across the bars of one group.", INFO)
 BARS_MERGED = Message("The bars can't be told apart: {found} of {bars} stand out.", INFO)
 TOO_MANY_BARS = Message("{found} bars stand out and a group has {bars}; draw the line across one group only.", INFO)
 BARS_TOO_WEAK = Message("The amplitude is {share:.0%} of the full one and the criterion is {criterion:.0%}.", INFO)
 BARS_IN_NOISE = Message(
-    "The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.", INFO
-)
+    "The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.", INFO)
 BARS_BEYOND_NYQUIST = Message(
     "A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not "
-    "counted.", INFO
-)
+    "counted.", INFO)
 BARS_MAYBE_ALIASED = Message(
     "The bars seem {spacing:.1f} px apart, which can't be told from aliasing in an image without scale; draw lines "
-    "across coarser groups too.", INFO
-)
+    "across coarser groups too.", INFO)
 BARS_MISPLACED = Message(
     "The bars seem {spacing:.1f} px apart and the group's are {cycle:.1f} px: what is seen is aliasing or another "
-    "group, and is not counted.", INFO
-)
+    "group, and is not counted.", INFO)
 BARS_SPURIOUS = Message("A coarser group, {group}, is not resolved, so this one is aliasing and is not counted.", INFO)
 BARS_SATURATED = Message(
     "The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a "
-    "shorter exposure.", INFO
-)
+    "shorter exposure.", INFO)
 # all groups together
 TARGET_SCALE_DIFFERS = Message(
     "The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves "
-    "are taken, so check the reference group, its distance and the raster's pixel size.", WARNING
-)
+    "are taken, so check the reference group, its distance and the raster's pixel size.", WARNING)
 TARGET_REVERSED = Message(
     "The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear "
-    "it.", WARNING
-)
+    "it.", WARNING)
 NO_GRD = Message(
-    "No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.", WARNING
-)
+    "No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.", WARNING)
 TARGET_CONTRAST_LOW = Message(
     "Bars and gaps of the coarsest group differ by a factor of {contrast:.1f} and the method asks for {least:g} at "
-    "least, so the distance may be coarser than the sensor's best; haze and a low sun lower the contrast.", WARNING
-)
+    "least, so the distance may be coarser than the sensor's best; haze and a low sun lower the contrast.", WARNING)
 NO_PLAIN_PLACE = Message(
     "No plain area of the target shows the full amplitude, so the groups may seem better resolved than they are; "
-    "draw lines across coarser groups too.", WARNING
-)
+    "draw lines across coarser groups too.", WARNING)
 PLAIN_IS_GROUND = Message(
     "The groups tell too little of the target's contrast, so the full amplitude is taken from the ground beside the "
-    "bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.", WARNING
-)
+    "bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.", WARNING)
 NO_LINE_MEASURED = Message(
     "None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each "
-    "across the bars of one group, on the image."
-)
+    "across the bars of one group, on the image.")
 # the minimum height
-REQUIRED_GRD_IMPOSSIBLE = Message(
-    "The required distance is {grd:g} cm; give a positive number of centimetres from {least:g} to {most:g}."
-)
 REFERENCE_HEIGHT_UNREADABLE = Message(
-    "'{word}' is no reference height; give metres, or a name and metres for each group, as 'DMC 2714; RC20 2015'."
-)
+    "'{word}' is no reference height; give metres, or a name and metres for each group, as 'DMC 2714; RC20 2015'.")
 REFERENCE_OF_NO_GROUP = Message(
-    "There is a reference height for {name}, but no group of passes is called so; give one of: {known}."
-)
+    "There is a reference height for {name}, but no group of passes is called so; give one of: {known}.")
 REFERENCE_HEIGHT_IMPOSSIBLE = Message(
-    "The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty."
-)
+    "The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty.")
 NO_OBSERVATIONS = Message("No row has a height and a distance to compute with; fill in 'height' and 'grd'.")
 OBSERVATIONS_LEFT_OUT = Message("Row {row} is left out: {why}", WARNING)
 OBSERVATION_EMPTY = Message("'height' or 'grd' holds no number; fill in both.", INFO)
 OBSERVATION_NO_NUMBER = Message("'{word}' is not a number; give metres and centimetres.", INFO)
 OBSERVATION_IMPOSSIBLE = Message(
     "Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to "
-    "{highest:g} and centimetres from {least:g} to {most:g}.", INFO
-)
+    "{highest:g} and centimetres from {least:g} to {most:g}.", INFO)
 COLUMNS_INTERCHANGED = Message(
     "A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; 'height' is in metres "
-    "and 'grd' in centimetres, so check whether both are interchanged.", WARNING
-)
+    "and 'grd' in centimetres, so check whether both are interchanged.", WARNING)
 GRD_IN_METRES = Message(
     "A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; 'grd' is "
-    "in centimetres, so check whether it holds metres.", WARNING
-)
+    "in centimetres, so check whether it holds metres.", WARNING)
 FEW_OBSERVATIONS = Message("{count} passes over the target; the Open Skies treaty asks for {least} at least.", WARNING)
 # the Bayer filter
 OPENCV_MISSING = Message(
     "The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, 'python -m pip install "
-    "opencv-python-headless' elsewhere); install it, or choose malvar or bilinear."
-)
+    "opencv-python-headless' elsewhere); install it, or choose malvar or bilinear.")
 EDGE_AWARE_WANTS_INTEGERS = Message(
-    "The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear."
-)
+    "The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear.")
 BANDS_NOT_COLOURS = Message(
-    "{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band."
-)
+    "{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.")

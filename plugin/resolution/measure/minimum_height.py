@@ -21,14 +21,9 @@ Key = tuple[str, ...]
 
 @dataclass(frozen=True)
 class Observation:
-    """The readings of one pass over the target."""
-
-    height_m: float
-    """Flying height above the target, m."""
-    grds_cm: tuple[float, ...]
-    """Ground resolved distance as each observer read it, cm; at least one."""
-    key: Key = ()
-    """What it is grouped by: sensor, type of image, direction."""
+    height_m: float  # flying height above the target, m
+    grds_cm: tuple[float, ...]  # ground resolved distance as each observer read it, cm; at least one
+    key: Key = ()  # what it is grouped by: sensor, type of image, direction
 
     @property
     def fault(self) -> Message | None:
@@ -54,20 +49,14 @@ class HeightResult:
     """The minimum height from the passes of one group."""
 
     key: Key
-    heights_m: tuple[float, ...]
-    """Minimum height by each pass, m."""
-    reference_m: float | None
-    """What it is compared with, m."""
-    notice: Message | None
-    """What to know about it."""
-    observers: int = 1
-    """How many readings the passes have together."""
-    observer_spread_m: float | None = None
-    """Standard deviation of one observer's height within a pass, m; None where no pass has several."""
+    heights_m: tuple[float, ...]  # minimum height by each pass, m
+    reference_m: float | None  # what it is compared with, m
+    notice: Message | None  # what to know about it
+    observers: int = 1  # how many readings the passes have together
+    observer_spread_m: float | None = None  # of one observer within a pass; None where no pass has several
 
     @property
     def mean_m(self) -> float:
-        """Mean of the passes, m (equation 2)."""
         return statistics.fmean(self.heights_m)
 
     @property
@@ -97,10 +86,8 @@ def read_references(text: str) -> dict[str, float]:
     return heights
 
 
-def check_heights(required_cm: float, references: References) -> None:
-    """Raise SettingsError for numbers that no flight has."""
-    if not MIN_GRD_CM <= required_cm <= MAX_GRD_CM:
-        raise SettingsError(messages.REQUIRED_GRD_IMPOSSIBLE(grd=required_cm, least=MIN_GRD_CM, most=MAX_GRD_CM))
+def check_references(references: References) -> None:
+    """Raise SettingsError for heights that no flight has."""
     for height in references.values():
         if not 0 < height <= MAX_HEIGHT_M:
             raise SettingsError(messages.REFERENCE_HEIGHT_IMPOSSIBLE(height=height, highest=MAX_HEIGHT_M))
@@ -125,9 +112,9 @@ def minimum_heights(
 ) -> list[HeightResult]:
     """The minimum height of every group of passes, in the order in which the groups first come.
 
-    Raises SettingsError for a required distance or a reference that no flight has, or one of a group that is not there.
+    Raises SettingsError for a reference that no flight has, or one of a group that is not there.
     """
-    check_heights(required_cm, references)
+    check_references(references)
     groups: dict[Key, list[Observation]] = {}
     for observation in observations:
         groups.setdefault(observation.key, []).append(observation)

@@ -37,24 +37,19 @@ _SAMPLE_PX = 0.125  # between the values of a profile
 class Segment:
     """A line across the bars, in pixels of the raster."""
 
-    start: Point
-    """Column and row, px."""
-    end: Point
-    """Column and row, px."""
+    start: Point  # column and row, px
+    end: Point  # column and row, px
 
     @property
     def length(self) -> float:
-        """Length of the line, px."""
         return math.dist(self.start, self.end)
 
     @property
     def middle(self) -> Point:
-        """Place half-way, px."""
         return (self.start[0] + self.end[0]) / 2, (self.start[1] + self.end[1]) / 2
 
     @property
     def along(self) -> Point:
-        """Unit vector of the direction."""
         return (self.end[0] - self.start[0]) / self.length, (self.end[1] - self.start[1]) / self.length
 
     def turned(self, angle: float) -> Segment:
@@ -69,16 +64,11 @@ class Segment:
 class Patch:
     """The pixels around a line."""
 
-    bands: np.ndarray
-    """(bands, rows, columns) float64."""
-    valid: np.ndarray
-    """(rows, columns) bool."""
-    column: int
-    """Column of the patch's first pixel in the raster."""
-    row: int
-    """Row of the patch's first pixel in the raster."""
-    highest: float | None
-    """The largest value that the data type holds; None for floats."""
+    bands: np.ndarray  # (bands, rows, columns) float64
+    valid: np.ndarray  # (rows, columns) bool
+    column: int  # column of the patch's first pixel in the raster
+    row: int  # row of the patch's first pixel in the raster
+    highest: float | None  # the largest value that the data type holds; None for floats
 
     def distances(self, line: Segment) -> tuple[np.ndarray, np.ndarray]:
         """(rows, columns) each: how far every pixel's centre lies along the line from its start, and beside it."""
@@ -93,18 +83,12 @@ class Patch:
 class Profile:
     """Values across the bars, averaged along them."""
 
-    positions: np.ndarray
-    """(n,) px from the line's start, negative before it, in even steps."""
-    values: np.ndarray
-    """(n,) DN."""
-    length: float
-    """px: where the line ends. The profile goes on a little beyond both ends."""
-    noise: float
-    """Standard deviation of the pixels of the plain ground beside the bars, DN."""
-    scatter: float = 0.0
-    """Standard deviation of the pixels about the profile, DN."""
-    density: float = 1.0
-    """How many pixels a pixel's length of the line is averaged over."""
+    positions: np.ndarray  # (n,) px from the line's start, negative before it, in even steps
+    values: np.ndarray  # (n,) DN
+    length: float  # px: where the line ends. The profile goes on a little beyond both ends
+    noise: float  # standard deviation of the pixels of the plain ground beside the bars, DN
+    scatter: float = 0.0  # standard deviation of the pixels about the profile, DN
+    density: float = 1.0  # how many pixels a pixel's length of the line is averaged over
 
     def error_over(self, length: float) -> float:
         """Standard deviation of the mean of so long a piece, px, in DN."""
@@ -170,18 +154,7 @@ def perpendicular_line(patch: Patch, bands: list[int], line: Segment, width: flo
 
 
 def bar_profile(patch: Patch, band: int, line: Segment, width: float) -> Profile:
-    """The profile along a line.
-
-    Parameters
-    ----------
-    patch : Patch
-        The pixels around the line.
-    band : int
-        The place of the band among those of the patch.
-    line : Segment
-        Perpendicular to the bars, px of the raster.
-    width : float
-        px either side of the line that are averaged over.
+    """The profile along a line perpendicular to the bars (px of the raster), ``width`` px either side of it averaged.
 
     A smooth curve (cubic splines, knots every half pixel) is fitted to the values of the pixels themselves at their
     distances along the line, so nothing is resampled first, and a line that crosses the bars at many phases of the

@@ -4,15 +4,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from ...imagery.errors import SettingsError
-from . import messages
-
 # Ground resolved distance
 DEFAULT_BARS = 3  # Walczykowski et al. 2009, figures 4 to 10; USAF-1951
 MIN_BARS = 2  # one bar has no gap to its neighbour
 DEFAULT_REFERENCE_GROUP = 9  # Walczykowski et al. 2009, section 4: group 9 is 30 cm
 DEFAULT_REFERENCE_GRD_CM = 30.0  # the same, and the Open Skies limit
+MIN_REFERENCE_GRD_CM = 1e-3  # of a target under a microscope
 DEFAULT_GROUP_STEP = 2 ** (1 / 6)  # tables 3A and 3B: 30.00, 33.67, 42.42, 60.00, 67.35, 75.60 cm
+MIN_GROUP_STEP = 1.0001  # groups that are alike are none
 MAX_GROUP_RATIO = 1e9  # of widths to the reference group's: no target has more; far beyond it numbers overflow
 DEFAULT_CRITERION = 0.5  # Walczykowski et al. 2009, section 4: at least half of the group's DN amplitude
 FULL_AMPLITUDES = ("group", "coarsest")  # the paper's; a reference that does not change from group to group
@@ -24,51 +23,23 @@ BAYER_PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")  # colours row by row: the fil
 DEMOSAICS = ("bilinear", "malvar", "edge_aware")  # the paper's; Malvar, He, Cutler 2004; OpenCV's, if installed
 
 
-DIRECTIONS = ("along", "across")
-"""To the flight: the direction in which a line crosses the bars."""
+DIRECTIONS = ("along", "across")  # to the flight: the direction in which a line crosses the bars
 GROUP, COARSEST = FULL_AMPLITUDES
 CYCLE, BAR = DISTANCES
-
-
-def check_word(word: str, known: tuple[str, ...]) -> None:
-    """Raise SettingsError for a word that is none of those known."""
-    if word not in known:
-        raise SettingsError(messages.CHOICE_UNKNOWN(word=word, known=", ".join(known)))
 
 
 @dataclass(frozen=True)
 class Target:
     """A calibration target and the criterion that its groups are judged by (Walczykowski et al. 2009, section 4)."""
 
-    bars: int = DEFAULT_BARS
-    """Bars in each group."""
-    reference_group: int = DEFAULT_REFERENCE_GROUP
-    """Number of the group whose width is known."""
-    reference_grd_cm: float = DEFAULT_REFERENCE_GRD_CM
-    """Distance of the reference group, cm on the ground: of what ``grd_of`` says."""
-    step: float = DEFAULT_GROUP_STEP
-    """How many times as wide the next coarser group is."""
-    criterion: float = DEFAULT_CRITERION
-    """Share of the full amplitude that the bars of a resolved group keep."""
-    reversed: bool = False
-    """Whether higher numbers are coarser."""
-    full_amplitude: str = GROUP
-    """What the criterion is a share of: the bars of the ``group`` against plain gaps, or the ``coarsest`` one."""
-    grd_of: str = CYCLE
-    """What a distance is the width of: ``cycle``, a bar and a gap together; ``bar``, one of them."""
-
-    def check(self) -> None:
-        """Raise SettingsError for a target that can't be."""
-        if self.bars < MIN_BARS:
-            raise SettingsError(messages.TOO_FEW_BARS(bars=self.bars, least=MIN_BARS))
-        if not 0 < self.reference_grd_cm < math.inf:
-            raise SettingsError(messages.GRD_NOT_POSITIVE(grd=self.reference_grd_cm))
-        if not 1 < self.step < math.inf:
-            raise SettingsError(messages.STEP_TOO_SMALL(step=self.step))
-        if not 0 < self.criterion <= 1:
-            raise SettingsError(messages.CRITERION_OUT_OF_RANGE(criterion=self.criterion))
-        check_word(self.full_amplitude, FULL_AMPLITUDES)
-        check_word(self.grd_of, DISTANCES)
+    bars: int = DEFAULT_BARS  # bars in each group
+    reference_group: int = DEFAULT_REFERENCE_GROUP  # number of the group whose width is known
+    reference_grd_cm: float = DEFAULT_REFERENCE_GRD_CM  # cm on the ground, of what ``grd_of`` says
+    step: float = DEFAULT_GROUP_STEP  # how many times as wide the next coarser group is
+    criterion: float = DEFAULT_CRITERION  # share of the full amplitude that the bars of a resolved group keep
+    reversed: bool = False  # whether higher numbers are coarser
+    full_amplitude: str = GROUP  # the criterion's: the ``group``'s bars against plain gaps, or the ``coarsest``'s
+    grd_of: str = CYCLE  # what a distance is the width of: ``cycle``, a bar and a gap together; ``bar``, one of them
 
     def grd_cm(self, group: int) -> float:
         """Ground resolved distance of a group, cm: of a bar and a gap together, or of one bar (``grd_of``)."""

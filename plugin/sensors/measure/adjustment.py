@@ -83,29 +83,20 @@ class Accuracy:
 class Adjustment:
     """A model fitted to control points and judged on all."""
 
-    request: ModelRequest
-    """The model that was asked for."""
-    points: Points
-    """Control and check points."""
-    fitted: FittedModel
-    """To the control points that are no blunders."""
-    residuals_px: np.ndarray
-    """(n, 2) model minus measured: column, row."""
-    residuals_m: np.ndarray
-    """(n, 2) model minus given, at the point's height: x, y."""
-    blunder: np.ndarray
-    """(n,) bool."""
-    sigma_px: float
-    """Standard deviation of a control point's coordinate, from the residuals and the redundancy; NaN without any."""
+    request: ModelRequest  # the model that was asked for
+    points: Points  # control and check points
+    fitted: FittedModel  # to the control points that are no blunders
+    residuals_px: np.ndarray  # (n, 2) model minus measured: column, row
+    residuals_m: np.ndarray  # (n, 2) model minus given, at the point's height: x, y
+    blunder: np.ndarray  # (n,) bool
+    sigma_px: float  # of a control point's coordinate, from residuals and redundancy; NaN without any
 
     @property
     def control(self) -> Accuracy:
-        """Accuracy on the control points that took part."""
         return accuracy(self.residuals_px, self.residuals_m, ~self.points.check & ~self.blunder)
 
     @property
     def check(self) -> Accuracy:
-        """Accuracy on the check points that are no blunders."""
         return accuracy(self.residuals_px, self.residuals_m, self.points.check & ~self.blunder)
 
 
@@ -233,8 +224,6 @@ def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
 
 @dataclass(frozen=True)
 class JudgedModel:
-    """One model of the table."""
-
     request: ModelRequest
     errors: Accuracy | None  # on points that the fit has not seen; None where it could not be fitted
     control: Accuracy | None  # on the control points themselves

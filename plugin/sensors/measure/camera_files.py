@@ -50,8 +50,6 @@ class FileCamera:
 
 @dataclass(frozen=True)
 class Cameras:
-    """The cameras of a file."""
-
     name: str  # the file's
     cameras: Mapping[str, Callable[[], FileCamera]]  # what makes each, by its name
 

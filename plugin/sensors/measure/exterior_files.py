@@ -46,8 +46,6 @@ _DOWN = np.diag([1.0, -1.0, -1.0])  # from x right, y up, z back to columns, row
 
 @dataclass(frozen=True)
 class FrameExterior:
-    """The exterior orientation of a photo."""
-
     position: np.ndarray  # (3,) x, y, height, m
     axes: np.ndarray  # (3, 3), as ``FrameCamera.axes``
     camera: str = ""  # the camera's name, where the file says it
@@ -62,8 +60,6 @@ Named = list[tuple[str, Callable[[], FrameExterior]]]
 
 @dataclass(frozen=True)
 class Exteriors:
-    """The orientations of a file."""
-
     name: str  # the file's
     photos: Named
 

@@ -30,8 +30,6 @@ _RISE_M = 100.0  # between the two heights that a line of sight is taken at
 
 @dataclass(frozen=True)
 class ModelFile:
-    """The content of a model file."""
-
     model: SensorModel
     wkt: str  # system of the points it was fitted to; models in longitude and latitude ignore it
     domain: Domain
@@ -39,7 +37,6 @@ class ModelFile:
 
 
 def save_model(file: ModelFile, path: Path) -> None:
-    """Write a model file. Raises SettingsError where none can be."""
     kind = next(name for name, kind in registry.KINDS.items() if type(file.model) is kind.model_class())
     conventions = {
         "image": "column and row in pixels, (0, 0) is the upper left corner of the first pixel",
@@ -156,7 +153,6 @@ class FitFiles:
         return model.bias(self.domain.middle_and_corners) if isinstance(model, BiasedRpc) else None
 
     def save_model(self, path: Path) -> None:
-        """Write the model file."""
         done, fitted = self.done, self.done.fitted
         facts = {
             "model": done.request.name, "condition": fitted.condition, "iterations": fitted.iterations,

@@ -58,7 +58,6 @@ RPC_SEES_NO_POINTS = Message(
 RPC_SEES_TURNED = Message(
     "By the image's RPC the points are measured in a mirrored or turned image; count columns and rows from the upper "
     "left corner of the image that the RPC belongs to.")
-CHECK_SHARE_UNSOUND = Message("The share of check points is {share:g}; give a number from 0 to {most:g}.")
 # points that do not determine a model
 NO_HEIGHTS = Message(
     "Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take "

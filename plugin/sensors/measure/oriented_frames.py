@@ -145,8 +145,6 @@ def project_terrain(exterior: Path) -> RasterRef:
 
 @dataclass(frozen=True)
 class BlockPhoto:
-    """One photo of a block."""
-
     name: str  # as its orientation calls it
     path: Path
     ortho: Path  # what is made of it

@@ -76,58 +76,33 @@ def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
 class OrthoRequest:
     """An image to rectify, and how."""
 
-    image: RasterRef
-    """The image."""
-    model: SensorModel
-    """In the image's own pixels."""
-    wkt: str
-    """System of the points that the model was fitted to."""
-    domain: Domain
-    """The part of image and ground that the model is used in."""
-    dem: RasterRef | None
-    """Terrain heights; None with a constant ``height``."""
-    datum: Datum
-    """Datum of the heights of ``dem``."""
-    height: float | None
-    """Constant height above the ellipsoid, m, instead of ``dem``."""
-    output: Path
-    """The file that is written."""
-    target_wkt: str = ""
-    """Empty: the UTM zone of the image's centre."""
-    pixel_size: float | None = None
-    """Map units; None: the image's own, rounded."""
-    extent: Extent | None = None
-    """In the target system; None: the whole image."""
-    resampling: str = "cubic"
-    """``nearest``, ``bilinear``, ``cubic``, ``cubicspline``, ``lanczos`` or ``average``."""
-    format: str = "GTiff"
-    """``GTiff`` or ``COG``."""
+    image: RasterRef  # the image
+    model: SensorModel  # in the image's own pixels
+    wkt: str  # system of the points that the model was fitted to
+    domain: Domain  # the part of image and ground that the model is used in
+    dem: RasterRef | None  # terrain heights; None with a constant ``height``
+    datum: Datum  # datum of the heights of ``dem``
+    height: float | None  # constant height above the ellipsoid, m, instead of ``dem``
+    output: Path  # the file that is written
+    target_wkt: str = ""  # empty: the UTM zone of the image's centre
+    pixel_size: float | None = None  # map units; None: the image's own, rounded
+    extent: Extent | None = None  # in the target system; None: the whole image
+    resampling: str = "cubic"  # ``nearest``, ``bilinear``, ``cubic``, ``cubicspline``, ``lanczos`` or ``average``
+    format: str = "GTiff"  # ``GTiff`` or ``COG``
 
 
 @dataclass(frozen=True)
 class Ortho:
-    """An orthoimage as made."""
-
-    path: Path
-    """Its file."""
-    wkt: str
-    """Its reference system."""
-    extent: Extent
-    """xmin, ymin, xmax, ymax, map units."""
-    pixel_size: float
-    """Map units."""
-    columns: int
-    """Number of columns, px."""
-    rows: int
-    """Number of rows, px."""
-    rms_px: float
-    """RMS error of the RPC that stands for the model, in pixels of the image; 0 for an RPC itself, and for a photo."""
-    max_px: float
-    """The largest of the same."""
-    uncovered: float
-    """Share of the image without terrain heights."""
-    notices: tuple[Message, ...]
-    """Warnings and remarks for the user."""
+    path: Path  # its file
+    wkt: str  # its reference system
+    extent: Extent  # xmin, ymin, xmax, ymax, map units
+    pixel_size: float  # map units
+    columns: int  # number of columns, px
+    rows: int  # number of rows, px
+    rms_px: float  # of the RPC that stands for the model, px of the image; 0 for an RPC itself, and a photo
+    max_px: float  # the largest of the same
+    uncovered: float  # share of the image without terrain heights
+    notices: tuple[Message, ...]  # warnings and remarks for the user
 
 
 @dataclass(frozen=True)
@@ -235,7 +210,6 @@ def _plan(request: OrthoRequest) -> _Plan:
 
 
 def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
-    """The orthoimage's pixels."""
     centre = plan.footprint[len(plan.footprint) // 2]
     wkt = request.target_wkt or utm_wkt(float(centre[0]), float(centre[1]))
     places = transform_points(plan.footprint, WGS84, wkt)

@@ -134,7 +134,6 @@ class MapGrid(Grid):
 
     @property
     def geotransform(self) -> GeoTransform:
-        """Geotransform as GDAL has it."""
         return self.left, self.pixel_width, 0.0, self.top, 0.0, -self.pixel_height
 
     def places(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:

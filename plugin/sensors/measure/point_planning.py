@@ -78,13 +78,9 @@ def scene_of_rpc(rpc: Rational, size: tuple[float, float] | None, heights: tuple
 def nominal_scene(
     orbit_height_m: float, view_angle: float, pixel_m: float, side_m: float, heights: tuple[float, float]
 ) -> PlannedScene:
-    """A square image of a line scanner, tilted across its orbit.
+    """A square image of a line scanner, tilted across its orbit by ``view_angle`` (degrees from the vertical).
 
-    Parameters
-    ----------
-    orbit_height_m, side_m, pixel_m : the orbit above the ellipsoid, the image's side and a pixel on the ground, m
-    view_angle : from the vertical, degrees
-    heights : lowest and highest terrain, m above the ellipsoid
+    ``orbit_height_m`` and ``heights`` (lowest and highest terrain): above the ellipsoid. ``pixel_m``: on the ground.
     """
     count = side_m / pixel_m
     metres = metres_per_unit(WGS84, _NOMINAL_PLACE)

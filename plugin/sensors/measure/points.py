@@ -46,31 +46,22 @@ _FEWEST_IN_FEET = 4
 class Points:
     """Places known on the ground and in the image."""
 
-    ids: tuple[str, ...]
-    """n names."""
-    image: np.ndarray
-    """(n, 2) column, row in px."""
-    ground: np.ndarray
-    """(n, 3) x, y in the units of ``wkt`` and height in m above the ellipsoid; NaN where no height is known."""
-    wkt: str
-    """Reference system of x and y."""
-    sigma_px: np.ndarray
-    """(n,) standard deviation of a coordinate in the image; NaN where none is given."""
-    check: np.ndarray
-    """(n,) bool: whether a point only judges the fit."""
-    heights_wkt: str = ""
-    """Reference system that says what heights refer to, where ``wkt`` does not."""
+    ids: tuple[str, ...]  # n names
+    image: np.ndarray  # (n, 2) column, row in px
+    ground: np.ndarray  # (n, 3) x, y in units of ``wkt``, height in m above the ellipsoid; NaN where unknown
+    wkt: str  # reference system of x and y
+    sigma_px: np.ndarray  # (n,) standard deviation of a coordinate in the image; NaN where none is given
+    check: np.ndarray  # (n,) bool: whether a point only judges the fit
+    heights_wkt: str = ""  # reference system that says what heights refer to, where ``wkt`` does not
 
     def __len__(self) -> int:
         return len(self.ids)
 
     def only(self, mask: np.ndarray) -> Points:
-        """The points of a mask (n,)."""
         parts = {name: getattr(self, name)[mask] for name in ("image", "ground", "sigma_px", "check")}
         return replace(self, ids=tuple(self.named(mask)), **parts)
 
     def named(self, mask: np.ndarray) -> list[str]:
-        """The names of the points of a mask (n,)."""
         return [name for name, chosen in zip(self.ids, mask) if chosen]
 
     @property
@@ -82,7 +73,6 @@ class Points:
 
     @property
     def sigma_known(self) -> bool:
-        """Whether any point comes with its standard deviation."""
         return bool((self.sigma_px > 0).any())
 
 
@@ -302,8 +292,7 @@ def _scatter(misses: np.ndarray, share: float = 0.5) -> float:
     return float(np.quantile(np.linalg.norm(misses - np.median(misses, axis=0), axis=1), share))
 
 
-ImageBox = tuple[float, float, float, float]
-"""First column, first row, last column, last row."""
+ImageBox = tuple[float, float, float, float]  # first column, first row, last column, last row
 
 
 @dataclass(frozen=True)
@@ -334,7 +323,6 @@ def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
 
 
 def coverage_warnings(coverage: ControlCoverage) -> list[Message]:
-    """Warnings of points that cover too little."""
     if coverage.spread < MIN_SPREAD:
         return [messages.CONTROL_ON_A_LINE(share=coverage.extrapolated)]
     if coverage.extrapolated > MAX_EXTRAPOLATED:

@@ -223,8 +223,7 @@ class Polynomial2D(SensorModel):
     ground: Scaling  # of x and y
     image: Scaling
     coefficients: np.ndarray  # (terms, 2) of the scaled column and row, or of the scaled x and y when ``to_ground``
-    to_ground: bool
-    """Whether x and y are the polynomials and column and row their arguments, as QGIS's georeferencer fits them."""
+    to_ground: bool  # whether column and row are the arguments, as QGIS's georeferencer fits them
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         scaled = self.ground.to(ground[:, :2])

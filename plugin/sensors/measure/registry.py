@@ -31,8 +31,6 @@ class Variant:
 
 @dataclass(frozen=True)
 class ModelKind:
-    """A sensor model that can be chosen."""
-
     name: str  # as parameters, tables and model files call it
     variants: tuple[Variant, ...]
     code: tuple[str, str, str]
@@ -77,7 +75,6 @@ class ModelRequest:
 
     @property
     def needs_heights(self) -> bool:
-        """Whether heights play a part."""
         return self.kind.model_class().SPATIAL
 
 

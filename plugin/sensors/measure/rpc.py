@@ -56,18 +56,13 @@ def satellite_name(image: OpenRaster) -> str:
 class Domain:
     """The part of image and ground that a model is used in."""
 
-    columns: tuple[float, float]
-    """First and last, px."""
-    rows: tuple[float, float]
-    """First and last, px."""
-    heights: tuple[float, float]
-    """Lowest and highest, m above the ellipsoid."""
-    middle: tuple[float, float]
-    """x and y on the ground of a place in it, in the frame of the model's points."""
+    columns: tuple[float, float]  # first and last, px
+    rows: tuple[float, float]  # first and last, px
+    heights: tuple[float, float]  # lowest and highest, m above the ellipsoid
+    middle: tuple[float, float]  # x and y on the ground of a place in it, in the frame of the model's points
 
     @property
     def middle_and_corners(self) -> np.ndarray:
-        """(5, 2) column and row."""
         (left, right), (top, bottom) = self.columns, self.rows
         middle = ((left + right) / 2, (top + bottom) / 2)
         return np.array([middle, (left, top), (right, top), (left, bottom), (right, bottom)])

@@ -79,8 +79,6 @@ class SensorModel:
 
 @dataclass(frozen=True)
 class FittedModel:
-    """A model as fitted."""
-
     model: SensorModel
     condition: float  # condition number of the last design matrix, its columns scaled to length 1
     iterations: int  # 1 for a linear model
@@ -90,8 +88,6 @@ class FittedModel:
 
 @dataclass(frozen=True)
 class Solution:
-    """Solution of a linear least squares problem."""
-
     values: np.ndarray  # the unknowns
     condition: float  # largest over smallest singular value of the design matrix with columns of length 1
     rank: int
@@ -119,7 +115,6 @@ class Scaling:
 
     @classmethod
     def of(cls, coordinates: np.ndarray) -> Scaling:
-        """The scaling that brings (n, k) coordinates to -1..1."""
         low, high = coordinates.min(axis=0), coordinates.max(axis=0)
         half = (high - low) / 2
         return cls((low + high) / 2, np.where(half > 0, half, 1.0))

@@ -47,14 +47,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     NAME: str
     GROUP = SEAM_INSPECTION
     HELP: str
-    RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)
-    """Parameters with many rasters, which are opened one by one and not by QGIS."""
-    DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)
-    """Outputs with charts: where they are asked for, the package that draws them has to be there."""
-    PAGES: tuple[str, ...] = (common.REPORT,)
-    """Outputs that are made from templates, likewise."""
-    NAMED_BY_FORMAT: tuple[str, ...] = ()
-    """Output files whose ending has to be one that is offered, beside pages; that of rasters always has."""
+    RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)  # parameters with many rasters, which QGIS is not to open
+    DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)  # outputs with charts, which need matplotlib
+    PAGES: tuple[str, ...] = (common.REPORT,)  # outputs that are made from templates, likewise
+    NAMED_BY_FORMAT: tuple[str, ...] = ()  # output files whose ending has to be one that is offered, beside pages
 
     _leads: Mapping[str, str] = {}  # a run's
 
@@ -101,7 +97,6 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self.addParameter(definition)
 
     def addNumbers(self, titles: Mapping[str, str]) -> None:
-        """Add numbers to the results, by name."""
         for name, title in titles.items():
             self.addOutput(QgsProcessingOutputNumber(name, title))
 
@@ -158,6 +153,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
         pages = [name for name in self.PAGES if self.parameterDefinition(name) is not None]
+        common.check_values(self, self.for_check(parameters), context)
         return _refused(self, [*pages, *self.NAMED_BY_FORMAT], parameters, context)
 
     def check(self, run: Run) -> None:
@@ -270,6 +266,7 @@ class ReadyModel(QgsProcessingModelAlgorithm):
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Raise SeamInspectorError for what no step is to be asked for."""
         common.check_rasters(self, parameters)
+        common.check_values(self, parameters, context)
         files = [
             definition.name() for definition in self.destinationParameterDefinitions()
             if isinstance(definition, QgsProcessingParameterFileDestination)
@@ -284,7 +281,6 @@ def _refused(
     whose ending says something else than is written."""
     common.check_files(algorithm, parameters)
     leads = refuse_outputs(algorithm, parameters, context)
-    common.check_values(algorithm, parameters, context)
     run = Run(algorithm, parameters, context)
     run.leads = leads
     run.check_endings(named)

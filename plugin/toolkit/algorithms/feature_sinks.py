@@ -32,20 +32,15 @@ _OF_DATABASES = ("-wal", "-shm", "-journal")
 
 @dataclass
 class _OpenSink:
-    """A layer that is being written."""
-
     sink: QgsFeatureSink
     destination: str
-    place: DataPlace | None
-    """None for one in memory or on a server."""
-    file: UnfinishedFile | None
-    """None where it is written in its place: a table among others."""
+    place: DataPlace | None  # None for one in memory or on a server
+    file: UnfinishedFile | None  # None where it is written in its place: a table among others
     written: int = 0
     has_failed: bool = False
 
     @property
     def path(self) -> str:
-        """The place of the finished layer."""
         return self.destination if self.place is None else self.place.path
 
     def count(self, has_closed: bool) -> int:
@@ -58,14 +53,11 @@ class _OpenSink:
 
 @dataclass
 class FeatureSinks:
-    """The layers of one run."""
-
     lost: dict[str, Message] = field(default_factory=dict)
     """What to say of those that could not be written, by their destinations; known when they are closed."""
     beside: dict[str, tuple[str, Message]] = field(default_factory=dict)
     """The places of layers that may not replace an older one, and what to say of each, likewise."""
-    has_whole: bool = False
-    """Whether another one was written; known likewise."""
+    has_whole: bool = False  # whether another one was written; known likewise
     _open: list[_OpenSink] = field(default_factory=list)
 
     def open(self, make: Callable[[str | None], Sink], place: DataPlace | None) -> Sink:

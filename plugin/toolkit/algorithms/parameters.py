@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 import os
 import re
+import sys
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar
@@ -54,8 +55,7 @@ POINT = QgsProcessing.SourceType.TypeVectorPoint
 LINE = QgsProcessing.SourceType.TypeVectorLine
 POLYGON = QgsProcessing.SourceType.TypeVectorPolygon
 ANY_GEOMETRY = QgsProcessing.SourceType.TypeVectorAnyGeometry
-TABLE = QgsProcessing.SourceType.TypeVector
-"""With or without geometry."""
+TABLE = QgsProcessing.SourceType.TypeVector  # with or without geometry
 RASTER = QgsProcessing.SourceType.TypeRaster
 
 _LAYER_ADDRESS = re.compile(r"^delimitedtext:/*file:/{2}|^file:/{2}|[|?].*$", re.S)
@@ -91,7 +91,6 @@ def whole(
     name: str, title: str, default: int | None, least: int | None = None, most: int | None = None,
     optional: bool = False,
 ) -> QgsProcessingParameterDefinition:
-    """A whole number."""
     number = real(name, title, default, least, most, optional, None)
     number.setDataType(QgsProcessingParameterNumber.Type.Integer)
     return number
@@ -103,12 +102,10 @@ def flag(name: str, title: str, default: bool = False, optional: bool = False) -
 
 
 def words(name: str, title: str) -> QgsProcessingParameterDefinition:
-    """A text, which may be left out."""
     return QgsProcessingParameterString(name, title, optional=True)
 
 
-_REMEMBERED = "seam_inspector/remembered/{}"
-"""The setting that keeps what was given for a parameter last, by its name."""
+_REMEMBERED = "seam_inspector/remembered/{}"  # the setting that keeps what was given for a parameter last, by its name
 
 
 def remembered_text(name: str, title: str) -> QgsProcessingParameterDefinition:
@@ -125,7 +122,6 @@ def with_last_value(definition: QgsProcessingParameterDefinition) -> QgsProcessi
 
 
 def remember(values: Mapping[str, str]) -> None:
-    """Keep texts for their parameters' forms."""
     for name, value in values.items():
         QgsSettings().setValue(_REMEMBERED.format(name), value)
 
@@ -133,7 +129,6 @@ def remember(values: Mapping[str, str]) -> None:
 def file(
     name: str, title: str, extension: str | None = None, optional: bool = False
 ) -> QgsProcessingParameterDefinition:
-    """A file that is read."""
     return QgsProcessingParameterFile(name, title, extension=extension, optional=optional)
 
 
@@ -143,7 +138,6 @@ def folder(name: str, title: str, optional: bool = False) -> QgsProcessingParame
 
 
 def raster(name: str, title: str, optional: bool = False) -> QgsProcessingParameterDefinition:
-    """A raster that is read."""
     return QgsProcessingParameterRasterLayer(name, title, optional=optional)
 
 
@@ -236,14 +230,19 @@ def report(description: str, filters: str = "HTML (*.html)", by_default: bool = 
 
 
 def check_values(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:
-    """Raise SettingsError for what QGIS lets pass: NaN, infinite numbers, whole ones that are too large, words where a
-    number may be left out, and reference systems that there are not."""
+    """Raise SettingsError for words that are none of a choice and numbers beyond their limits, which QGIS refuses
+    without saying why and models not at all, and for what QGIS lets pass: NaN, infinite numbers, whole ones that are
+    too large, words where a number may be left out, and reference systems that there are not."""
     for definition in algorithm.parameterDefinitions():
         title, given = definition.description(), values.get(definition.name())
         is_text = isinstance(given, str) and bool(given.strip())
         is_system = is_text and isinstance(definition, QgsProcessingParameterCrs)
         if is_system and not algorithm.parameterAsCrs(values, definition.name(), context).isValid():
             raise SettingsError(messages.NOT_A_SYSTEM(parameter=title, value=given))
+        word = str(given) if isinstance(given, (str, int, float)) else ""
+        if isinstance(definition, QgsProcessingParameterEnum) and word and word not in definition.options():
+            known = ", ".join(definition.options())
+            raise SettingsError(messages.WORD_UNKNOWN(parameter=title, value=word, known=known))
         if not isinstance(definition, QgsProcessingParameterNumber):
             continue
         if is_text and not _is_number(str(given)):
@@ -253,6 +252,11 @@ def check_values(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], cont
             raise SettingsError(messages.NOT_A_NUMBER(parameter=title, value=value))
         if definition.dataType() == QgsProcessingParameterNumber.Type.Integer and abs(value) > LARGEST_WHOLE:
             raise SettingsError(messages.NUMBER_TOO_LARGE(parameter=title, value=value, most=LARGEST_WHOLE))
+        least, most = definition.minimum(), definition.maximum()
+        if not least <= value <= most and given is not None and given != "":
+            is_open = most >= sys.float_info.max / 2
+            raise SettingsError(messages.NUMBER_TOO_SMALL(parameter=title, value=value, least=least) if is_open else (
+                messages.NUMBER_BEYOND(parameter=title, value=value, least=least, most=most)))
 
 
 def _is_number(text: str) -> bool:
@@ -318,8 +322,7 @@ def without_rasters(
 
 
 Rules = TypeVar("Rules")
-_OWN = QT_TR_NOOP("Seam Inspector's own")
-"""The source of limits that no contract states."""
+_OWN = QT_TR_NOOP("Seam Inspector's own")  # the source of limits that no contract states
 _WORDS = ("name", "source", "kept_source")
 """The fields that people read: what rules are called, and where their limits come from."""
 

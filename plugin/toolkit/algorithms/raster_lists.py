@@ -27,8 +27,7 @@ _LEAST_FILLED = 0.9  # of the rectangle around a window; one drawn in another re
 class WindowFeature(NumberedWindow):
     """One feature that is to be measured."""
 
-    reason: Message | None = None
-    """Why it can't be."""
+    reason: Message | None = None  # why it can't be
 
 
 class WindowFeatures:
@@ -47,8 +46,7 @@ class WindowFeatures:
         self._source = source
         self._transform = run.transform(source, crs)
         self._names = set(source.fields().names())
-        self.carried = tuple(name for name in carried if name in self._names)
-        """Names of these fields."""
+        self.carried = tuple(name for name in carried if name in self._names)  # names of these fields
         self._waiting: dict[int, tuple[QgsGeometry | None, dict[str, str | None]]] = {}
         self._numbers = self._given_numbers()
         self._last = max(self._numbers, default=0)
@@ -117,8 +115,7 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
 
     def prepare(self, run: Run) -> None:
         given = {name: run.raster_refs(name) for name in self.RASTER_LISTS}
-        self.refs = {name: refs for name, (refs, _) in given.items()}
-        """The rasters by parameter."""
+        self.refs = {name: refs for name, (refs, _) in given.items()}  # the rasters by parameter
         self.left_out = [why for _, left_out in given.values() for why in left_out]
         """Messages on rasters that can't be used at all."""
 
@@ -156,8 +153,7 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         source = run.source(WINDOWS)
         wkt = layers.system_wkt(source.sourceCrs())
         windows = []
-        self.window_values: dict[int, dict[str, str | None]] = {}
-        """Values of the carried fields, by window number."""
+        self.window_values: dict[int, dict[str, str | None]] = {}  # values of the carried fields, by window number
         features = WindowFeatures(source, source.sourceCrs(), run, carried)
         for window in features.windows():
             self.window_values[window.window_id] = features.taken(window.window_id)[1]

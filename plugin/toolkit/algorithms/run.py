@@ -80,7 +80,6 @@ class Run:
         return str(self._algorithm.parameterAsString(self.parameters, name, self.context))
 
     def word(self, name: str) -> str:
-        """Word of a choice."""
         return str(self._algorithm.parameterAsEnumString(self.parameters, name, self.context))
 
     def whole(self, name: str) -> int:
@@ -101,18 +100,15 @@ class Run:
         return self._algorithm.parameterAsCrs(self.parameters, name, self.context)
 
     def extent(self, name: str, crs: QgsCoordinateReferenceSystem) -> QgsRectangle:
-        """Value of an extent, in a reference system."""
         return self._algorithm.parameterAsExtent(self.parameters, name, self.context, crs)
 
     def extent_crs(self, name: str) -> QgsCoordinateReferenceSystem:
         return self._algorithm.parameterAsExtentCrs(self.parameters, name, self.context)
 
     def path(self, name: str) -> str:
-        """Path of an input file."""
         return str(self._algorithm.parameterAsFile(self.parameters, name, self.context))
 
     def decomposition(self) -> tuple[str, int]:
-        """The values of WAVELET and LEVELS."""
         return self.text(common.WAVELET), self.whole(common.LEVELS)
 
     # rasters, to be asked in their layers' thread
@@ -157,7 +153,6 @@ class Run:
         return refs, left_out
 
     def mosaic(self) -> Raster:
-        """The raster of the parameter MOSAIC."""
         from ...imagery.open_raster import describe_mosaic
 
         return self._told(describe_mosaic(self.required_raster(common.MOSAIC)))
@@ -262,7 +257,6 @@ class Run:
             self.context.layerToLoadOnCompletionDetails(destination).name = title
 
     def layer_path(self, name: str) -> str:
-        """Path of an output raster."""
         return str(self._algorithm.parameterAsOutputLayer(self.parameters, name, self.context))
 
     def file_path(self, name: str) -> Path | None:
@@ -332,7 +326,6 @@ class Run:
         return bool(self.feedback.isCanceled())
 
     def progress(self, share: float) -> None:
-        """Show how much is done, 0 to 1."""
         self.feedback.setProgress(100 * share)
 
     def goes_on(self, share: float) -> bool:

@@ -12,8 +12,7 @@ from qgis.PyQt.QtSvg import QSvgGenerator
 from ..painting import painting
 from .chart_style import ChartStyle
 
-PT = 100 / 72
-"""Widths of lines and sizes of points are given in points, of which a screen of 100 dpi shows so many pixels."""
+PT = 100 / 72  # px of a point, on a screen of 100 dpi
 
 
 def paper_font(pixels: float) -> QFont:
@@ -31,11 +30,9 @@ class ChartPainter:
         self.room, self.style, self.font = room, style, font
         self.metrics = QFontMetricsF(font)
         self.line = self.metrics.height()
-        self.axes = QRectF(room)
-        """Between the axes."""
+        self.axes = QRectF(room)  # between the axes
 
     def paint(self, painter: QPainter) -> None:
-        """All of it."""
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.font)
@@ -50,7 +47,6 @@ class ChartPainter:
         self, painter: QPainter, start: tuple[float, float], end: tuple[float, float], colour: str,
         width: float = 1.0, dashes: Qt.PenStyle = Qt.PenStyle.SolidLine,
     ) -> None:
-        """A straight line, its width in px."""
         painter.setPen(QPen(QColor(colour), width, dashes, Qt.PenCapStyle.FlatCap))
         painter.drawLine(QLineF(*start, *end))
 

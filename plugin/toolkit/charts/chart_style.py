@@ -3,12 +3,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
+BAND_COLOURS = {"red": "#d55e00", "green": "#009e73", "blue": "#0072b2", "nir": "#cc79a7"}
 """Colours of bands that are drawn together."""
-MOST_NAMED = 12
-"""Curves in the legend of a chart; more would leave no room for the curves."""
-UNNAMED = "_"
-"""The label of a curve that no legend names."""
+MOST_NAMED = 12  # curves in the legend of a chart; more would leave no room for the curves
+UNNAMED = "_"  # the label of a curve that no legend names
 _LINE_STYLES = ("-", "--", ":", "-.")  # the next one when the colours are used up
 
 
@@ -16,16 +14,13 @@ _LINE_STYLES = ("-", "--", ":", "-.")  # the next one when the colours are used 
 class ChartStyle:
     """Colours of a chart, and how heavy its lines are."""
 
-    text: str
-    """Colour of words, axes and the mosaic's curve."""
+    text: str  # colour of words, axes and the mosaic's curve
     background: str
     grid: str
     limit: str
-    quiet: str
-    """Colour of what stands beside the curves."""
+    quiet: str  # colour of what stands beside the curves
     sources: tuple[str, ...]
-    scale: float = 1.0
-    """Factor on the widths of lines and the sizes of points."""
+    scale: float = 1.0  # factor on the widths of lines and the sizes of points
 
 
 PAPER = ChartStyle(
@@ -46,7 +41,11 @@ DARK = ChartStyle(
 )
 
 
+def band_colour(band: str, place: int, is_alone: bool, style: ChartStyle = PAPER) -> str:
+    """The colour of a band by its name, else that of words where it stands out, else by its place among those drawn."""
+    return BAND_COLOURS.get(band) or (style.text if is_alone else style.sources[place % len(style.sources)])
+
+
 def source_look(number: int, style: ChartStyle) -> tuple[str, str]:
-    """Colour and line style of a source."""
     count = len(style.sources)
     return style.sources[number % count], _LINE_STYLES[number // count % len(_LINE_STYLES)]

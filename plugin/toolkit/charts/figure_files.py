@@ -62,7 +62,6 @@ def save_figure(figure: Figure, path: Path) -> None:
 
 
 def svg_text(figure: Figure) -> str:
-    """The figure as SVG, for a report."""
     buffer = io.StringIO()
     set_local_ticks(figure)
     with rc_context(_SVG):

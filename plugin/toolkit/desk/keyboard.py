@@ -60,8 +60,7 @@ class HeldKeys(QObject):
     so: a release that a press follows within 50 ms is none.
     """
 
-    released = pyqtSignal(int, float)
-    """A key, and for how many seconds it was held."""
+    released = pyqtSignal(int, float)  # a key, and for how many seconds it was held
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)

@@ -34,8 +34,7 @@ class LayerBox(QgsMapLayerComboBox):
     When its layer is removed the base class goes on to the next one and emits ``layerChanged`` as for a choice.
     """
 
-    chosen = pyqtSignal(str)
-    """The operator chose a layer, by its id, or none."""
+    chosen = pyqtSignal(str)  # the operator chose a layer, by its id, or none
 
     def __init__(self, filters: Any, nothing: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -59,7 +59,6 @@ def contrast(colour: QColor, other: QColor) -> float:
 
 
 def blended(colour: QColor, other: QColor, share: float) -> QColor:
-    """A colour mixed into another one by a share."""
     pairs = zip(colour.getRgb()[:3], other.getRgb()[:3])
     return QColor(*(round(share * a + (1 - share) * b) for a, b in pairs))
 

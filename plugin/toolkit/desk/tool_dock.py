@@ -21,8 +21,7 @@ from .message_bar import brief_words
 class DrawingTool(QgsMapTool):
     """A cross for a cursor, and the canvas's keys for as long as the tool is in use."""
 
-    finished = pyqtSignal()
-    """The operator is done; whoever set this tool restores the previous one."""
+    finished = pyqtSignal()  # the operator is done; whoever set this tool restores the previous one
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)
@@ -75,8 +74,7 @@ class ToolDock(QgsDockWidget):
     """A dock with a map tool; ``close_desk`` lets go of all that it owns."""
 
     tool: DrawingTool
-    draw: QAction
-    """Checked as long as the tool is the canvas's."""
+    draw: QAction  # checked as long as the tool is the canvas's
 
     def __init__(self, iface: QgisInterface, title: str, name: str) -> None:
         super().__init__(title, iface.mainWindow())

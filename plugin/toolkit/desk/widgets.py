@@ -108,7 +108,6 @@ class ClippedLabel(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
-        """All of the text."""
         return self._text
 
     def shown_text(self) -> str:
@@ -299,13 +298,11 @@ class ScrollBody(QScrollArea):
 class SummaryBox(QgsCollapsibleGroupBoxBasic):
     """A collapsible box whose title is cut to its width instead of widening it."""
 
-    foldedByHand = pyqtSignal()
-    """The operator folded or unfolded it."""
+    foldedByHand = pyqtSignal()  # the operator folded or unfolded it
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.spared_width = 0
-        """Pixels of the content's least width that another arrangement of it can do without."""
+        self.spared_width = 0  # pixels of the content's least width that another arrangement of it can do without
         self._name = self._rest = ""
         self._is_folding = False
         self._is_unapplied = False

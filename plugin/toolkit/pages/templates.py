@@ -35,28 +35,21 @@ MOST_RASTERS = 40  # listed one by one: a page of them
 class MeasuredRaster(NamedTuple):
     """A row of a report's table of rasters."""
 
-    role: str
-    """What it is to the measurement: mosaic, orthoimage, image."""
+    role: str  # what it is to the measurement: mosaic, orthoimage, image
     path: str
-    size: str = ""
-    """Columns and rows; empty where it was not opened."""
+    size: str = ""  # columns and rows; empty where it was not opened
     pixel: str = ""
-    pixels: str = ""
-    """How many bands of which type."""
-    system: str = ""
-    """Reference system, by its code where it has one."""
+    pixels: str = ""  # how many bands of which type
+    system: str = ""  # reference system, by its code where it has one
 
 
 @dataclass(frozen=True)
 class HowMeasured:
     """The settings and rasters that the figures of a report come from."""
 
-    settings: Sequence[tuple[str, str]] = ()
-    """Names and values: wavelet, limits, files."""
-    rasters: Sequence[MeasuredRaster] = ()
-    """The rasters that were measured, in an order that their reader knows."""
-    made_on: date | None = None
-    """The day of the measurement; None for today."""
+    settings: Sequence[tuple[str, str]] = ()  # names and values: wavelet, limits, files
+    rasters: Sequence[MeasuredRaster] = ()  # the rasters that were measured, in an order that their reader knows
+    made_on: date | None = None  # the day of the measurement; None for today
 
     @property
     def day(self) -> str:
@@ -72,12 +65,10 @@ class HowMeasured:
 
     @property
     def listed(self) -> Sequence[MeasuredRaster]:
-        """The rasters that a report lists."""
         return self.rasters[:MOST_RASTERS]
 
     @property
     def left_out(self) -> int:
-        """The number of rasters beyond those listed."""
         return len(self.rasters) - len(self.listed)
 
 
@@ -128,8 +119,7 @@ def _pixel_size(raster: Raster) -> str:
 
 _LONGEST_WORD = 24  # letters that a column of a table makes room for
 _LONGEST_UNBROKEN = 18  # letters of a cell that stays in one line
-_NUMBER = re.compile(r"[-+]?\d[\d.,]*%?(\s|$)")
-"""In whatever language its decimals are, and what may follow it."""
+_NUMBER = re.compile(r"[-+]?\d[\d.,]*%?(\s|$)")  # in whatever language its decimals are, and what may follow it
 _LONGEST_FOOT = 110  # letters of a title at the foot of a printed page
 
 

@@ -46,3 +46,6 @@ def test_rules_by_which_nothing_is_decided_are_refused(tmp_path: Path) -> None:
     with pytest.raises(SettingsError) as raised:
         load_acceptance_rules(written(tmp_path, rules=[KEPT, measured]))
     assert str(raised.value) == str(messages.RULES_DECIDE_NOTHING(name="mine.json"))
+    with pytest.raises(SettingsError) as raised:
+        load_acceptance_rules(written(tmp_path, rules=[{**KEPT, "least": 0}, SHARE]))
+    assert str(raised.value) == str(messages.KEPT_NOTHING())

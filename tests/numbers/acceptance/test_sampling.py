@@ -9,16 +9,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
-from seam_inspector.plugin.acceptance.measure.sampling_plans import (
-    LIMITING_QUALITIES,
-    isolated_lot_plan,
-    single_sampling_plan,
-)
-from seam_inspector.plugin.acceptance.measure.sampling_risks import (
+from seam_inspector.plugin.acceptance.measure.inspection_plan import (
     acceptance_probability,
     limiting_quality,
     operating_characteristic,
     stratified_sample,
+)
+from seam_inspector.plugin.acceptance.measure.sampling_plans import (
+    LIMITING_QUALITIES,
+    isolated_lot_plan,
+    single_sampling_plan,
 )
 
 

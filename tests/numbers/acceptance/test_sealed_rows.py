@@ -6,8 +6,9 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 from osgeo import osr
-from seam_inspector.plugin.acceptance.measure.delivered_rows import LayerDoubts, overlap
+from seam_inspector.plugin.acceptance.measure.delivered_rows import LayerDoubts, make_delivery, overlap
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, DeliveredPiece, Seal
+from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.seam_totals import SYSTEM, sealed_notes
 
 Rows = list[tuple[dict[str, object], np.ndarray]]
@@ -48,6 +49,13 @@ def test_a_piece_that_lost_its_line_is_missed(line: np.ndarray) -> None:
     found = read(held, sealed())
     assert (found.seal, found.lacking_m) == (Seal.BROKEN, 25)
     assert read(held, {}).lacking_m == 25  # of an export too, once
+
+
+def test_rows_of_which_none_is_a_piece_are_refused() -> None:
+    """As where somebody wrote another word into the field ``level`` of all of them."""
+    held = [{**row, "level": "stretch", "geometry": "LINESTRING(0 0, 25 0)"} for row, _ in rows()]
+    with pytest.raises(SettingsError, match="none of their rows is a piece of seam"):
+        make_delivery({"a": held}, "")
 
 
 def test_a_piece_that_was_moved_is_noticed() -> None:

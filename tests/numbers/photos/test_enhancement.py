@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from scipy import ndimage
-from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
+from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.photos.measure import photo
 from seam_inspector.plugin.photos.measure.enhancement import Operation, enhance
@@ -73,9 +73,3 @@ def test_a_size_that_makes_no_sense_is_refused(tmp_path: Path, operation: Operat
     path = write_plain(tmp_path / "photo.tif", orthoimage((20, 30), 1)[0])
     with pytest.raises(SettingsError, match="px; give"):
         enhanced(path, tmp_path, operation, size)
-
-
-def test_a_place_where_nothing_can_be_written(tmp_path: Path) -> None:
-    path = write_plain(tmp_path / "photo.tif", orthoimage((20, 30), 1)[0])
-    with pytest.raises(RasterError, match="can't be written"):
-        enhance(RasterRef(path), "/nowhere/out.tif", Operation.NEGATIVE, 3)

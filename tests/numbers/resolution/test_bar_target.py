@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
-from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_north_up
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.resolution.measure.bars import BarLine, measure_line
@@ -249,18 +248,3 @@ def test_the_papers_distances() -> None:
     """Tables 3A and 3B: every value is a group of a target whose ninth has 30 cm."""
     groups = [9, 8, 6, 3, 2, 1]
     assert [f"{Target().grd_cm(group):.2f}" for group in groups] == "30.00 33.67 42.43 60.00 67.35 75.60".split()
-
-
-@pytest.mark.parametrize(
-    ("target", "words"),
-    [
-        (Target(bars=1), "1 bars"),
-        (Target(reference_grd_cm=0), "0 cm"),
-        (Target(step=1.0), "factor above 1"),
-        (Target(criterion=0.0), "between 0 and 1"),
-        (Target(criterion=1.5), "between 0 and 1"),
-    ],
-)
-def test_a_target_that_cannot_be_is_refused(target: Target, words: str) -> None:
-    with pytest.raises(SettingsError, match=words):
-        target.check()

@@ -30,6 +30,7 @@ def seams(
         "seam_id": ("integer", [1] * count),
         "station": ("double", [place * length for place in range(count)]),
         **({"length": ("double", [length] * count)} if with_length else {}),
+        "level": ("string", ["piece"] * count),
         "kept_1": ("double", list(kept)),
         "kept_low": ("double", [None if value is None else value - 0.05 for value in kept]),
         "kept_high": ("double", [None if value is None else value + 0.05 for value in kept]),

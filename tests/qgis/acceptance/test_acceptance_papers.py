@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import NULL, QgsExpression, QgsExpressionContext, QgsFeature, QgsGeometry, QgsRectangle, QgsVectorLayer
+from qgis.core import NULL, QgsExpression, QgsExpressionContext, QgsGeometry, QgsRectangle, QgsVectorLayer
 from seam_inspector.plugin.toolkit.layer_styles import load_style
 
 from tests.numbers.acceptance.public_schemas import faults
 from tests.numbers.synthetic import write_raster
 from tests.qgis.acceptance.papers import EVIL
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
-from tests.qgis.runs import Log, Run, assert_refused, assert_sentence, run
+from tests.qgis.runs import Log, Run, assert_sentence, run
 from tests.qgis.scenes import layer
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -208,25 +208,6 @@ def test_all_papers_at_once_tell_the_same(tmp_path: Path, mosaic: str, loss: str
     assert outcome.log.warnings == []
 
 
-def test_names_of_layers_are_text_everywhere(tmp_path: Path) -> None:
-    accept(
-        seams(KEPT, name=EVIL), DEFECTS=str(tmp_path / "failures.gpkg"), REPORT=str(tmp_path / "decision.html"),
-        QUALITY=str(tmp_path / "quality.xml"),
-    )  # fmt: skip
-    assert "<script>" not in (tmp_path / "decision.html").read_text(encoding="utf-8")
-    assert faults((tmp_path / "quality.xml").read_text(encoding="utf-8")) == []
-    style = opened(tmp_path / "failures.gpkg")
-    load_style(style, "defects")
-    feature = QgsFeature(next(style.getFeatures()))
-    feature["remark"] = EVIL
-    context = QgsExpressionContext(style.createExpressionContext())
-    context.setFeature(feature)
-    tip = QgsExpression.replaceExpressionText(style.mapTipTemplate(), context)
-    assert "<script" not in tip
-    assert f"{feature['length']:.1f} m" in tip
-    assert "50 % (45" in tip
-
-
 def test_the_style_shows_the_picture_and_the_number(tmp_path: Path, mosaic: str) -> None:
     path = tmp_path / "failures.gpkg"
     accept(DEFECTS=str(path), MOSAIC=[mosaic])
@@ -271,11 +252,6 @@ def test_papers_that_can_not_be_written_do_not_cost_the_decision(tmp_path: Path)
     assert "REPORT" not in outcome.results
     assert outcome.results["QUALITY"]
     assert_sentence(outcome.log.errors[0], r"decision\.html")
-
-
-def test_papers_do_not_overwrite_what_they_are_made_of(tmp_path: Path, mosaic: str) -> None:
-    made = seams(KEPT)
-    assert_refused("acceptmosaic", "written over", SEAMS=[made], MOSAIC=[mosaic], REPORT=mosaic)
 
 
 def test_a_delivery_without_a_failure_has_an_empty_layer(tmp_path: Path, mosaic: str) -> None:

@@ -10,12 +10,15 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.acceptance.measure.decision import Decision, defects_of
 from seam_inspector.plugin.acceptance.paper.defect_files import (
+    IMAGE_PANEL,
+    MOSAIC_PANEL,
     PICTURE_PX,
+    PROOF_PX,
     DefectPicture,
     DefectPictures,
+    ProofPanel,
     save_pictures,
 )
-from seam_inspector.plugin.acceptance.paper.proofs import IMAGE_PANEL, MOSAIC_PANEL, PROOF_PX, ProofPanel
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef

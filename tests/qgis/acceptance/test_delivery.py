@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsGeometry, QgsPointXY, QgsVectorLayer
-from seam_inspector.plugin.acceptance.paper.proofs import PROOF_PX
+from seam_inspector.plugin.acceptance.paper.defect_files import PROOF_PX
 
 from demo.delivery import SPOILT, Delivery
 from tests.made_once import the_delivery

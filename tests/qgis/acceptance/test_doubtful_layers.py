@@ -123,32 +123,9 @@ def test_windows_much_wider_than_the_pieces_are_told() -> None:
         assert warned(outcome, "a piece fails by what was seen beside it") == told
 
 
-def test_a_share_that_is_the_limit_but_for_its_last_digits_passes() -> None:
-    lost, sound = seams([F], length=24.99999), seams([P] * 99, length=24.99999, y=50)
-    assert decide(lost, sound, MAX_SHARE=1).results["ACCEPTED"] == 1
-    assert decide(seams(([F] + [P] * 49) * 60, length=0.1)).results["ACCEPTED"] == 1
-
-
-def test_risks_are_those_of_whole_pieces() -> None:
-    """6 of 41 are accepted by 13 pieces without a failure with 8.4 % (hypergeometric), 5 of 41 with 13.1 %."""
-    (said,) = (text for text in decide(seams([P] * 41), PLAN="iso2859").log.infos if text.startswith("Accepted"))
-    assert (
-        "of lots with 0 failing pieces, the AQL of 1.0, 0.0\u00a0% are rejected, of those with 6 "
-        "(14.6\u00a0%) 8.4\u00a0%"
-    ) in said
-    whole = run("planinspection", SEAMS=[seams([P] * 13)], PLAN="iso2859", OUTPUT="TEMPORARY_OUTPUT")
-    assert any("all of the lot of 13 inspected" in text for text in whole.log.infos)
-
-
 def test_metres_of_web_mercator_are_those_on_the_ground() -> None:
     mercator = seams([P, F, F], epsg=3857, with_length=False)
     assert decide(mercator).results["TOTAL_METRES"] == pytest.approx(75, rel=1e-3)
-
-
-def test_a_field_of_sheets_that_is_not_there_is_refused() -> None:
-    given = {"SEAMS": [seams([P] * 9)], "PLAN": "count", "OUTPUT": "TEMPORARY_OUTPUT"}
-    outcome = run("planinspection", SHEET_FIELD="nix", **given)
-    assert "No layer of seams has the field nix" in str(outcome.complaint)
 
 
 def test_the_order_of_layers_decides_nothing() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsVectorLayer
-from seam_inspector.plugin.acceptance.paper.proofs import PROOF_PX
+from seam_inspector.plugin.acceptance.paper.defect_files import PROOF_PX
 
 from tests.pages import outline
 from tests.qgis.acceptance.planted import GSD, Planted, make_block

@@ -11,7 +11,6 @@ from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
 from seam_inspector.plugin.acceptance.paper.inspection_record import described_bands, scan_settings
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document, save_quality_document
-from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.open_raster import describe_placed
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
@@ -162,11 +161,6 @@ def test_a_delivery_without_a_place_has_no_extent() -> None:
     assert faults(document) == []
     assert "EX_Extent" not in document
     assert "MD_ReferenceSystem" not in document
-
-
-def test_where_none_can_be_there_is_a_sentence(tmp_path: Path) -> None:
-    with pytest.raises(SettingsError, match="can't be written"):
-        save_quality_document(tmp_path / "no" / "quality.xml", record_of(decided()))
 
 
 def test_how_the_scan_measured_is_read_from_its_picture_of_losses(tmp_path: Path) -> None:

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsSettings, QgsVectorLayer
+from seam_inspector.plugin.acceptance.paper.defect_files import PROOF_PX
 from seam_inspector.plugin.acceptance.paper.inspection_record import file_digests
-from seam_inspector.plugin.acceptance.paper.proofs import PROOF_PX
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.proven_acceptance import proof_panels

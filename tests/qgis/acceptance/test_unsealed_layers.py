@@ -1,7 +1,6 @@
 """A layer that is not as a scan left it is never accepted; a row of pieces that nobody measured may be a failure."""
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,8 +10,8 @@ from osgeo import gdal, ogr
 from qgis.core import QgsCoordinateReferenceSystem, QgsVectorLayer
 
 from tests.pages import outline
-from tests.qgis.acceptance.seam_scenes import X, Y, file, sealed, seams
-from tests.qgis.runs import Run, run
+from tests.qgis.acceptance.seam_scenes import file, sealed, seams
+from tests.qgis.runs import Run, assert_refused, run
 from tests.qgis.scenes import saved
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -86,6 +85,7 @@ def other_system(path: Path) -> None:
         (sql("UPDATE seams SET kept_1 = 0.95, kept_low = 0.9, kept_high = 1.0 WHERE kept_1 < 0.7"), CHANGED),
         (sql("UPDATE seams SET verdict = 'not_comparable' WHERE kept_1 < 0.7"), CHANGED),
         (sql("DELETE FROM seams WHERE kept_1 < 0.7"), CHANGED),
+        (sql("UPDATE seams SET level = 'stretch' WHERE kept_1 < 0.7"), CHANGED),
         (stripped, UNSEALED), (without_failures, UNSEALED), (other_settings, CHANGED),
         (other_system, "another reference system than their scan gave them: 1 (seams)"),
     ],
@@ -104,6 +104,12 @@ def test_a_layer_that_was_changed_is_not_accepted(
     assert outcome.results["DECISION"] == "undecided"
     assert words in decision(outcome)
     assert any("in the GeoPackages themselves or copies of these files" in text for text in outcome.log.warnings)
+
+
+def test_a_layer_of_which_no_row_is_a_piece_of_seam_any_more_is_refused(tmp_path: Path) -> None:
+    file(sealed(seams([P] * 9)), path := tmp_path / "seams.gpkg")
+    sql("UPDATE seams SET level = 'stretch'")(path)
+    assert_refused("acceptmosaic", "none of their rows is a piece of seam", SEAMS=[str(path)])
 
 
 def test_each_layer_of_a_lot_is_looked_at(tmp_path: Path) -> None:
@@ -171,44 +177,6 @@ def test_a_sample_is_sealed_as_what_it_was_drawn_of(tmp_path: Path) -> None:
 
 
 # --- rows of pieces that were not measured ------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("row", "metres"),
-    [
-        ([None] * 3, 75), ([None, None, F], 75), ([None] * 2, 0), ([None, None, P, None], 0), ([F, None, F, None], 100),
-    ],
-)
-def test_a_row_that_was_not_measured_leaves_the_longest_failure_open(
-    row: list[float | None], metres: float, tmp_path: Path
-) -> None:
-    paper = {"REPORT": str(tmp_path / "r.html"), "QUALITY": str(tmp_path / "q.xml")}
-    outcome = decide(seams([P] * 60 + row + [P] * 60), **paper)
-    assert outcome.results["DECISION"] == ("undecided" if metres else "accepted")
-    page = outline((tmp_path / "r.html").read_text(encoding="utf-8"))
-    (rule,) = (cells for cells in page.rows if cells[0] == "longest failure without a break")
-    assert rule[-1] == ("can't be told" if metres else "passed")
-    text = (tmp_path / "q.xml").read_text(encoding="utf-8")
-    if metres:
-        words = f"it may be {metres:.1f} m by a row of pieces that were not measured"
-        x, y = X + 25 * 60 + metres / 2, Y
-        place = f"{metres:.1f} m at {x:.1f}, {y:.1f} in seams"
-        assert words in decision(outcome)
-        assert any(place in text for text in outcome.log.warnings)
-        assert place in page.words
-        assert any(cells[0] == "seams" and cells[-1] == f"{x:.1f} {y:.1f}" for cells in page.rows)
-        assert place in text
-        (element,) = (one for one in ET.fromstring(text).iterfind(".//*[@id='longest_failure']"))
-        assert words in "".join(element.itertext())
-    else:
-        assert "Rows that were not measured" not in page.words
-
-
-def test_a_row_that_was_not_measured_is_looked_at_across_sheets() -> None:
-    west, east = seams([P] * 60 + [None] * 2, name="west"), seams([None] + [P] * 60, start=1550, name="east")
-    outcome = decide(west, east, SHEETS_OUT="TEMPORARY_OUTPUT")
-    assert "it may be 75.0 m by a row" in decision(outcome)
-    assert outcome.column("verdict", "SHEETS_OUT") == ["accepted", "accepted"]
 
 
 # --- failures that are surely failures ------------------------------------------------------------------------------

@@ -69,17 +69,6 @@ def test_the_map_draws_the_sheets_as_they_were_given() -> None:
     assert ratio == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of seams 1 km high and 100 m wide
 
 
-def test_nothing_lies_below_the_scale_bar() -> None:
-    """A lot wider than high."""
-    decision = decided([f"sheet_{one}" for one in range(40)], pieces=8, failed=[(one, 0) for one in range(40)])
-    figure = seams_figure(decision, ())
-    assert figure is not None
-    lines = [one for one in figure.axes[0].lines if len(one.get_xdata())]
-    bar = next(one for one in lines if one.get_linewidth() == 2.5)
-    lowest = min(np.nanmin(one.get_ydata()) for one in lines if one is not bar)
-    assert max(bar.get_ydata()) + 11 < lowest  # points, with the words above it
-
-
 def test_the_map_numbers_what_the_table_holds(tmp_path: Path) -> None:
     decision = decided([f"sheet_{one}" for one in range(40)], failed=[(n, 4 * m) for n in range(40) for m in range(8)])
     shown: list[int] = []

@@ -233,10 +233,6 @@ def test_bad_input_ends_with_a_sentence(pictures: dict[str, str], parameters: di
     assert_sentence(outcome.complaint, words)
 
 
-def test_an_unknown_wavelet_is_refused(pictures: dict[str, str]) -> None:
-    assert_refused("checknoise", "wavelet", RASTERS=[pictures["clean"]], WAVELET="bior2.2")
-
-
 def test_a_window_that_can_not_be_measured_has_a_row_with_its_reason(scene: Scene, tmp_path: Path) -> None:
     pixels = read_pixels(str(scene.west), 0, 0, 512, 256)
     pixels[:, :128, :128] = 0

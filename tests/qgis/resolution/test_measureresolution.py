@@ -240,12 +240,7 @@ def test_another_scale_is_told_and_the_bars_are_believed(target: BarScene) -> No
 @pytest.mark.parametrize(
     ("parameters", "words"),
     [
-        ({"BARS": 1}, "1 bars can't be measured"),
-        ({"REFERENCE_GRD": 0}, "positive number of centimetres"),
-        ({"STEP": 1}, "factor above 1"),
-        ({"CRITERION": 2}, "between 0 and 1"),
         ({"BAND": 4}, "has no band 4 to measure; give 1 to 3"),
-        ({"WIDTH": -1}, "give 0 to"),
         ({"RASTER": "/nowhere/t.tif"}, "does not exist"),
     ],
 )

@@ -301,7 +301,6 @@ def test_what_is_no_layer_of_a_scan_is_refused(feathered: Files, scanned: Run, t
     assert_refused("mendseams", "lacks fields of a scan", SEAMS=drawn_seam(), **given)
     seams = scanned.layer("SEAMS")
     assert_refused("mendseams", "No sources are given", **{**given, "SOURCES": []}, SEAMS=seams)
-    assert_refused("mendseams", "can't be mended", WHAT="none", SEAMS=seams, **given)
     assert_refused("mendseams", "ending", **{**given, "MENDED": str(tmp_path / "mended.tif")}, SEAMS=seams)
     assert not list(tmp_path.glob("mended*"))
 

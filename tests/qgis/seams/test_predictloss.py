@@ -275,7 +275,6 @@ def test_what_is_refused(scene: Scene) -> None:
     assert_refused("predictloss", "No sources are given", WINDOWS=drawn)
     assert_refused("predictloss", "No sources are given", WINDOWS=drawn, SOURCES=[])
     assert_refused("predictloss", "The window layer is empty", WINDOWS=windows(), SOURCES=scene.sources)
-    assert_refused("predictloss", "The feather is -1.0 m wide", WINDOWS=drawn, SOURCES=scene.sources, WIDTH=-1.0)
     assert_refused(
         "predictloss", "no field 'location'", WINDOWS=drawn, SOURCE_INDEX=layer("Polygon", [outline(SHARP)])
     )
