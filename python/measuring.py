@@ -5,6 +5,7 @@ import logging
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import Executor
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable
@@ -14,7 +15,6 @@ from osgeo import ogr
 from ..plugin.imagery.errors import CancelledError, Level, Message, SettingsError
 from ..plugin.imagery.file_identity import guarding
 from ..plugin.imagery.gdal_calls import gdal_silenced
-from ..plugin.imagery.grids import Extent
 from ..plugin.imagery.messages import CANCELLED
 from ..plugin.imagery.records import GEOMETRY
 from ..plugin.seams.measure.limits import FAILED
@@ -71,7 +71,7 @@ def inspect_windows(
     what is no rectangle.
     """
     requests: list[WindowRequest] = list(windows) if block is None else [
-        block.window(extent, settings, number) for number, extent in enumerate(_extents(windows, block.mosaic.wkt), 1)
+        block.window(one, settings, number) for number, one in enumerate(_rectangles(windows, block.mosaic.wkt), 1)
     ]
     if not all(isinstance(request, WindowRequest) for request in requests):
         raise SettingsError(messages.RECTANGLES_WITHOUT_BLOCK())
@@ -191,26 +191,22 @@ def _mended(
     return made
 
 
-def _extents(windows: Iterable[Any], wkt: str) -> Iterator[Extent]:
-    """(xmin, ymin, xmax, ymax) of each, in the mosaic's reference system."""
+def _rectangles(windows: Iterable[Any], wkt: str) -> Iterator[Any]:
+    """What ``Block.window`` takes for each, in the mosaic's reference system."""
     table: Any = windows
     if getattr(table, "crs", None) is not None:
         table = table.to_crs(wkt)
     table = getattr(table, "geometry", table)
     if hasattr(table, "columns"):  # a DataFrame of pandas
         table = table.to_dict("records")
-    for number, one in enumerate(table, 1):
-        if isinstance(one, Mapping):
-            one = one[GEOMETRY] if GEOMETRY in one else [one.get(name) for name in _SIDES]
-        try:
-            if isinstance(one, str):
-                with gdal_silenced():
-                    xmin, xmax, ymin, ymax = ogr.CreateGeometryFromWkt(one).GetEnvelope()
-                one = xmin, ymin, xmax, ymax
-            xmin, ymin, xmax, ymax = map(float, getattr(one, "bounds", one))
-        except (AttributeError, RuntimeError, TypeError, ValueError):  # GDAL's, of words that are no WKT, too
-            raise SettingsError(messages.NO_RECTANGLE(number=number)) from None
-        yield xmin, ymin, xmax, ymax
+    for rectangle in table:
+        if isinstance(rectangle, Mapping):
+            rectangle = rectangle[GEOMETRY] if GEOMETRY in rectangle else [rectangle.get(name) for name in _SIDES]
+        if isinstance(rectangle, str):
+            with gdal_silenced(), suppress(RuntimeError):  # GDAL's, of words that are no WKT
+                xmin, xmax, ymin, ymax = ogr.CreateGeometryFromWkt(rectangle).GetEnvelope()
+                rectangle = xmin, ymin, xmax, ymax
+        yield rectangle
 
 
 def _tell(notices: Iterable[Message]) -> None:

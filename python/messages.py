@@ -30,10 +30,6 @@ OTHER_ENDING = Message("'{output}' is written as {ending}; give {path} that endi
 HOLDS_OTHER_DATA = Message(
     "'{output}' would be written over {path}, which holds something else than a scan left; choose another file."
 )
-NO_RECTANGLE = Message(
-    "Window {number} is no rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry "
-    "or with xmin, ymin, xmax and ymax."
-)
 RECTANGLES_WITHOUT_BLOCK = Message(
     "Rectangles lie on a mosaic; give its block, too: inspect_windows(rectangles, block)."
 )

@@ -197,6 +197,33 @@ def test_a_system_may_be_a_number_an_object_or_none(folder: Path) -> None:
     assert taken == {found}
 
 
+@pytest.mark.parametrize("extent", [(1, 2, 3), "corner", None, (0, 0, "a", 1)])
+def test_what_is_no_rectangle_is_refused(block: Block, extent: object) -> None:
+    with pytest.raises(SettingsError, match=r"Window 7 is no rectangle; give \(xmin"):
+        block.window(extent, window_id=7)
+
+
+def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folder: Path, tmp_path: Path) -> None:
+    path = tmp_path / "margin.tif"
+    made = gdal.GetDriverByName("GTiff").CreateCopy(str(path), gdal.Open(str(folder / "mosaic.tif")))
+    for number in range(1, made.RasterCount + 1):
+        made.GetRasterBand(number).WriteArray(np.full((made.RasterYSize, 200), 77, np.uint8))
+    made = None
+    sources = sorted(folder.glob("strip*.tif"))
+
+    def inspected(nodata: float | None) -> str:
+        opened = open_block(path, sources, nodata=nodata)
+        left, bottom, right, top = opened.mosaic.extent
+        middle = left + 100 * (right - left) / opened.mosaic.grid.columns
+        result = inspect_window(opened.window_at(middle, (bottom + top) / 2, side_m=10))
+        return " ".join(map(str, (result.judgement.reason, *result.notices)))
+
+    assert "are invalid in the window" not in inspected(None)
+    assert "are invalid in the window" in inspected(77)
+    with pytest.raises(SettingsError, match="nodata"):
+        open_block(path, sources, nodata="white")
+
+
 def test_cells_without_polygons_are_told(folder: Path) -> None:
     with pytest.raises(SeamlineError, match="no polygon on the mosaic that names its source"):
         open_block(folder / "mosaic.tif", cells=f"{folder}/seamlines.gpkg|layername=seamlines")

@@ -54,6 +54,10 @@ WINDOWS_PLACED_BESIDES = Message(
     INFO,
 )
 WINDOWS_THERE_ALREADY = Message("No window was placed: all {there} places along the seams have theirs already.", INFO)
+NO_RECTANGLE = Message(
+    "Window {number} is no rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry "
+    "or with xmin, ymin, xmax and ymax."
+)
 NO_WINDOW_PLACED = Message("No window could be placed along the seams; the log messages say why.", WARNING)
 # the window layer
 WINDOW_LAYER_NOT_CREATED = Message(

@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
+from numbers import Real
 from typing import Any, Callable, Union
 
 from ....imagery import limits as imagery_limits
@@ -60,11 +61,16 @@ class Block:
 
         It is snapped to the mosaic's pixels and trimmed to a multiple of ``2 ** levels`` of them, at least 64 px. One
         that can't be measured makes a request that says why, and its result will. ``extent`` may be a geometry of
-        shapely, whose bounds count; ``settings``: the standard ones where None. Raises SettingsError for settings out
-        of their range.
+        shapely, whose bounds count; ``settings``: the standard ones where None. Raises SettingsError for what is no
+        rectangle, and for settings out of their range.
         """
-        extent, settings = getattr(extent, "bounds", extent), settings or InspectionSettings()
+        settings = settings or InspectionSettings()
         InspectionSettings.check(settings)
+        try:
+            xmin, ymin, xmax, ymax = map(float, getattr(extent, "bounds", extent))
+        except (TypeError, ValueError):
+            raise SettingsError(messages.NO_RECTANGLE(number=window_id)) from None
+        extent = xmin, ymin, xmax, ymax
         return window_request(self, window_id, extent, settings)
 
     def window_at(
@@ -83,9 +89,9 @@ class Block:
         return self.window(grid.window_extent(window), settings, window_id)
 
 
-def open_block(
+def open_block(  # noqa: PLR0913 - keywords of a notebook
     mosaic: PathLike, sources: Iterable[PathLike] | PathLike = (), cells: PathLike = "", *, keep_copies: bool = False,
-    crs: Any = "",
+    crs: Any = "", nodata: float | None = None,
 ) -> Block:
     """Open a mosaic with the orthoimages that it may have been made from.
 
@@ -95,7 +101,8 @@ def open_block(
     has several layers. ``keep_copies``: whether copies of the mosaic among the sources take part, though they hide
     every loss; without it they are looked for, and doubtful ones take part and are told. ``crs``: the reference system
     of all rasters (WKT, such as ``EPSG:2180``, its number, or what rasterio and pyproj have), whatever their files
-    name; empty or None: what they name.
+    name; empty or None: what they name. ``nodata``: a value of pixels that are no measurements, in all bands and of all
+    rasters, beside those that the files name.
 
     What is left out (sources that can't be opened, copies of the mosaic), and files that name another system than
     ``crs``, are told by a SeamInspectorWarning each. Raises RasterError when the mosaic can't be used, SettingsError
@@ -106,8 +113,11 @@ def open_block(
     sources = [sources] if isinstance(sources, imagery_limits.PATH_TYPES) else [*sources]
     for name, path in (("mosaic", mosaic), *(("sources", source) for source in sources), ("cells", cells)):
         imagery_limits.check_type(name, path, *imagery_limits.PATH_TYPES)
-    raster = describe_mosaic(RasterRef(os.fspath(mosaic), wkt))
-    refs = [RasterRef(os.fspath(source), wkt) for source in sources]
+    if nodata is not None and not isinstance(nodata, Real):
+        imagery_limits.check_type("nodata", nodata, float)
+    value = None if nodata is None else float(nodata)
+    raster = describe_mosaic(RasterRef(os.fspath(mosaic), wkt, value))
+    refs = [RasterRef(os.fspath(source), wkt, value) for source in sources]
     known = read_cells(os.fspath(cells), raster) if cells else ()
     paths = (raster.ref.path, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))
     block, notices = make_block(raster, refs, (), known) if refs else (Block(raster, (), tuple(known)), [])
