@@ -74,12 +74,13 @@ def inspect_arrays(
     imagery_limits.check_type("sources", sources, Iterable)
     if pixel_size_m <= 0:
         raise SettingsError(messages.NO_PIXEL_SIZE(value=pixel_size_m))
-    named = dict(sources) if isinstance(sources, Mapping) else {f"source_{i}": one for i, one in enumerate(sources)}
+    is_named = isinstance(sources, Mapping)
+    named = dict(sources if is_named else ((f"source_{i}", source) for i, source in enumerate(sources)))
     with ExitStack() as held:
         held.callback(close_rasters)
         ref = held.enter_context(_raster_of(mosaic, "mosaic", pixel_size_m))
         raster = describe_mosaic(ref)
-        refs = [held.enter_context(_raster_of(one, name, pixel_size_m, raster)) for name, one in named.items()]
+        refs = [held.enter_context(_raster_of(source, name, pixel_size_m, raster)) for name, source in named.items()]
         cells = () if labels is None else tuple(_cells(np.asarray(labels), list(named), raster))
         block, _ = make_block(raster, refs, (), cells)
         return inspect_window(block.window(raster.extent, settings))
@@ -97,8 +98,8 @@ def clip_curves(
     bands = _whole(image, levels)
     names = _band_names(len(bands))
     weights = imagery_limits.LUMINANCE_WEIGHTS if len(bands) >= len(COLOURS) else ()
-    found, _ = wavelets.clip_curves(bands, wavelet, levels, weights)
-    return dict(zip([*names, imagery_limits.LUMINANCE], found))
+    curves, _ = wavelets.clip_curves(bands, wavelet, levels, weights)
+    return dict(zip([*names, imagery_limits.LUMINANCE], curves))
 
 
 def measure_noise(

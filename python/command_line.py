@@ -89,8 +89,8 @@ def _scan(asked: argparse.Namespace) -> int:
     block, rules = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies), _rules(asked)
     settings = ScanSettings(density=asked.density, piece_m=asked.piece)
     with _guarded(asked, block.paths):
-        found = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss or "", **asked.run)
-        write_scan(asked.output, found, block, settings)
+        result = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss or "", **asked.run)
+        write_scan(asked.output, result, block, settings)
         return _decided(asked, decide({Path(asked.mosaic).stem: asked.output}, rules, mosaics=[asked.mosaic]))
 
 
@@ -129,9 +129,9 @@ def _mend(asked: argparse.Namespace) -> int:
     made = mend(block, asked.seams, asked.output, patches=asked.patches, which=asked.which, **asked.run)
     left = metres(made, LEFT)
     _say(f"{metres(made) - left:.1f} m mended, {left:.1f} m left as they were: {asked.output}", sys.stdout)
-    for one in made:
-        if one.reason is not None:
-            _say(f"seam {one.run.piece.seam_id}, {one.run.piece.station_m:.0f} m: {one.reason}", sys.stdout)
+    for seam in made:
+        if seam.reason is not None:
+            _say(f"seam {seam.run.piece.seam_id}, {seam.run.piece.station_m:.0f} m: {seam.reason}", sys.stdout)
     return REJECTED if left else ACCEPTED
 
 
@@ -151,7 +151,7 @@ def _rules(asked: argparse.Namespace) -> AcceptanceRules:
 
 
 def _guarded(asked: argparse.Namespace, inputs: Sequence[str]) -> Any:
-    """By names that can be, over no input: checked before anything is measured."""
+    """Meanwhile outputs have names that can be, and are over no input: checked before anything is measured."""
     given = (getattr(asked, name, "") for name in ("seamlines", "rules"))
     endings = {"output": GEOPACKAGE if asked.command is _scan else (), "loss": GEOTIFF, "report": PAGE}
     outputs = {name: (getattr(asked, name, None), ending) for name, ending in endings.items()}
@@ -183,28 +183,28 @@ def _parser() -> argparse.ArgumentParser:
             made.add_argument("--keep-copies", action="store_true", help="use sources that look like copies")
         return made
 
-    one = command("scan", _scan, "Scan a mosaic and decide on it.")
-    one.add_argument("-o", "--output", required=True, help="GeoPackage for what is found")
-    one.add_argument("--seamlines", default="", help="vector file of seams; else they are found")
-    one.add_argument("--loss", help="GeoTIFF of losses; a scan that was stopped goes on by it")
-    one.add_argument("--density", choices=DENSITIES, default=DENSITIES[0])
-    one.add_argument("--piece", type=float, default=STANDARD_PIECE_M, metavar="METRES", help="of a piece of seam")
-    _add_limits(one)
-    one = command("inspect", _inspect, "Inspect windows: 1 where a loss is significant, 2 where one can't be compared.")
-    middle = "a window's middle, as often as there are"
-    one.add_argument("--at", nargs=2, type=float, action="append", required=True, metavar=("X", "Y"), help=middle)
-    one.add_argument("--side", type=float, default=100.0, metavar="METRES", help="the least side of a window")
-    one.add_argument("--min-kept", type=float, default=InspectionSettings().min_kept, help="share that has to be kept")
-    one.add_argument("-o", "--output", help="CSV for the table of windows")
-    one = command("accept", _accept, "Decide on what scans left.", is_measuring=False)
-    one.add_argument("seams", metavar="SEAMS", nargs="+", help="GeoPackages of scans, a sheet each")
-    one.add_argument("--mosaic", action="append", default=[], dest="mosaics", help="a file that is delivered")
-    _add_limits(one)
-    one = command("mend", _mend, "Cut failed seams anew: 1 where some stay as they were.")
-    one.add_argument("--seams", required=True, help="GeoPackage of the scan")
-    one.add_argument("-o", "--output", required=True, help="VRT for the mended mosaic")
-    one.add_argument("--patches", default="", help="folder for the patches, or one GeoTIFF for all of them")
-    one.add_argument("--which", choices=MENDED_SEAMS, default=FAILED)
+    scanning = command("scan", _scan, "Scan a mosaic and decide on it.")
+    scanning.add_argument("-o", "--output", required=True, help="GeoPackage for what is found")
+    scanning.add_argument("--seamlines", default="", help="vector file of seams; else they are found")
+    scanning.add_argument("--loss", help="GeoTIFF of losses; a scan that was stopped goes on by it")
+    scanning.add_argument("--density", choices=DENSITIES, default=DENSITIES[0])
+    scanning.add_argument("--piece", type=float, default=STANDARD_PIECE_M, metavar="METRES", help="of a piece of seam")
+    _add_limits(scanning)
+    meaning = "Inspect windows: 1 where a loss is significant, 2 where one can't be compared."
+    window, middle = command("inspect", _inspect, meaning), "a window's middle, as often as there are"
+    window.add_argument("--at", nargs=2, type=float, action="append", required=True, metavar=("X", "Y"), help=middle)
+    window.add_argument("--side", type=float, default=100.0, metavar="METRES", help="the least side of a window")
+    window.add_argument("--min-kept", type=float, default=InspectionSettings().min_kept, help="share to be kept")
+    window.add_argument("-o", "--output", help="CSV for the table of windows")
+    accepting = command("accept", _accept, "Decide on what scans left.", is_measuring=False)
+    accepting.add_argument("seams", metavar="SEAMS", nargs="+", help="GeoPackages of scans, a sheet each")
+    accepting.add_argument("--mosaic", action="append", default=[], dest="mosaics", help="a file that is delivered")
+    _add_limits(accepting)
+    mending = command("mend", _mend, "Cut failed seams anew: 1 where some stay as they were.")
+    mending.add_argument("--seams", required=True, help="GeoPackage of the scan")
+    mending.add_argument("-o", "--output", required=True, help="VRT for the mended mosaic")
+    mending.add_argument("--patches", default="", help="folder for the patches, or one GeoTIFF for all of them")
+    mending.add_argument("--which", choices=MENDED_SEAMS, default=FAILED)
     return parser
 
 

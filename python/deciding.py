@@ -46,18 +46,18 @@ def decide(
     check_type("rules", rules, AcceptanceRules)
     for name, sheet in sheets.items():
         check_type(f"sheets[{name!r}]", sheet, ScanResult, *PATH_TYPES)
-    files = {name: os.fspath(one) for name, one in sheets.items() if not isinstance(one, ScanResult)}
+    files = {name: os.fspath(sheet) for name, sheet in sheets.items() if not isinstance(sheet, ScanResult)}
     tables = {
-        name: SeamTable(seam_rows(one), dict(one.told)) if isinstance(one, ScanResult) else read_seams(one)
-        for name, one in sheets.items()
+        name: SeamTable(seam_rows(sheet), dict(sheet.told)) if isinstance(sheet, ScanResult) else read_seams(sheet)
+        for name, sheet in sheets.items()
     }
     first = next(iter(tables), "")
     for name, table in tables.items():
         if not same_system(table.rows.wkt, tables[first].rows.wkt):
             raise SettingsError(messages.NOT_IN_ONE_SYSTEM(name=name, first=first))
-    rows, told = ({name: getattr(table, part) for name, table in tables.items()} for part in ("rows", "notes"))
-    delivery = make_delivery(rows, tables[first].rows.wkt if tables else "", told, files)
-    given, folders = [os.fspath(one) for one in mosaics], [os.path.dirname(path) for path in files.values()]
+    rows, notes = ({name: getattr(table, part) for name, table in tables.items()} for part in ("rows", "notes"))
+    delivery = make_delivery(rows, tables[first].rows.wkt if tables else "", notes, files)
+    given, folders = [os.fspath(path) for path in mosaics], [os.path.dirname(path) for path in files.values()]
     return deciding.decide(
         replace(delivery, files=file_doubts(delivery.layers, given, (), folders)), rules, lot_size, seed
     )

@@ -71,7 +71,8 @@ def inspect_windows(
     what is no rectangle.
     """
     requests: list[WindowRequest] = list(windows) if block is None else [
-        block.window(one, settings, number) for number, one in enumerate(_rectangles(windows, block.mosaic.wkt), 1)
+        block.window(rectangle, settings, number)
+        for number, rectangle in enumerate(_rectangles(windows, block.mosaic.wkt), 1)
     ]
     if not all(isinstance(request, WindowRequest) for request in requests):
         raise SettingsError(messages.RECTANGLES_WITHOUT_BLOCK())
@@ -123,9 +124,9 @@ def scan(
     read = filter(None, (*block.paths, *block.files, given))
     with writing(outputs, read), open_executor(executor, cancelled) as (opened, ahead):
         run = ScanRun(opened, ahead, progress, cancelled)
-        found = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
-    _tell(found.notices)
-    return replace(found, told={**found.told, SEAMLINES: os.path.abspath(given)}) if given else found
+        result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
+    _tell(result.notices)
+    return replace(result, told={**result.told, SEAMLINES: os.path.abspath(given)}) if given else result
 
 
 def mend(
@@ -159,7 +160,9 @@ def mend(
     """
     place = Path(os.fspath(mended))
     folder = os.fspath(patches) or str(place.parent / f"{place.stem}_patches")
-    made = {"patches": folder} if Path(folder).suffix else {one.name: str(one) for one in Path(folder).glob("patch_*")}
+    made = {"patches": folder}
+    if not Path(folder).suffix:
+        made = {path.name: str(path) for path in Path(folder).glob("patch_*")}
     read = [*block.paths, *block.files]
     read += [] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]]
     name = os.fspath(mended)
@@ -186,7 +189,7 @@ def _mended(
         return not cancelled()
 
     made = job.result(goes_on, *crew)
-    _tell(dict.fromkeys(one.reason.as_warning() for one in made if one.reason is not None))
+    _tell(dict.fromkeys(seam.reason.as_warning() for seam in made if seam.reason is not None))
     progress(1.0)
     return made
 

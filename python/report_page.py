@@ -14,18 +14,18 @@ _STYLE = "body{font:16px/1.5 sans-serif;max-width:60em;margin:2em auto}td,th{pad
 def save_report(path: Path, decision: Decision) -> None:
     """Write the page, whole or not at all. Raises SettingsError where it can't be written."""
     sheets = [
-        (one.name, *(f"{metres:.1f}" for metres in (one.total_m, one.measured_m, one.failed_m)),
+        (sheet.name, *(f"{metres:.1f}" for metres in (sheet.total_m, sheet.measured_m, sheet.failed_m)),
          outcome.value if outcome else "")
-        for one, outcome in zip(decision.sheets, decision.sheet_outcomes)
+        for sheet, outcome in zip(decision.sheets, decision.sheet_outcomes)
     ]
     failed = [
-        (one.piece.sheet, one.piece.seam_id, *("" if value is None else f"{value:.2f}" for value in (
-            one.piece.station_m, one.piece.length_m, one.piece.kept_1, one.piece.kept_low, one.piece.kept_high
-        ))) for one in decision.failed
+        (piece.sheet, piece.seam_id, *("" if value is None else f"{value:.2f}" for value in (
+            piece.station_m, piece.length_m, piece.kept_1, piece.kept_low, piece.kept_high
+        ))) for piece in (failure.piece for failure in decision.failed)
     ]  # fmt: skip
     parts = [
         f"<h1>{escape(decision.outcome.value.capitalize())}</h1>",
-        *(f"<p>{escape(str(one))}</p>" for one in decision.sentences),
+        *(f"<p>{escape(str(sentence))}</p>" for sentence in decision.sentences),
         "<h2>Sheets</h2>", _table(("sheet", "seams (m)", "measured (m)", "failed (m)", "by itself"), sheets),
         "<h2>Failed pieces</h2>",
         _table(("sheet", "seam", "station (m)", "length (m)", "kept", "low", "high"), failed),

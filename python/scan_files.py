@@ -36,12 +36,12 @@ class SeamTable:
     """The table of seams that a scan left in a file."""
 
     rows: TableRows
-    """As ``seam_rows`` makes them."""
+    """Rows as ``seam_rows`` makes them."""
     notes: dict[str, str]
     """What its scan tells beside them, the seal among it."""
 
 
-def write_scan(path: PathLike, found: ScanResult, block: Block, settings: ScanSettings | None = None) -> None:
+def write_scan(path: PathLike, result: ScanResult, block: Block, settings: ScanSettings | None = None) -> None:
     """Write what a scan found as a GeoPackage: the tables ``seams``, ``source_cells`` and ``worst_windows``.
 
     The file, ``.gpkg``, is there whole or not at all, over no input and nothing but another scan. ``settings``: those
@@ -49,21 +49,21 @@ def write_scan(path: PathLike, found: ScanResult, block: Block, settings: ScanSe
     """
     settings, place, wkt = settings or ScanSettings(), Path(os.fspath(path)), block.mosaic.wkt
     names = ScanRequest(block.mosaic, block.sources, settings).source_names
-    outlines = (ogr.CreateGeometryFromWkt(line_wkt(one.piece.vertices)) for one in found.features)
+    outlines = (ogr.CreateGeometryFromWkt(line_wkt(feature.piece.vertices)) for feature in result.features)
     failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
-    read = filter(None, (*block.paths, *block.files, found.told.get(SEAMLINES, "")))
+    read = filter(None, (*block.paths, *block.files, result.told.get(SEAMLINES, "")))
     outputs = {"output": (os.fspath(path), GEOPACKAGE)}
     with writing(outputs, read), whole_file(place) as unfinished, gdal_writing(failure):
         made = gdal.GetDriverByName("GPKG").Create(str(unfinished), 0, 0, 0, gdal.GDT_Unknown)
-        _write(made, WORST, ogr.wkbPolygon, wkt, PLACED_COLUMNS, found.worst, (
-            _rectangle(*block.mosaic.grid.window_extent(one.window)) for one in found.worst
+        _write(made, WORST, ogr.wkbPolygon, wkt, PLACED_COLUMNS, result.worst, (
+            _rectangle(*block.mosaic.grid.window_extent(worst.window)) for worst in result.worst
         ))  # fmt: skip
-        seams = _write(made, SEAMS, ogr.wkbLineString, wkt, SEAM_COLUMNS, found.features, outlines, settings.levels)
-        cells = [names[one.source] for one in found.polygons]
+        seams = _write(made, SEAMS, ogr.wkbLineString, wkt, SEAM_COLUMNS, result.features, outlines, settings.levels)
+        cells = [names[polygon.source] for polygon in result.polygons]
         _write(made, CELLS, ogr.wkbMultiPolygon, wkt, CELL_COLUMNS, cells, (
-            ogr.CreateGeometryFromWkb(one.wkb) for one in found.polygons
+            ogr.CreateGeometryFromWkb(polygon.wkb) for polygon in result.polygons
         ))  # fmt: skip
-        seams.SetMetadata(seam_notes(found, settings, wkt), TOTALS_DOMAIN)
+        seams.SetMetadata(seam_notes(result, settings, wkt), TOTALS_DOMAIN)
         del seams, made
 
 

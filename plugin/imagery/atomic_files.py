@@ -16,7 +16,7 @@ from .errors import SettingsError
 from .messages import system_reason
 
 _checked: dict[str, str] = {}
-"""Where the outputs of runs that go on led to when they were held against the inputs, by their paths."""
+"""Places that the outputs of runs that go on led to when they were held against the inputs, by their paths."""
 
 
 @contextmanager
@@ -45,7 +45,7 @@ def unfinished_name(path: Path) -> str:
 
 @contextmanager
 def whole_file(path: Path) -> Iterator[Path]:
-    """Where to write what is to be ``path``: ``with whole_file(path) as unfinished: unfinished.write_text(...)``.
+    """The place to write what is to be ``path``: ``with whole_file(path) as unfinished: unfinished.write_text(...)``.
 
     The file becomes ``path`` when the block ends. An exception in the block (cancelling is one) leaves no part of it,
     nothing beside it, and an older file as it was. Raises SettingsError where no file can be.
@@ -102,7 +102,7 @@ class UnfinishedFile:
 
     @property
     def written(self) -> Path:
-        """Where it is written."""
+        """The place it is written to."""
         return self._folder / self._path.name
 
     @property

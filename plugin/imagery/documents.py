@@ -150,7 +150,7 @@ class RuleObject:
         return value
 
     def source(self) -> str:
-        """Where the limits come from."""
+        """Origin of the limits."""
         source = self.content.get("source")
         if not isinstance(source, str) or not source.strip():
             raise SettingsError(messages.RULES_SOURCE_MISSING(place=self.place, name=self.file))

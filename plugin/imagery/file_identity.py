@@ -1,4 +1,4 @@
-"""Which files data are in, whatever they are called: relative, through links, in other letters, in an archive, as a
+"""Files that data are in, whatever they are called: relative, through links, in other letters, in an archive, as a
 part of a file, or named by a VRT.
 
 The one guard of what is written: over no input, over nothing that belongs to one, and over no other output. And the
@@ -58,7 +58,7 @@ _Identity = Union[tuple[int, int], str]
 
 
 class DataPlace(NamedTuple):
-    """Where data lie."""
+    """A place of data."""
 
     path: str
     table: str = ""
@@ -133,8 +133,9 @@ def _state_at(path: str) -> os.stat_result | None:
 def check_outputs(
     outputs: Iterable[tuple[str, DataPlace]], inputs: Iterable[DataPlace], indexed: Iterable[str] = ()
 ) -> dict[str, str]:
-    """Where the outputs, each with what it is called, lead through links, for ``leading_to``. ``indexed``: further
-    inputs, which may be too many to open all.
+    """Places that the outputs, each with what it is called, lead to through links, for ``leading_to``.
+
+    ``indexed``: further inputs, which may be too many to open all.
 
     Raises SettingsError for outputs that are one file, or a file of an input, sidecars included.
     """

@@ -46,7 +46,7 @@ class FilterPair:
 
 @cache
 def filter_pair(wavelet: str) -> FilterPair:
-    """Those of a wavelet of PyWavelets."""
+    """Filters of a wavelet of PyWavelets."""
     bank = pywt.Wavelet(wavelet)
     return FilterPair(tuple(reversed(bank.dec_lo)), tuple(reversed(bank.dec_hi)))
 
@@ -109,8 +109,8 @@ def halved(
     products = np.zeros(len(pairs))
     for start, samples in _strips(bands, offsets, margin, dtype):
         height = samples.shape[1] - 2 * margin
-        own = samples[:, margin : margin + min(height, rows - start), margin : margin + columns]
-        products += sums_of_products(own, pairs)
+        inner = samples[:, margin : margin + min(height, rows - start), margin : margin + columns]
+        products += sums_of_products(inner, pairs)
         low = reused("low", (count, height // 2, samples.shape[2]), dtype)
         _banded(samples, matrix, low.reshape(count, -1, BLOCK, samples.shape[2]))
         target = coarse[:, start // 2 : (start + height) // 2].swapaxes(1, 2)
@@ -227,8 +227,8 @@ def multiply(first: np.ndarray, second: np.ndarray, out: np.ndarray) -> None:
     if not numpy_has_plain_products():
         np.matmul(first, second, out=out)
     elif second.ndim > 2:
-        for one, made in zip(second, out):
-            multiply(first, one, made)
+        for matrix, made in zip(second, out):
+            multiply(first, matrix, made)
     else:
         from scipy.linalg import blas  # not where nobody needs it
 

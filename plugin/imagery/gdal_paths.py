@@ -206,11 +206,11 @@ Stamp = tuple[int, ...]
 
 
 def file_stamp(path: str) -> Stamp | None:
-    """Which file it is by now; None for what is no file of this machine."""
+    """Stamp of the file as it is by now; None for what is no file of this machine."""
     with suppress(OSError, ValueError):
-        found = os.stat(path)
-        if stat.S_ISREG(found.st_mode):
-            return found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns
+        status = os.stat(path)
+        if stat.S_ISREG(status.st_mode):
+            return status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns
     return None
 
 

@@ -19,7 +19,7 @@ _Places = TypeVar("_Places", float, "np.ndarray")
 
 @dataclass(frozen=True)
 class NumberedWindow:
-    """Which window, and where it lies: what all know of one."""
+    """A window's number and place: what all know of it."""
 
     window_id: int
     extent: Extent | None

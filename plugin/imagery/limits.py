@@ -57,8 +57,9 @@ _NUMBERS: dict[type, tuple[type, str]] = {int: (Integral, "a whole number"), flo
 def check_type(name: str, value: object, *types: type) -> None:
     """Raise SettingsError unless a value that a caller gave is of one of these types; numbers are finite, and may be
     numpy's."""
-    allowed = [_NUMBERS.get(one, (one, one.__name__)) for one in types]
-    if not any(isinstance(value, one) for one, _ in allowed) or (isinstance(value, Real) and not math.isfinite(value)):
+    allowed = [_NUMBERS.get(kind, (kind, kind.__name__)) for kind in types]
+    is_endless = isinstance(value, Real) and not math.isfinite(value)
+    if is_endless or not any(isinstance(value, kind) for kind, _ in allowed):
         words = " / ".join(word for _, word in allowed)
         raise SettingsError(messages.NOT_OF_TYPE(name=name, value=reprlib.repr(value), expected=words))
 

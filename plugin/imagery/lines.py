@@ -42,7 +42,7 @@ def vertex_stations(path: np.ndarray) -> np.ndarray:
 
 def points_at(path: np.ndarray, along: np.ndarray, wanted: np.ndarray) -> np.ndarray:
     """Points of a path, (m, 2), at some stations, (m,). ``along``: those of its vertices."""
-    return np.column_stack([np.interp(wanted, along, one) for one in path.T])
+    return np.column_stack([np.interp(wanted, along, axis) for axis in path.T])
 
 
 def stretches_inside(path: np.ndarray, along: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
@@ -193,8 +193,8 @@ def joined(nodes: np.ndarray, edges: np.ndarray) -> Iterator[np.ndarray]:
                 outward.setdefault(path[0], []).append((end, _direction(nodes[path])))
     next_end = np.full(2 * len(chains), -1)
     for ends_here in outward.values():
-        for one, other in _straightest(ends_here):
-            next_end[[one, other]] = other, one
+        for end, other in _straightest(ends_here):
+            next_end[[end, other]] = other, end
     for run in _runs(next_end):
         parts = [chains[end >> 1][:: -1 if end & 1 else 1] for end in run]
         yield nodes[np.concatenate([part[:-1] for part in parts] + [parts[-1][-1:]])]
@@ -230,12 +230,12 @@ def _straightest(branches: Sequence[tuple[int, complex]]) -> Iterator[tuple[int,
     ``branches``: number of each end and the direction it goes from the node.
     """
     limit = -math.cos(math.radians(BRANCH_TURN_DEG))
-    pairs = [((a * b.conjugate()).real, one, other) for (one, a), (other, b) in combinations(branches, 2)]
+    pairs = [((a * b.conjugate()).real, end, other) for (end, a), (other, b) in combinations(branches, 2)]
     free = {end for end, _ in branches}
-    for cosine, one, other in sorted(pairs):
-        if cosine <= limit and one in free and other in free:
-            free -= {one, other}
-            yield one, other
+    for cosine, end, other in sorted(pairs):
+        if cosine <= limit and end in free and other in free:
+            free -= {end, other}
+            yield end, other
 
 
 STRAIGHTEN_PX = 1.5  # a staircase leaves its line by up to 1 px, with a noisy step by 1.5 px
@@ -315,9 +315,9 @@ def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[np
             if is_line(part):
                 lines += [line_points(part)] if part.GetPointCount() > 1 else []
             else:
-                found = list(polygon_rings(part, number))
-                rings += found
-                owners += [number] * len(found)
+                of_part = list(polygon_rings(part, number))
+                rings += of_part
+                owners += [number] * len(of_part)
     if empty:
         raise SeamlineError(messages.SEAMLINES_EMPTY())
     return lines, rings, owners
@@ -414,7 +414,7 @@ def signed_area(ring: np.ndarray) -> float:
 def line_pieces(paths: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     """The pieces of all paths, (n, 2) start and end, and the number of the path each one is from, (n,)."""
     points = np.concatenate(paths)
-    path = np.repeat(np.arange(len(paths)), [len(one) for one in paths])
+    path = np.repeat(np.arange(len(paths)), [len(vertices) for vertices in paths])
     within = path[1:] == path[:-1]
     return np.column_stack([points[:-1], points[1:]])[within], path[1:][within]
 

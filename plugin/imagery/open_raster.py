@@ -236,7 +236,7 @@ class OpenRaster:
         )
 
     def band_index(self, number: int) -> int:
-        """Where a band of the file, from 1 on, stands among those that are measured.
+        """Place of a band of the file, from 1 on, among those that are measured.
 
         Raises RasterError for a band that is not there or holds no values to measure.
         """

@@ -24,7 +24,7 @@ _COLOURS = (gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand)
 
 @contextmanager
 def whole_raster(path: str) -> Iterator[str]:
-    """Where GDAL is to write what becomes the raster ``path`` when the block ends.
+    """The place where GDAL is to write what becomes the raster ``path`` when the block ends.
 
     What it writes beside it comes along, and what an older raster had beside it (overviews, a mask) goes. An exception
     in the block leaves nothing, and an older raster as it was. Raises RasterError where no file can be.

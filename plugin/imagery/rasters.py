@@ -21,12 +21,12 @@ GeoTransform = tuple[float, float, float, float, float, float]
 
 _NO_PLACE: GeoTransform = (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)  # what GDAL gives a raster that has none
 ON_ITS_OWN_PIXELS: GeoTransform = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
-"""Where QGIS puts a raster without a place on the map: x is the column, y the row downwards, so negative."""
+"""Placement that QGIS gives a raster without a place on the map: x is the column, y the row downwards, so negative."""
 
 
 @dataclass(frozen=True)
 class RasterRef:
-    """Where a raster is."""
+    """A raster's place in files."""
 
     path: str
     """What GDAL opens."""
@@ -72,7 +72,7 @@ class Raster:
     """What there is to know about a raster before its pixels are read."""
 
     ref: RasterRef
-    """Where it is."""
+    """Its place in files."""
     columns: int
     """Number of columns, px."""
     rows: int
@@ -96,15 +96,16 @@ class Raster:
     def wkt(self) -> str:
         """Reference system; empty when neither the file nor its reference names one. Of two that mean the same place
         it is the file's, which may tell of heights."""
-        own, given = self.own_wkt, self.ref.wkt
+        of_file, given = self.own_wkt, self.ref.wkt
         nearest = MAX_SYSTEM_SHIFT_PX * min(abs(self.placement[1]), abs(self.placement[5]))
-        return own if own and (not given or same_coordinates(own, given, self.extent, nearest)) else given
+        is_taken = of_file and (not given or same_coordinates(of_file, given, self.extent, nearest))
+        return of_file if is_taken else given
 
     @property
     def notices(self) -> tuple[Message, ...]:
         """What was settled about it that its file says otherwise."""
-        own, taken = self.own_wkt, self.wkt
-        return other_system(self.ref.name, own, taken) if own and own != taken else ()
+        of_file, taken = self.own_wkt, self.wkt
+        return other_system(self.ref.name, of_file, taken) if of_file and of_file != taken else ()
 
     @property
     def whole(self) -> PixelWindow:
@@ -148,7 +149,7 @@ class Raster:
 
     @cached_property
     def grid(self) -> Grid:
-        """Where its pixels lie. Raises RasterError when it is not north-up, or lies nowhere on the ground."""
+        """Grid of its pixels on the map. Raises RasterError when it is not north-up, or lies nowhere on the ground."""
         if not self.is_north_up:
             raise RasterError(messages.NOT_NORTH_UP(name=self.ref.name))
         if not all(math.isfinite(metres) and metres > 0 for metres in self._metres):

@@ -175,7 +175,7 @@ def value_of(kind: type, record: bytes, sentences: Mapping[str, Message]) -> Any
 
 @cache
 def sentences_of(*modules: ModuleType) -> dict[str, Message]:
-    """Those that a record may hold, by template."""
+    """Sentences that a record may hold, by template."""
     values = (value for module in modules for value in vars(module).values())
     return {value.template: value for value in values if isinstance(value, Message)}
 

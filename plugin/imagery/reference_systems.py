@@ -127,9 +127,9 @@ def system_name(wkt: str) -> str:
     return " ".join(filter(None, [authority_code(wkt), spatial_reference(wkt).GetName()]))
 
 
-def other_system(name: str, own: str, taken: str) -> tuple[Message, ...]:
+def other_system(name: str, of_file: str, taken: str) -> tuple[Message, ...]:
     """What to say of a raster whose file names another reference system than the one it is taken in."""
-    return (messages.OTHER_SYSTEM_TAKEN(name=name, system=system_name(taken), own=system_name(own)),)
+    return (messages.OTHER_SYSTEM_TAKEN(name=name, system=system_name(taken), own=system_name(of_file)),)
 
 
 def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarray:

@@ -67,8 +67,8 @@ def piece_state(
         return state if has_verdict else PieceState.NOT_MEASURED
     if not holds(low, high, least):
         return state
-    told = has_verdict and high <= MOST_SPREAD * low and (state is PieceState.PASSED or high < 1)
-    return state if told else PieceState.NOT_MEASURED
+    is_sure = has_verdict and high <= MOST_SPREAD * low and (state is PieceState.PASSED or high < 1)
+    return state if is_sure else PieceState.NOT_MEASURED
 
 
 def holds(low: float, high: float, limit: float) -> bool:
@@ -98,13 +98,13 @@ class KeptBeside:
 
 def profile_text(strips: Iterable[KeptBeside]) -> str:
     """The field ``profile``: the judged strip, then what is kept step by step from the seam."""
-    return "; ".join(f"{one.near_m:.3g} {one.far_m:.3g} {one.kept:.3f}" for one in strips)
+    return "; ".join(f"{strip.near_m:.3g} {strip.far_m:.3g} {strip.kept:.3f}" for strip in strips)
 
 
 def profile_of(text: str) -> tuple[KeptBeside, ...]:
     """The strips of a field ``profile``; none where it is no such text."""
     try:
-        return tuple(KeptBeside(*map(float, one.split())) for one in text.split(";") if text)
+        return tuple(KeptBeside(*map(float, strip.split())) for strip in text.split(";") if text)
     except (TypeError, ValueError):
         return ()
 
@@ -145,11 +145,11 @@ class SeamTotals:
 
     def sealed(self, notes: Mapping[str, str]) -> dict[str, str]:
         """What stands beside the rows: notes on how they were made, these totals, and a seal on all of it."""
-        told = {
+        noted = {
             **notes, "rows": str(self.rows), METRES: repr(self.metres), "failed_metres": repr(self.failed_metres)
         }
-        told.pop(_SEAL, None)
-        return {**told, _SEAL: self._seal(told)}
+        noted.pop(_SEAL, None)
+        return {**noted, _SEAL: self._seal(noted)}
 
     def is_sealed_by(self, notes: Mapping[str, str]) -> bool:
         """Whether rows, and what stands beside them, are as they were sealed."""

@@ -136,10 +136,10 @@ def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
         top, bottom, left, right = (-(-edge // _STRIDE) for edge in (rows, rows + side, columns, columns + side))
         counts = within[bottom][:, right] - within[top][:, right] - within[bottom][:, left] + within[top][:, left]
         shares = (counts / np.outer(bottom - top, right - left)).ravel()
-        found = np.argsort(-shares, kind="stable")[: _TILES_A_SIDE**2]
-        found = found[shares[found] >= MIN_TILE_SHARE]
-        if len(found):
-            places = (divmod(int(number), len(columns)) for number in found)
+        fullest = np.argsort(-shares, kind="stable")[: _TILES_A_SIDE**2]
+        fullest = fullest[shares[fullest] >= MIN_TILE_SHARE]
+        if len(fullest):
+            places = (divmod(int(number), len(columns)) for number in fullest)
             return _far_apart([(int(rows[row]), int(columns[column]), side) for row, column in places])
         side //= 2
     return []
@@ -204,8 +204,8 @@ def _frequencies(side: int) -> tuple[np.ndarray, np.ndarray]:
 def _nearest_pixel(cross: np.ndarray, side: int) -> Shift:
     """The highest point of the correlation, to the pixel; its height is that of the top itself, by a parabola."""
     count = len(cross)
-    found = np.unravel_index(fft.irfft2(cross, (count, count)).argmax(), (count, count))
-    y, x = (round((place - count if place > count // 2 else place) * side / count) for place in map(int, found))
+    highest = np.unravel_index(fft.irfft2(cross, (count, count)).argmax(), (count, count))
+    y, x = (round((place - count if place > count // 2 else place) * side / count) for place in map(int, highest))
     around = np.arange(-2, 3)[:, np.newaxis]  # the correlation may have been looked at every second pixel only
     down, across = _frequencies(side)
     surface = _correlation(cross, side, _turns(y + around, down), _turns(x + around, across))

@@ -104,17 +104,17 @@ def clip_curves(
     pairs = list(combinations(range(mixed), 2))
     products = component_products(bands, wavelet, levels, pairs)
     pixels = bands[0].size
-    curves = [_curve(own, total, pixels) for own, total in zip(products.own, products.own_totals)]
+    curves = [_curve(energies, total, pixels) for energies, total in zip(products.own, products.own_totals)]
     if not mixed:
         return curves, products.coarse
     doubled = np.array([2 * weights[i] * weights[j] for i, j in pairs])
-    own = weights**2 @ products.own[:mixed] + doubled @ products.cross
+    energies = weights**2 @ products.own[:mixed] + doubled @ products.cross
     bands_energy = weights**2 @ products.own_totals[:mixed]
-    if own.min() <= products.least_share * bands_energy:  # the bands cancel each other, or all are smooth
+    if energies.min() <= products.least_share * bands_energy:  # the bands cancel each other, or all are smooth
         mixture = np.tensordot(weights, bands[:mixed].astype(np.float64), axes=1)
         curves += clip_curves(mixture[np.newaxis], wavelet, levels)[0]
     else:
-        curves.append(_curve(own, bands_energy + doubled @ products.cross_totals, pixels))
+        curves.append(_curve(energies, bands_energy + doubled @ products.cross_totals, pixels))
     luminance = np.tensordot(weights, products.coarse[:mixed], axes=1)
     return curves, np.concatenate([products.coarse, luminance[np.newaxis].astype(products.coarse.dtype)])
 
@@ -191,8 +191,8 @@ def _moved(part: np.ndarray, by: tuple[int, int], out: np.ndarray) -> None:
     out[:, rows.stop :] = out[:, rows.stop - 1 : rows.stop]
 
 
-def _curve(own: np.ndarray, total: float, pixels: int) -> Curve:
-    shares = own / total if total > 0 else np.full(len(own), np.nan)
+def _curve(energies: np.ndarray, total: float, pixels: int) -> Curve:
+    shares = energies / total if total > 0 else np.full(len(energies), np.nan)
     return Curve(tuple(shares[:-1].tolist()), float(shares[-1]), float(total) / pixels)
 
 
@@ -301,10 +301,10 @@ def measure_directions(clip: Clip, wavelet: str, levels: int) -> dict[str, Direc
         weights = np.array(limits.LUMINANCE_WEIGHTS)
         bands = np.concatenate([np.tensordot(weights, bands[: len(weights)], axes=1)[np.newaxis], bands])
     energies = bands.var(axis=(1, 2)) * bands[0].size
-    found = [np.sum(parts**2, axis=(2, 3)) for parts in detail_components(bands, wavelet, levels)]
-    shares = np.array(found) / np.where(energies > 0, energies, np.nan)  # (levels, directions, bands)
+    sums = [np.sum(parts**2, axis=(2, 3)) for parts in detail_components(bands, wavelet, levels)]
+    shares = np.array(sums) / np.where(energies > 0, energies, np.nan)  # (levels, directions, bands)
     return {
-        name: tuple(map(tuple, own.tolist())) for name, own in zip(measured_bands(names), np.moveaxis(shares, 2, 0))
+        name: tuple(map(tuple, band.tolist())) for name, band in zip(measured_bands(names), np.moveaxis(shares, 2, 0))
     }
 
 

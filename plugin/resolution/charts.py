@@ -46,7 +46,7 @@ def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: flo
         axes.plot(profile.positions, profile.values, color=colour, linewidth=1.4, label=title)
         for extremes, face in ((reading.bars, colour), (reading.gaps, PAPER.background)):
             axes.plot(
-                [one.position for one in extremes], [one.value for one in extremes], "o", color=colour,
+                [extreme.position for extreme in extremes], [extreme.value for extreme in extremes], "o", color=colour,
                 markerfacecolor=face, markersize=4.5, zorder=3,
             )
     weakest = min(readings.values(), key=lambda reading: reading.share or 0.0, default=None)

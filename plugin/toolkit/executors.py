@@ -115,11 +115,11 @@ async def _check_scheduler(address: str) -> None:
         comm.abort()
 
 
-def _check_versions(address: str, *told: dict[str, Any]) -> None:
+def _check_versions(address: str, *answers: dict[str, Any]) -> None:
     """Raise SettingsError where another version of Dask answers, by what Dask tells of versions."""
     from distributed import __version__ as own
 
-    versions = {str(one["packages"]["distributed"]) for one in told} - {own}
+    versions = {str(answer["packages"]["distributed"]) for answer in answers} - {own}
     if versions:
         raise SettingsError(messages.DASK_VERSIONS(address=address, versions=", ".join(sorted(versions)), own=own))
 

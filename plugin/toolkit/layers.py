@@ -67,7 +67,7 @@ def layer_ref(layer: QgsRasterLayer) -> RasterRef:
 def additional_nodata(layer: QgsRasterLayer) -> float | None:
     """The value that a user gave a layer as no data: QGIS asks for one, of all bands."""
     ranges = [] if layer.dataProvider() is None else layer.dataProvider().userNoDataValues(1)
-    return next((one.min() for one in ranges if one.min() == one.max()), None)
+    return next((values.min() for values in ranges if values.min() == values.max()), None)
 
 
 def other_systems(layers: Iterable[QgsMapLayer | None]) -> Iterator[Message]:
@@ -76,9 +76,9 @@ def other_systems(layers: Iterable[QgsMapLayer | None]) -> Iterator[Message]:
 
     for layer in layers:
         if isinstance(layer, QgsRasterLayer) and layer.dataProvider() is not None:
-            own, given = system_wkt(layer.dataProvider().crs()), system_wkt(layer.crs())
-            if own and given and not same_system(own, given):
-                yield from other_system(layer.name(), own, given)
+            of_file, given = system_wkt(layer.dataProvider().crs()), system_wkt(layer.crs())
+            if of_file and given and not same_system(of_file, given):
+                yield from other_system(layer.name(), of_file, given)
 
 
 @lru_cache(4096)

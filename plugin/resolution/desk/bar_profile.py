@@ -30,15 +30,16 @@ class ProfilesPainter(ChartPainter):
     ) -> None:
         super().__init__(room, style, font)
         self._readings, self._criterion = readings, criterion
-        profiles = [one.profile for one in readings.values()]
-        self._first = min(float(one.positions[0]) for one in profiles)
-        self._last = max(float(one.positions[-1]) for one in profiles)
-        low, high = min(float(one.values.min()) for one in profiles), max(float(one.values.max()) for one in profiles)
+        profiles = [reading.profile for reading in readings.values()]
+        self._first = min(float(profile.positions[0]) for profile in profiles)
+        self._last = max(float(profile.positions[-1]) for profile in profiles)
+        low = min(float(profile.values.min()) for profile in profiles)
+        high = max(float(profile.values.max()) for profile in profiles)
         margin = _MARGIN * max(high - low, 1.0)
         self._low, self._high = low - margin, high + margin
         self._names_bands = len(readings) > 1 and not set(readings) <= set(BAND_COLOURS)  # by which they are known
         most = max(room.height() / (_TICK_LINES * self.line), 2)
-        self._ticks = [(one, formatted(one, "g")) for one in even_ticks(self._low, self._high, most)]
+        self._ticks = [(value, formatted(value, "g")) for value in even_ticks(self._low, self._high, most)]
         left = max(self.metrics.horizontalAdvance(words) for _, words in [*self._ticks, (0, "DN")]) + self.line
         self._is_roomy = room.height() > _ROOMY_LINES * self.line
         self.axes = room.adjusted(left, 1.6 * self.line, -self.line, -(2.6 if self._is_roomy else 1.5) * self.line)
@@ -49,7 +50,7 @@ class ProfilesPainter(ChartPainter):
         return QPointF(self.axes.left() + across * self.axes.width(), self.axes.bottom() - up * self.axes.height())
 
     def _paint(self, painter: QPainter) -> None:
-        axes, weakest = self.axes, min(self._readings.values(), key=lambda one: one.share or 0.0)
+        axes, weakest = self.axes, min(self._readings.values(), key=lambda reading: reading.share or 0.0)
         for value, words in self._ticks:
             self._share_tick(painter, self._at(self._first, value).y(), words, self.style.grid)
         for position in (0.0, weakest.profile.length):
@@ -74,18 +75,18 @@ class ProfilesPainter(ChartPainter):
         painter.setPen(QPen(colour, 1.8 * self.style.scale))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         points = zip(reading.profile.positions, reading.profile.values)
-        painter.drawPolyline(QPolygonF([self._at(*one) for one in points]))
+        painter.drawPolyline(QPolygonF([self._at(*point) for point in points]))
         for extremes, face in ((reading.bars, colour), (reading.gaps, QColor(self.style.background))):
             painter.setBrush(face)
-            for one in extremes:
-                painter.drawEllipse(self._at(one.position, one.value), _POINT_PX, _POINT_PX)
+            for extreme in extremes:
+                painter.drawEllipse(self._at(extreme.position, extreme.value), _POINT_PX, _POINT_PX)
 
     def _paint_threshold(self, painter: QPainter, reading: BarReading) -> None:
         """Gaps that lie on the bars' side of this line, on the whole, are too shallow."""
         down = -1 if reading.bright else 1
         bars = sum(bar.value for bar in reading.inner_bars) / len(reading.inner_bars)
         level = bars + down * self._criterion * reading.full_amplitude
-        start, end = (self._at(one.position, level) for one in (reading.bars[0], reading.bars[-1]))
+        start, end = (self._at(bar.position, level) for bar in (reading.bars[0], reading.bars[-1]))
         dashes, width = Qt.PenStyle.DashLine, 1.6 * self.style.scale
         self._rule(painter, (start.x(), start.y()), (end.x(), end.y()), self.style.limit, width, dashes)
 

@@ -198,7 +198,7 @@ class Run:
         text = output_text(self.parameters.get(name), self.context)
         place = table_place(text) if text and is_file(text) else None
         if place is not None and place.path.lower().endswith(_DBASE):
-            cut = [one for one in layout[0].names() if len(one) > _DBASE_LETTERS]
+            cut = [field for field in layout[0].names() if len(field) > _DBASE_LETTERS]
             self.tell(*([messages.FIELD_NAMES_CUT(path=place.path, names=", ".join(cut))] if cut else []))
 
         def make(path: str | None) -> Sink:

@@ -151,7 +151,7 @@ class ToolDock(QgsDockWidget):
             bar.pushMessage(title, text, more, shown, _MESSAGE_SECONDS)
         else:
             bar.pushMessage(title, text, shown, _MESSAGE_SECONDS)
-        self._told = [one for one in (*self._told, bar.currentItem()) if one is not None and not sip.isdeleted(one)]
+        self._told = [item for item in (*self._told, bar.currentItem()) if item is not None and not sip.isdeleted(item)]
 
     def _take_back(self) -> None:
         """What was told of the project that is closed."""
