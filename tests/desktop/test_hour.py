@@ -28,7 +28,7 @@ def test_a_hundred_windows_are_judged_though_qgis_is_killed(
     assert killed.code != 0
     begun = json.loads((work / "begun.json").read_text())
     run = play(SCENARIOS / "hour.py", tmp_path / "second", {**parameters, "stage": "finish"}, seconds=400)
-    csv = run.report.pop("csv", [])
+    copied = run.report.pop("copied", [])
     say("an hour at the desk", killed.seconds + run.seconds, run.report)
     check(run)
     report = run.report
@@ -38,6 +38,6 @@ def test_a_hundred_windows_are_judged_though_qgis_is_killed(
     assert report["judged"] >= report["to_judge"]
     assert report["keys_per_window"] == 1
     assert report["not_followed"] == 0
-    assert len(csv) == begun["placed"] + 1
+    assert len(copied) == begun["placed"] + 1
     assert report["work_ms"] <= 1000 * MOST_WORK_S
     assert report["gap_ms"] <= 1000 * MOST_GAP_S

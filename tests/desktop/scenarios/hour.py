@@ -48,7 +48,7 @@ def begin(desk: Desk, work: Path) -> None:
         desk.wait(lambda: all(row.verdict for row in session.windows()), 90, "all windows inspected")
     desk.wait_for_work()
     assert desk.project.write(str(work / "project.qgz"))
-    desk.dock.judging.model.change(order="worst")
+    desk.sort_by_loss()
     begun = judge(desk, JUDGED_BEFORE)
     begun |= {"placed": len(session.windows()), "gap_ms": 1000 * gaps.longest_s, "work_ms": 1000 * gaps.longest_work_s}
     begun["verdicts"] = verdicts(desk)
@@ -86,8 +86,9 @@ def finish(desk: Desk, work: Path, shots: Path) -> None:
     desk.report["not_followed"] = begun["not_followed"] + done["not_followed"]
     desk.report["gap_ms"] = max(begun["gap_ms"], 1000 * gaps.longest_s)
     desk.report["work_ms"] = max(begun["work_ms"], 1000 * gaps.longest_work_s)
-    desk.dock.windows.save_csv(work / "windows.csv")
-    desk.report["csv"] = (work / "windows.csv").read_text(encoding="utf-8-sig").splitlines()
+    desk.dock.windows.table.selectAll()
+    desk.dock.windows.copy()
+    desk.report["copied"] = QApplication.clipboard().text().splitlines()
     desk.screenshot(shots / "hour_finished.png")
     desk.drop_changes()
     desk.wait(lambda: not QgsApplication.taskManager().activeTasks(), 60, "no task that QGIS would ask about")

@@ -49,21 +49,16 @@ class Place:
     """The outline of a window, in the reference system of the window layer."""
 
     outline: QgsGeometry
-    known: Mapping[str, object]
-    """What is known of it, by the fields' names."""
+    known: Mapping[str, object]  # what is known of it, by the fields' names
 
 
 class NewWindows(QObject):
     """Does one thing after the other, step by step."""
 
-    layerMade = pyqtSignal(str)
-    """Id of a new window layer in the project, to be followed from now on."""
-    scanned = pyqtSignal(list)
-    """Feature ids of the windows at the worst places of a scan, worst first."""
-    drawn = pyqtSignal(list)
-    """Feature ids of windows that are to be inspected at once."""
-    told = pyqtSignal(object)
-    """A Message."""
+    layerMade = pyqtSignal(str)  # id of a new window layer in the project, to be followed from now on
+    scanned = pyqtSignal(list)  # feature ids of the windows at the worst places of a scan, worst first
+    drawn = pyqtSignal(list)  # feature ids of windows that are to be inspected at once
+    told = pyqtSignal(object)  # a Message
 
     def __init__(
         self, home: WindowHome, block: BlockCache, watch: WindowWatch, steps: WindowSteps, background: BackgroundTasks,
