@@ -22,8 +22,7 @@ from .map.window_coverage import Coverage, SeamFinder, WindowCoverage
 class LossView(QObject):
     """Whether the pictures of lost detail are shown, over the map and the images alike. Off at first."""
 
-    changed = pyqtSignal(bool)
-    """Shown or not from now on."""
+    changed = pyqtSignal(bool)  # shown or not from now on
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -47,8 +46,7 @@ class SessionInputs(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._project = project = QgsProject.instance()
-        self.loss_view = LossView(self)
-        """Whether lost detail is painted over the map and the images."""
+        self.loss_view = LossView(self)  # whether lost detail is painted over the map and the images
         self._opening = BackgroundTasks(self)  # apart, since another window layer does not matter to it
         self._block = block = BlockCache(project, self._opening, self)
         self._seams = SeamFinder(block, self._opening)
