@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from qgis.PyQt.QtCore import QModelIndex, QRectF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPalette, QPixmap, QResizeEvent
+from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPixmap, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -25,7 +25,6 @@ from ...charts.chart_curves import ChartCurve, Key, numbered
 from ...charts.curves_painter import PenStyle, curve_look, paint_piece
 
 _KEY = Qt.ItemDataRole.UserRole
-_IS_HIDDEN = _KEY + 1
 _HIDDEN_SHARE = 0.55  # of the text's colour: fainter, and still to be read
 _SHOWN_CHARACTERS = 20  # of a name, elided in its middle, so that two of them fit into a narrow dock
 _MOST_ACROSS = 4  # names in a row; more are hard to scan
@@ -56,7 +55,7 @@ class CurvesLegend(QListWidget):
     def entry_size(self) -> QSize:
         """Size of each entry: a share of the width."""
         room = self.maximumViewportSize().width() - self._kept_free()
-        return QSize(room // self._columns(room), round(1.25 * self.fontMetrics().height()))
+        return QSize(room // self._columns(room), round(1.1 * self.fontMetrics().height()))
 
     def height_within(self, width: int, most: int) -> int:
         """Height of the rows that the entries fill in this width; only whole rows, and at least one."""
@@ -122,9 +121,10 @@ class CurvesLegend(QListWidget):
         font = item.font()
         font.setBold(curve.is_mosaic)
         item.setFont(font)
-        item.setData(_IS_HIDDEN, is_hidden)
+        text, ground = QColor(style.text), QColor(style.background)
+        item.setData(Qt.ItemDataRole.ForegroundRole, blended(text, ground, _HIDDEN_SHARE) if is_hidden else None)
         width, radius = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
-        piece = blended(QColor(style.text), QColor(style.background), 0.3) if is_hidden else QColor(colour)
+        piece = blended(text, ground, 0.3) if is_hidden else QColor(colour)
         item.setIcon(self._piece(piece, line, width, radius))
         click = tr("Click to show this curve") if is_hidden else tr("Click to hide this curve")
         label = curve.label
@@ -148,18 +148,9 @@ class CurvesLegend(QListWidget):
 
 
 class _Entries(ReadableItems):
-    """Names of hidden curves are faint."""
-
     def __init__(self, legend: CurvesLegend) -> None:
         super().__init__(legend)
         self._legend = legend
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
         return self._legend.entry_size()
-
-    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
-        super().initStyleOption(option, index)
-        if index.data(_IS_HIDDEN):
-            palette, role = option.palette, QPalette.ColorRole.Text
-            palette.setColor(role, blended(palette.color(role), palette.color(QPalette.ColorRole.Base), _HIDDEN_SHARE))
-            option.palette = palette

@@ -74,6 +74,7 @@ class CurvesPanel(ChartPanel):
         self._drawn = QWidget()
         layout = QVBoxLayout(self._drawn)
         layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
         layout.addWidget(self._chart, 1)
         layout.addWidget(self._legend)
         self._pages.addWidget(self._drawn)

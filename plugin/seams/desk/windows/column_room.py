@@ -64,9 +64,8 @@ def _menu_title(column: TableColumn) -> str:
     return filled(tr("ratio {level}"), level=column.level) if column.level > 1 else column.title()
 
 
-_JUDGED = ("observer", "observer_2")
-_GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio", "cause")
-"""After reasons, the ratios beyond level 1 and the paper's flag; verdict, loss and observer stay longest."""
+_GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio", "observer_2", "cause")
+"""After reasons, the ratios beyond level 1 and the paper's flag; verdict, loss and observer always stay."""
 
 
 class ColumnMeter:
@@ -76,7 +75,6 @@ class ColumnMeter:
         self._table, self._sorted_by, self._has_stale = table, windows.sorted_by, windows.has_stale
         self._verdicts = windows.verdicts or frozenset(VERDICTS)
         self._most_lost = shown_area(windows.most_lost)  # a number that is never cut
-        self._observers = [observer_word(word) for word in OBSERVERS]
         self._metrics = QFontMetrics(table.font())
 
     def width(self, column: TableColumn) -> int:
@@ -85,19 +83,18 @@ class ColumnMeter:
             "reason": ["m" * 20], "causes": ["m" * 20], "remark": ["m" * 10], "remark_2": ["m" * 10],
             "verdict": [*map(verdict_word, self._verdicts), *self._claims()],
             "cause": [cause_word(cause.value) for cause in Cause], "paper_verdict": [*map(verdict_word, VERDICTS)],
-            "observer": self._observers, "observer_2": self._observers,
+            "observer": [*map(observer_word, OBSERVERS)], "observer_2": [*map(observer_word, OBSERVERS)],
             "window_id": ["000"], "sources": ["00"], "loss": ["888 m²", self._most_lost],
         }  # fmt: skip
         return max(self._of_words(column, *samples.get(column.name, ["0.00"])), self._heading(column))
 
     def least(self, column: TableColumn) -> int:
-        """Causes are cut short, as their first letters tell, and so are words that are no verdict, and headings of
-        what operators saw."""
+        """Causes are cut short, as their first letters tell, and so are words that are no verdict."""
         if column == CAUSE:
             return self._heading(column)
         if column.name == "verdict" and (claims := self._claims()):
             return max(self._of_words(column, *claims), self._heading(column))
-        return self._of_words(column, *self._observers) if column.name in _JUDGED else self.width(column)
+        return self.width(column)
 
     def _claims(self) -> list[str]:
         """Words of the windows' verdicts that say whether detail was lost."""

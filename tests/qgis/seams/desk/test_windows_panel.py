@@ -468,6 +468,7 @@ def test_columns_are_chosen_and_kept(
     assert titles(other) == titles(panel)
     choose_column(other, "As there is room")
     other.resize(panel.size())
+    QTest.qWait(1)
     assert titles(other) == before
 
 
