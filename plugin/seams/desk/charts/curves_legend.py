@@ -108,7 +108,6 @@ class CurvesLegend(QListWidget):
             self._look(self.item(row), curve, number, curve.key in hidden, style)
         if has_limit:
             self.item(len(curves)).setIcon(self._piece(QColor(style.limit), Qt.PenStyle.SolidLine, 0.15, 0))
-        self.updateGeometry()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.currentItem():

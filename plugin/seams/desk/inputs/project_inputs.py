@@ -170,15 +170,15 @@ class InputsWatch(QObject):
     """Tells what may have changed; whether it really has is for others to find out."""
 
     layersChanged = pyqtSignal()
-    """A layer has another data source or reference system; of the windows only the system counts here."""
-    indexEdited = pyqtSignal()  # the features of the source index, or of the seam cells, are others
+    """A layer has another data source or reference system, of the windows only that; or the source index or the seam
+    cells have other features."""
     seamlinesEdited = pyqtSignal()  # the seamlines are others
 
     def __init__(self, project: QgsProject, parent: QObject) -> None:
         super().__init__(parent)
         self._project = project
         self._followed: tuple[dict[str, QgsMapLayer], str, str, str, str] = ({}, "", "", "", "")
-        self._index_timer = single_shot(self, self.indexEdited, _EDITS_MS)
+        self._index_timer = single_shot(self, self.layersChanged, _EDITS_MS)
         self._seamlines_timer = single_shot(self, self.seamlinesEdited, _EDITS_MS)
 
     def follow(self, inputs: Inputs) -> None:

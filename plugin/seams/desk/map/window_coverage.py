@@ -190,10 +190,6 @@ class SeamFinder:
         job = jobs.seams_job(lines, block.mosaic.grid.pixel_width)
         self._background.start(tr("Find seams"), job, partial(self._take, turn))
 
-    def nearest(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
-        """The nearest point of a seam within ``reach``; none while they are being found."""
-        return self.index.nearest(x, y, reach)
-
     def _take(self, turn: object, seams: Any) -> None:
         if turn is self._turn:
             self.index = seams

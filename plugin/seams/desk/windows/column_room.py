@@ -47,7 +47,8 @@ def columns_menu(
     menu = QMenu(parent)
     menu.setToolTipsVisible(True)
     for column in columns:
-        action = menu.addAction(_menu_title(column))
+        title = filled(tr("ratio {level}"), level=column.level) if column.level > 1 else column.title()
+        action = menu.addAction(title)
         action.setToolTip(column.title_tip())
         action.setCheckable(True)
         action.setChecked(column.field in visible)
@@ -58,10 +59,6 @@ def columns_menu(
     action.setToolTip(tr("The usual columns, as many as there is room for."))
     action.triggered.connect(lambda *_: choose(()))
     return menu
-
-
-def _menu_title(column: TableColumn) -> str:
-    return filled(tr("ratio {level}"), level=column.level) if column.level > 1 else column.title()
 
 
 _GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio", "observer_2", "cause")
