@@ -188,8 +188,10 @@ class LossLegend(QLabel):
             colour = blended(QColor(*rgb), _GROUND, LOSS_OPACITY * alpha / 255)
             words.append(swatch.format(colour.name(), escape(text)))
         if not has_pictures:
-            words = [f"<td>{escape(tr('No picture yet: inspect windows'))}</td>"]
-        self.setText(f"{escape(tr('Detail kept'))}<table><tr>{'</tr><tr>'.join(words)}</tr></table>")
+            nothing = tr("No picture yet: inspect windows")
+            words = [f"<td>{escape(nothing)}</td>"]
+        page = escape(tr("Detail kept")) + f"<table><tr>{'</tr><tr>'.join(words)}</tr></table>"
+        self.setText(page)
         self._place()
         self.show()
         self.raise_()
