@@ -11704,7 +11704,7 @@
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="192"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="193"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
