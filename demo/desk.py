@@ -230,6 +230,13 @@ class Desk:
         self.dock.findChild(QTabWidget).setCurrentIndex(number)
         self.pause(0.3)
 
+    def sort_by_loss(self) -> None:
+        """By a click on its heading: the worst first."""
+        table = self.dock.windows.table
+        header, section = table.horizontalHeader(), [one.name for one in table.model().columns].index("loss")
+        place = QPoint(header.sectionViewportPosition(section) + header.sectionSize(section) // 2, header.height() // 2)
+        QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, _NO_KEY, place)
+
     def table(self) -> list[list[str]]:
         """The texts of the windows' table, row by row."""
         model = self.dock.windows.table.model()

@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="148"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="154"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -124,7 +124,7 @@
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="49"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="52"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="50"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -349,32 +349,32 @@
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="66"/>
+        <location filename="../plugin/seams/measure/messages.py" line="70"/>
         <source>No source covers the window; add the orthoimages that overlap it or move the window.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="67"/>
+        <location filename="../plugin/seams/measure/messages.py" line="71"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="68"/>
+        <location filename="../plugin/seams/measure/messages.py" line="72"/>
         <source>The mosaic has no variance in the window; move the window to where there is content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="69"/>
+        <location filename="../plugin/seams/measure/messages.py" line="73"/>
         <source>{name} has no variance in the window; move the window to where there is content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="71"/>
+        <location filename="../plugin/seams/measure/messages.py" line="75"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="73"/>
+        <location filename="../plugin/seams/measure/messages.py" line="77"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
@@ -384,7 +384,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="127"/>
+        <location filename="../plugin/seams/measure/messages.py" line="131"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -439,12 +439,12 @@
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="117"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="115"/>
         <source>significant loss below</source>
         <translation>istotna strata poniżej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="180"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="138"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -474,29 +474,19 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="55"/>
-        <source>Click an entry to hide its curve or to show it again; right click for more</source>
-        <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą; prawy przycisk myszy: więcej opcji</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="133"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="102"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="172"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="128"/>
         <source>Click to show this curve</source>
         <translation>Kliknij, aby pokazać tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="172"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="128"/>
         <source>Click to hide this curve</source>
         <translation>Kliknij, aby ukryć tę krzywą</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="200"/>
-        <source>Show all curves</source>
-        <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
@@ -504,52 +494,52 @@
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="38"/>
+        <location filename="../plugin/seams/words.py" line="36"/>
         <source>significant</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="39"/>
+        <location filename="../plugin/seams/words.py" line="37"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="40"/>
+        <location filename="../plugin/seams/words.py" line="38"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="42"/>
+        <location filename="../plugin/seams/words.py" line="40"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="44"/>
+        <location filename="../plugin/seams/words.py" line="42"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="88"/>
+        <location filename="../plugin/seams/words.py" line="86"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="88"/>
+        <location filename="../plugin/seams/words.py" line="86"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="44"/>
+        <location filename="../plugin/seams/words.py" line="42"/>
         <source>Not inspected yet.</source>
         <translation>Okno nie było jeszcze kontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="42"/>
+        <location filename="../plugin/seams/words.py" line="40"/>
         <source>The mosaic could not be compared with a source here.</source>
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="229"/>
+        <location filename="../plugin/seams/window_summary.py" line="166"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -664,7 +654,7 @@
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="183"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="180"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -674,57 +664,42 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="124"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="99"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="278"/>
-        <source>{count} of the {selected} selected windows: mean and range</source>
-        <translation>{count} z {selected} zaznaczonych okien: średnia i zakres</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="281"/>
-        <source>{count} windows: mean and range</source>
-        <translation>{count} {count:okno|okna|okien}: średnia i zakres</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="282"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="221"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="223"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="298"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="235"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="301"/>
-        <source>None of the selected windows can be compared.</source>
-        <translation>Żadnego z zaznaczonych okien nie można porównać.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="304"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="241"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="306"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="243"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="311"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="248"/>
         <source>The curves are not kept with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="312"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="245"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -744,16 +719,6 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="320"/>
-        <source>Judge visible</source>
-        <translation>Strata widoczna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="322"/>
-        <source>Judge invisible</source>
-        <translation>Strata niewidoczna</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="291"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
@@ -764,22 +729,22 @@
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="255"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="216"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="219"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="256"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="217"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="90"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="73"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -789,52 +754,52 @@
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="149"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="46"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="151"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="48"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="149"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="46"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="151"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="48"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="37"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="92"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="75"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="316"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="256"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="317"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="257"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
@@ -849,22 +814,12 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="326"/>
-        <source>Take judgement back</source>
-        <translation>Wycofaj opinię</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="327"/>
-        <source>Marks the selected windows as not judged.</source>
-        <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="334"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="263"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="335"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="264"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
@@ -874,42 +829,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="188"/>
+        <location filename="../plugin/seams/desk/dock.py" line="186"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="188"/>
+        <location filename="../plugin/seams/desk/dock.py" line="186"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="191"/>
+        <location filename="../plugin/seams/desk/dock.py" line="189"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="191"/>
+        <location filename="../plugin/seams/desk/dock.py" line="189"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="209"/>
+        <location filename="../plugin/seams/desk/dock.py" line="207"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="209"/>
+        <location filename="../plugin/seams/desk/dock.py" line="207"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="212"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="212"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -919,77 +874,72 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="241"/>
+        <location filename="../plugin/seams/desk/dock.py" line="239"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="344"/>
+        <location filename="../plugin/seams/desk/dock.py" line="342"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="32"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="31"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="45"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="48"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="44"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="47"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="46"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="49"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="48"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="51"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="136"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="131"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="210"/>
-        <source>src.</source>
-        <translation>źr.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="207"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="202"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="213"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="207"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="219"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="212"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
@@ -999,82 +949,72 @@
         <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="208"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="203"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="214"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="208"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="220"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="213"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="69"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="64"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="74"/>
-        <source>log</source>
-        <translation>log</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="75"/>
-        <source>Logarithmic axis, which shows the fine levels; off: linear axis</source>
-        <translation>Oś logarytmiczna, która uwidacznia najdokładniejsze poziomy; po wyłączeniu: oś liniowa</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="88"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="85"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="100"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="97"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="184"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="181"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="105"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="93"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="196"/>
+        <location filename="../plugin/seams/desk/map/window_coverage.py" line="191"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="67"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="65"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="67"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="65"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="133"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="132"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="179"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -1084,7 +1024,7 @@
         <translation>Wczytywanie obrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="60"/>
+        <location filename="../plugin/seams/measure/messages.py" line="64"/>
         <source>No window layer can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy okien w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
@@ -1114,7 +1054,7 @@
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="136"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="131"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
@@ -1149,37 +1089,22 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="164"/>
-        <source>mosaic (mean)</source>
-        <translation>ortofotomapa (śr.)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="164"/>
-        <source>sources (mean)</source>
-        <translation>źródła (śr.)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="180"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="138"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="184"/>
-        <source> (range {low} to {high})</source>
-        <translation> (zakres od {low} do {high})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="191"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="146"/>
         <source> ({percent:.0f} % of the lowest source)</source>
         <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="193"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="148"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
         <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="196"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="151"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
@@ -1194,19 +1119,14 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="143"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="125"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="175"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="131"/>
         <source>What a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have</source>
         <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, z tonacją wyrównaną do ortofotomapy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="199"/>
-        <source>Show only this curve</source>
-        <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
@@ -1219,32 +1139,32 @@
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="112"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="113"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="91"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="74"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="61"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="64"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="63"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="201"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="196"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="202"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="197"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -1254,27 +1174,27 @@
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="54"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="54"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="80"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="79"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="88"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="87"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="91"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
         <source>{count} of them have no curves in it, as these are not kept with the project; inspect them again to have them.</source>
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
@@ -2519,7 +2439,7 @@
         <translation>Warstwa komórek ortofotomapy nie ma pola „source”; dodaj je i wpisz nazwy plików ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="57"/>
+        <location filename="../plugin/seams/measure/messages.py" line="61"/>
         <source>No window could be placed along the seams; the log messages say why.</source>
         <translation>Wzdłuż linii mozaikowania nie udało się umieścić żadnego okna; przyczyny podaje dziennik komunikatów.</translation>
     </message>
@@ -2534,27 +2454,27 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/messages.py" line="133"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/messages.py" line="136"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/messages.py" line="137"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/messages.py" line="139"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="130"/>
+        <location filename="../plugin/seams/measure/messages.py" line="134"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
@@ -2569,62 +2489,62 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="139"/>
+        <location filename="../plugin/seams/measure/messages.py" line="143"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="142"/>
+        <location filename="../plugin/seams/measure/messages.py" line="146"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="149"/>
+        <location filename="../plugin/seams/measure/messages.py" line="153"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="178"/>
+        <location filename="../plugin/seams/measure/messages.py" line="179"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="194"/>
+        <location filename="../plugin/seams/measure/messages.py" line="195"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="183"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="198"/>
+        <location filename="../plugin/seams/measure/messages.py" line="199"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="202"/>
+        <location filename="../plugin/seams/measure/messages.py" line="203"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/messages.py" line="166"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="175"/>
+        <location filename="../plugin/seams/measure/messages.py" line="176"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="207"/>
+        <location filename="../plugin/seams/measure/messages.py" line="208"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="206"/>
+        <location filename="../plugin/seams/measure/messages.py" line="207"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -3438,7 +3358,7 @@
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="80"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="50"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
@@ -3583,72 +3503,72 @@
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="131"/>
+        <location filename="../plugin/seams/words.py" line="120"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="145"/>
+        <location filename="../plugin/seams/words.py" line="131"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="163"/>
+        <location filename="../plugin/seams/words.py" line="146"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="170"/>
+        <location filename="../plugin/seams/words.py" line="153"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="179"/>
+        <location filename="../plugin/seams/words.py" line="162"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="190"/>
+        <location filename="../plugin/seams/words.py" line="173"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="197"/>
+        <location filename="../plugin/seams/words.py" line="180"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="280"/>
+        <location filename="../plugin/seams/words.py" line="260"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="132"/>
+        <location filename="../plugin/seams/words.py" line="121"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="164"/>
+        <location filename="../plugin/seams/words.py" line="147"/>
         <source>Grey values were pressed together by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="171"/>
+        <location filename="../plugin/seams/words.py" line="154"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="180"/>
+        <location filename="../plugin/seams/words.py" line="163"/>
         <source>Highlights or shadows were driven into the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="274"/>
+        <location filename="../plugin/seams/words.py" line="254"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="281"/>
+        <location filename="../plugin/seams/words.py" line="261"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -3812,7 +3732,7 @@
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="71"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="70"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3821,27 +3741,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="94"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="93"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="113"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="112"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="113"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="115"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="141"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="140"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4134,152 +4054,132 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="270"/>
+        <location filename="../plugin/seams/window_summary.py" line="205"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="272"/>
+        <location filename="../plugin/seams/window_summary.py" line="207"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="276"/>
+        <location filename="../plugin/seams/window_summary.py" line="211"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="278"/>
+        <location filename="../plugin/seams/window_summary.py" line="213"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="279"/>
+        <location filename="../plugin/seams/window_summary.py" line="214"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="282"/>
+        <location filename="../plugin/seams/window_summary.py" line="217"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="284"/>
+        <location filename="../plugin/seams/window_summary.py" line="219"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="289"/>
+        <location filename="../plugin/seams/window_summary.py" line="224"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="291"/>
+        <location filename="../plugin/seams/window_summary.py" line="226"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="38"/>
+        <location filename="../plugin/seams/words.py" line="36"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="303"/>
+        <location filename="../plugin/seams/window_summary.py" line="238"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="305"/>
+        <location filename="../plugin/seams/window_summary.py" line="240"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="307"/>
+        <location filename="../plugin/seams/window_summary.py" line="242"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="309"/>
+        <location filename="../plugin/seams/window_summary.py" line="244"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="135"/>
-        <source>blur to {value} % of their sharpness explains it</source>
-        <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="136"/>
+        <location filename="../plugin/seams/words.py" line="123"/>
         <source>the mosaic is blurred to {value} % of their sharpness</source>
         <translation>ortofotomapa jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="149"/>
-        <source>feathering of images {value} px apart explains it</source>
-        <translation>wyjaśnia to wtapianie obrazów odsuniętych o {value} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="150"/>
+        <location filename="../plugin/seams/words.py" line="134"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="166"/>
+        <location filename="../plugin/seams/words.py" line="149"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="173"/>
+        <location filename="../plugin/seams/words.py" line="156"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="182"/>
+        <location filename="../plugin/seams/words.py" line="165"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="193"/>
+        <location filename="../plugin/seams/words.py" line="176"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="133"/>
-        <source>blur explains it</source>
-        <translation>wyjaśnia to rozmycie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="133"/>
+        <location filename="../plugin/seams/words.py" line="122"/>
         <source>the mosaic is blurred</source>
         <translation>ortofotomapa jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="147"/>
-        <source>feathering explains it</source>
-        <translation>wyjaśnia to wtapianie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="157"/>
+        <location filename="../plugin/seams/words.py" line="133"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="165"/>
+        <location filename="../plugin/seams/words.py" line="148"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="172"/>
+        <location filename="../plugin/seams/words.py" line="155"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="181"/>
+        <location filename="../plugin/seams/words.py" line="164"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="192"/>
+        <location filename="../plugin/seams/words.py" line="175"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
@@ -4360,7 +4260,7 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="148"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="154"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -4383,7 +4283,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="215"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="221"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
@@ -4408,7 +4308,7 @@
         <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="189"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="144"/>
         <source> ({percent:.0f} % of the composite)</source>
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
@@ -4433,7 +4333,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="214"/>
+        <location filename="../plugin/seams/desk/dock.py" line="212"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4508,11 +4408,6 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="200"/>
-        <source>{cause}; besides: {others}.</source>
-        <translation>{cause}; poza tym: {others}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/report/window_words.py" line="44"/>
         <source>by the paper&apos;s rule: {verdict}</source>
         <translation>według reguły z artykułu: {verdict}</translation>
@@ -4523,12 +4418,12 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="127"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="126"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="128"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="127"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
@@ -4538,207 +4433,197 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
         <source>What was found, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
         <source>kept</source>
         <translation>zachow.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="61"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="52"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="55"/>
         <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="51"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="54"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="54"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="57"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="57"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <location filename="../plugin/seams/window_summary.py" line="44"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="46"/>
+        <location filename="../plugin/seams/window_summary.py" line="45"/>
         <source>composite: {value:.2f}</source>
         <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="47"/>
+        <location filename="../plugin/seams/window_summary.py" line="46"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="59"/>
+        <location filename="../plugin/seams/window_summary.py" line="58"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="60"/>
+        <location filename="../plugin/seams/window_summary.py" line="59"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="206"/>
+        <location filename="../plugin/seams/words.py" line="189"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="217"/>
+        <location filename="../plugin/seams/words.py" line="200"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="218"/>
+        <location filename="../plugin/seams/words.py" line="201"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="219"/>
-        <source>resampling explains it</source>
-        <translation>wyjaśnia to przepróbkowanie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="219"/>
+        <location filename="../plugin/seams/words.py" line="202"/>
         <source>the mosaic was resampled</source>
         <translation>ortofotomapa została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="221"/>
-        <source>resampling, {value} px off the sources&apos; pixels, explains it</source>
-        <translation>wyjaśnia to przepróbkowanie z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="222"/>
+        <location filename="../plugin/seams/words.py" line="203"/>
         <source>the mosaic was resampled, {value} px off the sources&apos; pixels</source>
         <translation>ortofotomapa została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="231"/>
+        <location filename="../plugin/seams/words.py" line="211"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="232"/>
+        <location filename="../plugin/seams/words.py" line="212"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="233"/>
+        <location filename="../plugin/seams/words.py" line="213"/>
         <source>the mosaic was sharpened</source>
         <translation>ortofotomapa została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="234"/>
+        <location filename="../plugin/seams/words.py" line="214"/>
         <source>the mosaic was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>ortofotomapa została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="239"/>
+        <location filename="../plugin/seams/words.py" line="219"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="240"/>
+        <location filename="../plugin/seams/words.py" line="220"/>
         <source>Compression with loss, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="241"/>
+        <location filename="../plugin/seams/words.py" line="221"/>
         <source>the mosaic was compressed with loss</source>
         <translation>ortofotomapa została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="242"/>
+        <location filename="../plugin/seams/words.py" line="222"/>
         <source>the mosaic was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>ortofotomapa została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="250"/>
+        <location filename="../plugin/seams/words.py" line="230"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="251"/>
+        <location filename="../plugin/seams/words.py" line="231"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="252"/>
+        <location filename="../plugin/seams/words.py" line="232"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="253"/>
+        <location filename="../plugin/seams/words.py" line="233"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="258"/>
+        <location filename="../plugin/seams/words.py" line="238"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="260"/>
+        <location filename="../plugin/seams/words.py" line="240"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="266"/>
+        <location filename="../plugin/seams/words.py" line="246"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="267"/>
+        <location filename="../plugin/seams/words.py" line="247"/>
         <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="268"/>
+        <location filename="../plugin/seams/words.py" line="248"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="269"/>
+        <location filename="../plugin/seams/words.py" line="249"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="275"/>
+        <location filename="../plugin/seams/words.py" line="255"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -4748,22 +4633,22 @@
         <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="108"/>
+        <location filename="../plugin/seams/measure/messages.py" line="112"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="111"/>
+        <location filename="../plugin/seams/measure/messages.py" line="115"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="124"/>
+        <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="209"/>
+        <location filename="../plugin/seams/measure/messages.py" line="210"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -4809,12 +4694,11 @@
         <translation>mediana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="104"/>
         <source>kept 1</source>
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="135"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="104"/>
         <source>On or below this line a loss is significant by curves: against the sources (paper), or their composite</source>
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
@@ -4854,34 +4738,24 @@
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="195"/>
+        <location filename="../plugin/seams/desk/dock.py" line="193"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="195"/>
+        <location filename="../plugin/seams/desk/dock.py" line="193"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="200"/>
+        <location filename="../plugin/seams/desk/dock.py" line="198"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="200"/>
+        <location filename="../plugin/seams/desk/dock.py" line="198"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="261"/>
-        <source>Open the scan&apos;s layers</source>
-        <translation>Otwórz warstwy badania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="292"/>
-        <source>Picture of losses, so far</source>
-        <translation>Obraz strat (częściowy)</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/paper_head.py" line="112"/>
@@ -4904,312 +4778,312 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="107"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="101"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="110"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="103"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="136"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="129"/>
         <source>Scan: putting the blocks together, {percent} %</source>
         <translation>Badanie: łączenie bloków, {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="137"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="130"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="92"/>
+        <location filename="../plugin/seams/jobs.py" line="83"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="94"/>
+        <location filename="../plugin/seams/jobs.py" line="85"/>
         <source>about {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="95"/>
+        <location filename="../plugin/seams/jobs.py" line="86"/>
         <source>about {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="195"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="232"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="438"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="306"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="438"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="306"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="440"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="308"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="34"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="33"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken against, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="38"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="38"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="64"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="70"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="42"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="45"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="68"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="71"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="63"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="66"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="66"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="69"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="68"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="71"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="215"/>
+        <location filename="../plugin/seams/measure/messages.py" line="216"/>
         <source>A scan has no density &apos;{density}&apos;; give one of: {known}.</source>
         <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="216"/>
+        <location filename="../plugin/seams/measure/messages.py" line="217"/>
         <source>The picture of losses has no cells of {cell} pixels; give one of: {known}.</source>
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="256"/>
+        <location filename="../plugin/seams/measure/messages.py" line="257"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it takes no part.</source>
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="329"/>
+        <location filename="../plugin/seams/measure/messages.py" line="330"/>
         <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="330"/>
+        <location filename="../plugin/seams/measure/messages.py" line="331"/>
         <source>The scan starts anew, since {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="335"/>
+        <location filename="../plugin/seams/measure/messages.py" line="336"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="337"/>
+        <location filename="../plugin/seams/measure/messages.py" line="338"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="339"/>
+        <location filename="../plugin/seams/measure/messages.py" line="340"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="341"/>
+        <location filename="../plugin/seams/measure/messages.py" line="342"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="345"/>
+        <location filename="../plugin/seams/measure/messages.py" line="346"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="348"/>
+        <location filename="../plugin/seams/measure/messages.py" line="349"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="349"/>
+        <location filename="../plugin/seams/measure/messages.py" line="350"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="350"/>
+        <location filename="../plugin/seams/measure/messages.py" line="351"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="352"/>
+        <location filename="../plugin/seams/measure/messages.py" line="353"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="353"/>
+        <location filename="../plugin/seams/measure/messages.py" line="354"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="354"/>
+        <location filename="../plugin/seams/measure/messages.py" line="355"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="370"/>
+        <location filename="../plugin/seams/measure/messages.py" line="371"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="355"/>
+        <location filename="../plugin/seams/measure/messages.py" line="356"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="274"/>
+        <location filename="../plugin/seams/measure/messages.py" line="275"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="276"/>
+        <location filename="../plugin/seams/measure/messages.py" line="277"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="279"/>
+        <location filename="../plugin/seams/measure/messages.py" line="280"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="288"/>
+        <location filename="../plugin/seams/measure/messages.py" line="289"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="292"/>
+        <location filename="../plugin/seams/measure/messages.py" line="293"/>
         <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="295"/>
+        <location filename="../plugin/seams/measure/messages.py" line="296"/>
         <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
         <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="298"/>
+        <location filename="../plugin/seams/measure/messages.py" line="299"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="301"/>
+        <location filename="../plugin/seams/measure/messages.py" line="302"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="305"/>
+        <location filename="../plugin/seams/measure/messages.py" line="306"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="309"/>
+        <location filename="../plugin/seams/measure/messages.py" line="310"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="313"/>
+        <location filename="../plugin/seams/measure/messages.py" line="314"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="325"/>
+        <location filename="../plugin/seams/measure/messages.py" line="326"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="405"/>
+        <location filename="../plugin/seams/measure/messages.py" line="406"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="413"/>
+        <location filename="../plugin/seams/measure/messages.py" line="414"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="234"/>
+        <location filename="../plugin/seams/measure/messages.py" line="235"/>
         <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="417"/>
+        <location filename="../plugin/seams/measure/messages.py" line="418"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="425"/>
+        <location filename="../plugin/seams/measure/messages.py" line="426"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="237"/>
+        <location filename="../plugin/seams/measure/messages.py" line="238"/>
         <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
         <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="240"/>
+        <location filename="../plugin/seams/measure/messages.py" line="241"/>
         <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="252"/>
+        <location filename="../plugin/seams/measure/messages.py" line="253"/>
         <source>More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are taken.</source>
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="357"/>
+        <location filename="../plugin/seams/measure/messages.py" line="358"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="243"/>
+        <location filename="../plugin/seams/measure/messages.py" line="244"/>
         <source>None of the orthoimages can be used, for the reasons in the log; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="373"/>
+        <location filename="../plugin/seams/measure/messages.py" line="374"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -5304,37 +5178,37 @@
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="214"/>
+        <location filename="../plugin/seams/measure/messages.py" line="215"/>
         <source>The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.</source>
         <translation>Badanie mierzy od 1 do {most} poziomów, a podano {levels}; podaj od 1 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="220"/>
+        <location filename="../plugin/seams/measure/messages.py" line="221"/>
         <source>{name} is {value:g}; give {least} or more.</source>
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="381"/>
+        <location filename="../plugin/seams/measure/messages.py" line="382"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="384"/>
+        <location filename="../plugin/seams/measure/messages.py" line="385"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="230"/>
+        <location filename="../plugin/seams/measure/messages.py" line="231"/>
         <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="227"/>
+        <location filename="../plugin/seams/measure/messages.py" line="228"/>
         <source>The corridor applies only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="221"/>
+        <location filename="../plugin/seams/measure/messages.py" line="222"/>
         <source>The picture of losses is a GeoTIFF; give {path} the ending .tif.</source>
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
@@ -5344,52 +5218,32 @@
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="334"/>
+        <location filename="../plugin/seams/words.py" line="312"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="335"/>
+        <location filename="../plugin/seams/words.py" line="313"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="336"/>
+        <location filename="../plugin/seams/words.py" line="314"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="337"/>
+        <location filename="../plugin/seams/words.py" line="315"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="338"/>
+        <location filename="../plugin/seams/words.py" line="316"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="457"/>
-        <source>another source has more detail here: cut hard, the window would have {percent} %</source>
-        <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="460"/>
-        <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
-        <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="468"/>
-        <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
-        <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="472"/>
-        <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
-        <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="150"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="47"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -5399,27 +5253,27 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="90"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="102"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="101"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="104"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="103"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="227"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="226"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="224"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -5434,12 +5288,12 @@
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="64"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="63"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="90"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="89"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
@@ -5524,122 +5378,87 @@
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="325"/>
+        <location filename="../plugin/seams/desk/judging.py" line="265"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="333"/>
+        <location filename="../plugin/seams/desk/judging.py" line="273"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="335"/>
+        <location filename="../plugin/seams/desk/judging.py" line="275"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="71"/>
-        <source>as sorted</source>
-        <translation>jak w tabeli</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="72"/>
-        <source>As the table is sorted by one of its columns.</source>
-        <translation>Według kolumny, po której posortowano tabelę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="76"/>
-        <source>along the seam</source>
-        <translation>wzdłuż linii</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="77"/>
-        <source>Seam by seam, in the order in which the windows were placed.</source>
-        <translation>Linia po linii i wzdłuż każdej z nich, tak jak rozmieszczono okna.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="80"/>
-        <source>worst first</source>
-        <translation>najgorsze</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="90"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="49"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="91"/>
-        <source>Starts with the windows where the tool and an observer disagree.</source>
-        <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="95"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="51"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="96"/>
-        <source>Starts with the windows where the two operators disagree.</source>
-        <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="157"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="144"/>
         <source>judged</source>
         <translation>z opinią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="161"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="148"/>
         <source>to be judged</source>
         <translation>do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="291"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="228"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
         <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/compared_layer.py" line="66"/>
+        <location filename="../plugin/seams/desk/map/compared_layer.py" line="61"/>
         <source>Cut the composite</source>
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="209"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="208"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="78"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="74"/>
         <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="78"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="74"/>
         <source>&gt; {near} m: {kept} %</source>
         <translation>&gt; {near} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="80"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="76"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="81"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="77"/>
         <source>{near} to {far} m: {kept} %</source>
         <translation>od {near} do {far} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="101"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="97"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="101"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="97"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="220"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="213"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
@@ -5649,42 +5468,37 @@
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="230"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="223"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="109"/>
-        <source>Seam profile</source>
-        <translation>Profil linii</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="111"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="93"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="134"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="115"/>
         <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
         <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="164"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="145"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="169"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="150"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="170"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="151"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="170"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -5694,17 +5508,17 @@
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="321"/>
+        <location filename="../plugin/seams/desk/dock.py" line="319"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="330"/>
+        <location filename="../plugin/seams/desk/dock.py" line="328"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="327"/>
+        <location filename="../plugin/seams/desk/dock.py" line="325"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -5714,87 +5528,42 @@
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="322"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="318"/>
         <source>no source has pixels there</source>
         <translation>żaden ortoobraz nie ma tam pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="327"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="323"/>
         <source>{counted} or more</source>
         <translation>{counted} lub więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="329"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="325"/>
         <source>{share:.0f} % of the mosaic is empty there</source>
         <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="330"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="326"/>
         <source>{share:.1f} % of the mosaic is empty there</source>
         <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
-        <source>east</source>
-        <translation>wschód</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
-        <source>north-east</source>
-        <translation>północny wschód</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
-        <source>north</source>
-        <translation>północ</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
-        <source>north-west</source>
-        <translation>północny zachód</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
-        <source>west</source>
-        <translation>zachód</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
-        <source>south-west</source>
-        <translation>południowy zachód</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
-        <source>south</source>
-        <translation>południe</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="350"/>
-        <source>south-east</source>
-        <translation>południowy wschód</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="91"/>
+        <location filename="../plugin/seams/desk/map/window_coverage.py" line="87"/>
         <source>Look where the sources have pixels</source>
         <translation>Sprawdź, gdzie ortoobrazy mają piksele</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="176"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="175"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="221"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="220"/>
         <source>{metres:.1f} m aside, where it can be judged; Ctrl places it here</source>
         <translation>{metres:.1f} m obok, gdzie można je ocenić; z Ctrl tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="226"/>
-        <source>nearest place that can be judged: {metres:.1f} m {direction}</source>
-        <translation>najbliższe miejsce, które można ocenić: {metres:.1f} m na {direction}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="213"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="191"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
@@ -5804,7 +5573,7 @@
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="231"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="224"/>
         <source>{metres} m</source>
         <translation>{metres} m</translation>
     </message>
@@ -5934,82 +5703,47 @@
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="285"/>
-        <source>Save the windows</source>
-        <translation>Zapisz okna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="285"/>
-        <source>CSV files (*.csv)</source>
-        <translation>Pliki CSV (*.csv)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="150"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="47"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="153"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="50"/>
         <source>Windows where the tool and an observer disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="155"/>
+        <location filename="../plugin/seams/desk/windows/kind_box.py" line="52"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="197"/>
-        <source>In which order windows are shown and judged.</source>
-        <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="324"/>
-        <source>Judge not sure</source>
-        <translation>Strata niepewna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="329"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="260"/>
         <source>Copy rows</source>
         <translation>Kopiuj wiersze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="330"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="261"/>
         <source>The selected rows with their headings, for a spreadsheet.</source>
         <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="331"/>
-        <source>Save as CSV ...</source>
-        <translation>Zapisz jako CSV...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="332"/>
-        <source>All windows that are shown, with all of their numbers.</source>
-        <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="189"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="190"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict was taken by.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="58"/>
         <source>As there is room</source>
         <translation>Według miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="74"/>
-        <source>The usual columns in their usual order, as many as there is room for.</source>
-        <translation>Zwykłe kolumny w zwykłej kolejności, tyle, na ile jest miejsce.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="84"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="77"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -6029,12 +5763,12 @@
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="86"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="83"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="86"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="83"/>
         <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
@@ -6069,17 +5803,12 @@
         <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
-        <source>The table can&apos;t be saved as {path}: {error}.</source>
-        <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="152"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
@@ -6161,19 +5890,9 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="239"/>
-        <source>How the variance of the selected windows spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
-        <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="178"/>
         <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="465"/>
-        <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
-        <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="241"/>
@@ -6181,32 +5900,22 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="301"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="241"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="281"/>
+        <location filename="../plugin/seams/desk/dock.py" line="279"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="153"/>
-        <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
-        <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
-        <source>{name} is a share: write {share:g} for {percent:g} %.</source>
-        <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/messages.py" line="157"/>
         <source>The filter can&apos;t use geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="160"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
@@ -7336,22 +7045,22 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="121"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="127"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="122"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="128"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="126"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="132"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="145"/>
+        <location filename="../plugin/seams/measure/messages.py" line="149"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -8964,12 +8673,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="218"/>
+        <location filename="../plugin/seams/desk/dock.py" line="216"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="218"/>
+        <location filename="../plugin/seams/desk/dock.py" line="216"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -8999,12 +8708,12 @@
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="79"/>
+        <location filename="../plugin/seams/desk/judging.py" line="68"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="89"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="88"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -9062,102 +8771,83 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="137"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="136"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="100"/>
         <source>Looks at ratio 1 in whole windows. Significant: {limit:.2f} or less. Reduced: below 1. Preserved: 1 or more.</source>
         <translation>Patrzy na stosunek 1 w całych oknach. Istotna strata: {limit:.2f} lub mniej. Osłabione: poniżej 1. Zachowane: 1 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="90"/>
         <source>flagged</source>
         <translation>oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="90"/>
         <source>Has a significant loss, or one that the observer saw.</source>
         <translation>Okno z istotną stratą lub ze stratą, którą zauważył obserwator.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="102"/>
         <source>the paper&apos;s rule</source>
         <translation>reguła z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="103"/>
         <source>What the operator saw at 2x magnification.</source>
         <translation>Co operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="105"/>
         <source>The share of the sources&apos; finest detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
         <translation>Część najdrobniejszych detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="119"/>
         <source>The mosaic&apos;s relative variance at level 1 divided by a source&apos;s; a window&apos;s is the largest over its sources.</source>
         <translation>Wariancja względna ortofotomapy na poziomie 1 podzielona przez wariancję ortoobrazu źródłowego; stosunek okna jest największym spośród jego źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="122"/>
         <source>The share of a clip&apos;s variance that lies in the details of each level, and in the background that is left (wavelet decomposition; Pyka 2010).</source>
         <translation>Część wariancji wycinka przypadająca na detale każdego poziomu i na pozostałe tło (dekompozycja falkowa; Pyka 2010).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="125"/>
         <source>level of detail</source>
         <translation>poziom detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="125"/>
         <source>Level 1 is the finest, about 2 px; each further one is twice as coarse.</source>
         <translation>Poziom 1 jest najdrobniejszy, około 2 px; każdy następny jest dwa razy grubszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="115"/>
         <source>sharpness 1</source>
         <translation>ostrość 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="116"/>
         <source>The contrast of the finest detail in the whole window, 1 for that of its sources in the mosaic&apos;s tones.</source>
         <translation>Kontrast najdrobniejszych detali w całym oknie; 1 to kontrast jego ortoobrazów źródłowych w tonach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="128"/>
         <source>What the mosaic would be if its sources had been cut along the seam and nothing were mixed.</source>
         <translation>Czym byłaby ortofotomapa, gdyby jej źródła przycięto wzdłuż linii mozaikowania i niczego nie zmieszano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="132"/>
         <source>What would be left of the sources&apos; detail if the two were averaged.</source>
         <translation>Ile zostałoby z detali ortoobrazów źródłowych, gdyby dwa z nich uśredniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="135"/>
         <source>seam profile</source>
         <translation>profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="141"/>
         <source>lost detail</source>
         <translation>utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="142"/>
         <source>The colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
         <translation>Barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="145"/>
         <source>clips</source>
         <translation>wycinki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="146"/>
         <source>The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes a little detail from all of them.</source>
         <translation>Część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali, wszystkie z jednakowym rozciągnięciem. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
@@ -9332,27 +9022,27 @@
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="319"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="315"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="208"/>
+        <location filename="../plugin/seams/words.py" line="191"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="210"/>
+        <location filename="../plugin/seams/words.py" line="193"/>
         <source>a part of the mosaic matches none of these sources</source>
         <translation>część ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="211"/>
+        <location filename="../plugin/seams/words.py" line="194"/>
         <source>{value} % of the mosaic match none of these sources</source>
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="249"/>
+        <location filename="../plugin/seams/window_summary.py" line="184"/>
         <source>{percent} % of the pixels match none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -9457,12 +9147,11 @@
         <translation>widoczność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="110"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="51"/>
         <source>visibility at 2x (JND)</source>
         <translation>widoczność w powiększeniu 2× (JND)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="111"/>
         <source>How many times more of the detail along the seam was lost than an eye just sees side by side at 2x: just noticeable differences of contrast, by the sensitivity of the eye to the size and contrast of the detail.</source>
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
@@ -9472,72 +9161,72 @@
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="140"/>
+        <location filename="../plugin/seams/words.py" line="126"/>
         <source>blur took {value} %</source>
         <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="157"/>
+        <location filename="../plugin/seams/words.py" line="140"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="158"/>
+        <location filename="../plugin/seams/words.py" line="141"/>
         <source>Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="185"/>
+        <location filename="../plugin/seams/words.py" line="168"/>
         <source>clipping took {value} %</source>
         <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="198"/>
+        <location filename="../plugin/seams/words.py" line="181"/>
         <source>Images that meet in the mosaic do not lie on each other there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="226"/>
+        <location filename="../plugin/seams/words.py" line="206"/>
         <source>resampling took {value} %</source>
         <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="245"/>
+        <location filename="../plugin/seams/words.py" line="225"/>
         <source>compression took {value} %</source>
         <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="145"/>
+        <location filename="../plugin/seams/words.py" line="142"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="199"/>
+        <location filename="../plugin/seams/words.py" line="182"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="286"/>
+        <location filename="../plugin/seams/window_summary.py" line="221"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="282"/>
+        <location filename="../plugin/seams/words.py" line="262"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="84"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="80"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="248"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="241"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="250"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="243"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
@@ -9567,42 +9256,22 @@
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="238"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="231"/>
         <source>{length} px</source>
         <translation>{length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="104"/>
+        <location filename="../plugin/seams/measure/messages.py" line="108"/>
         <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="143"/>
+        <location filename="../plugin/seams/window_summary.py" line="132"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="197"/>
-        <source>Besides: {others}.</source>
-        <translation>Poza tym: {others}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="151"/>
-        <source>images {apart} px apart are feathered over {width} m</source>
-        <translation>na szerokości {width} m wtopione są obrazy odsunięte o {apart} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="152"/>
-        <source>images {apart} px apart are feathered</source>
-        <translation>wtopione są obrazy odsunięte o {apart} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="157"/>
-        <source>images are feathered over {width} m</source>
-        <translation>obrazy są wtopione na szerokości {width} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="488"/>
+        <location filename="../plugin/seams/window_summary.py" line="406"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -9617,27 +9286,26 @@
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="146"/>
+        <location filename="../plugin/seams/words.py" line="132"/>
         <source>Two images that differ were mixed by weights along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="136"/>
         <source>The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 drops below the dashed line, the loss is significant. The dotted line is the share of the image beyond the seam in the mixture of the two.</source>
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="125"/>
+        <location filename="../plugin/seams/window_summary.py" line="401"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="124"/>
+        <location filename="../plugin/seams/window_summary.py" line="400"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="121"/>
+        <location filename="../plugin/seams/measure/messages.py" line="125"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
@@ -9652,7 +9320,7 @@
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="272"/>
+        <location filename="../plugin/seams/measure/messages.py" line="273"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
@@ -9667,17 +9335,17 @@
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="332"/>
+        <location filename="../plugin/seams/measure/messages.py" line="333"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="351"/>
+        <location filename="../plugin/seams/measure/messages.py" line="352"/>
         <source>where the mosaic or one of the sources lies</source>
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="366"/>
+        <location filename="../plugin/seams/measure/messages.py" line="367"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -10107,7 +9775,7 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="204"/>
+        <location filename="../plugin/seams/desk/dock.py" line="202"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
@@ -10137,27 +9805,27 @@
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="84"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
         <source>A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
         <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je. Prawy przycisk na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="78"/>
+        <location filename="../plugin/seams/measure/messages.py" line="82"/>
         <source>No change from one source to another is found in the window; the verdict is that of the sharpness alone.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="316"/>
+        <location filename="../plugin/seams/measure/messages.py" line="317"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="320"/>
+        <location filename="../plugin/seams/measure/messages.py" line="321"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the mosaic itself tells what it follows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="377"/>
+        <location filename="../plugin/seams/measure/messages.py" line="378"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
@@ -10177,52 +9845,52 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="415"/>
+        <location filename="../plugin/seams/window_summary.py" line="350"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="52"/>
+        <location filename="../plugin/seams/window_summary.py" line="51"/>
         <source>{area} m²</source>
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="417"/>
+        <location filename="../plugin/seams/window_summary.py" line="352"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="427"/>
+        <location filename="../plugin/seams/window_summary.py" line="362"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="430"/>
+        <location filename="../plugin/seams/window_summary.py" line="365"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="414"/>
+        <location filename="../plugin/seams/window_summary.py" line="349"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="439"/>
+        <location filename="../plugin/seams/window_summary.py" line="374"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="487"/>
+        <location filename="../plugin/seams/window_summary.py" line="405"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="44"/>
+        <location filename="../plugin/seams/window_summary.py" line="43"/>
         <source>loss: {area}</source>
         <translation>strata: {area}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="247"/>
+        <location filename="../plugin/seams/words.py" line="227"/>
         <source>Compress it less.</source>
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
@@ -10581,7 +10249,7 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="90"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="87"/>
         <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -10651,12 +10319,12 @@
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="93"/>
+        <location filename="../plugin/seams/measure/messages.py" line="97"/>
         <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="97"/>
+        <location filename="../plugin/seams/measure/messages.py" line="101"/>
         <source>{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic&apos;s pixel size. {more}</source>
         <translation>{name} ma piksele {pixel:g} m, a ortofotomapa {own:g} m; podaj go z rozmiarem piksela ortofotomapy. {more}</translation>
     </message>
@@ -10689,17 +10357,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="151"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="154"/>
+        <location filename="../plugin/seams/desk/dock.py" line="152"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="150"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -10892,7 +10560,7 @@
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="387"/>
+        <location filename="../plugin/seams/measure/messages.py" line="388"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
@@ -10941,17 +10609,17 @@
         <translation>obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="408"/>
+        <location filename="../plugin/seams/measure/messages.py" line="409"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="421"/>
+        <location filename="../plugin/seams/measure/messages.py" line="422"/>
         <source>Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="92"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="91"/>
         <source>Main cause in the whole window: {cause}.</source>
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
@@ -11111,29 +10779,9 @@
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="401"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="311"/>
         <source>All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.</source>
         <translation>Wszystkie okna ocenione: widoczna {visible}, niewidoczna {invisible}, niepewna {unsure}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="412"/>
-        <source>The tool agrees on {same} of {count}.</source>
-        <translation>Narzędzie zgadza się w {same} z {count}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="414"/>
-        <source>The tool agrees on {same} of {count}. Called significant and not seen: {vain}; seen and not called so: {missed}.</source>
-        <translation>Narzędzie zgadza się w {same} z {count}. Uznane za istotne, a niewidoczne: {vain}; widoczne, a nieuznane: {missed}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="85"/>
-        <source>least sure first</source>
-        <translation>najmniej pewne najpierw</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="86"/>
-        <source>Starts where the limit lies deep within the interval of what is kept: there an eye tells most.</source>
-        <translation>Zaczyna tam, gdzie granica leży głęboko w przedziale tego, co zachowano: tam oko mówi najwięcej.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="46"/>
@@ -11146,17 +10794,17 @@
         <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="186"/>
+        <location filename="../plugin/seams/measure/messages.py" line="187"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <location filename="../plugin/seams/measure/messages.py" line="191"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="284"/>
+        <location filename="../plugin/seams/measure/messages.py" line="285"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
@@ -11221,37 +10869,22 @@
         <translation>metry: {outcome}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="118"/>
+        <location filename="../plugin/seams/window_summary.py" line="82"/>
         <source>This follows from the mixture of the images, since the ground around is mixed too.</source>
         <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="115"/>
+        <location filename="../plugin/seams/window_summary.py" line="79"/>
         <source>This follows from the mixture of the images, since there is too little unmixed ground around.</source>
         <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="117"/>
+        <location filename="../plugin/seams/window_summary.py" line="81"/>
         <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="463"/>
-        <source>it measures detail as a share of all variance, and the tones were changed</source>
-        <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="147"/>
-        <source>images are mixed over {width} m, but not by weights</source>
-        <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="155"/>
-        <source>, and the misfit took most</source>
-        <translation>, a najwięcej zabrało ich niedopasowanie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="191"/>
+        <location filename="../plugin/seams/words.py" line="174"/>
         <source>The channels were corrected one by one, so the colours shifted.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
@@ -11447,11 +11080,6 @@
         <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków: wzdłuż jednej linii mozaikowania i dalej przez węzeł, w którym spotykają się tylko dwa niezgodne odcinki. Niezmierzony może być w niej najwyżej jeden typowy odcinek. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="149"/>
-        <source>images {apart} px apart are mixed by another rule than weights</source>
-        <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
-    </message>
-    <message>
         <location filename="../plugin/toolkit/messages.py" line="21"/>
         <source>Windows without a number of their own: {count}; they got the next free ones.</source>
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
@@ -11561,7 +11189,7 @@
         <translation>Radiometria: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="172"/>
+        <location filename="../plugin/seams/measure/messages.py" line="173"/>
         <source>{field} of {count} windows is a number that no measurement gives; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
@@ -11596,137 +11224,137 @@
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="75"/>
+        <location filename="../plugin/seams/measure/messages.py" line="79"/>
         <source>No source explains the mosaic&apos;s fine detail here; add the orthoimages that it was made from.</source>
         <translation>Żaden ortoobraz źródłowy nie wyjaśnia tu drobnych detali ortofotomapy; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="82"/>
+        <location filename="../plugin/seams/measure/messages.py" line="86"/>
         <source>Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.</source>
         <translation>Dwa obrazy są zmieszane na {share:.0f} % okna: nie ma linii ani niezmieszanego terenu do porównania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <location filename="../plugin/seams/measure/messages.py" line="90"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo je przesuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="89"/>
+        <location filename="../plugin/seams/measure/messages.py" line="93"/>
         <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the one missing.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="100"/>
+        <location filename="../plugin/seams/measure/messages.py" line="104"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources&apos; detail: add those that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="186"/>
+        <location filename="../plugin/seams/window_summary.py" line="114"/>
         <source>Mixing alone would have taken {percent} % there.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="169"/>
+        <location filename="../plugin/seams/window_summary.py" line="97"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="171"/>
+        <location filename="../plugin/seams/window_summary.py" line="99"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="173"/>
+        <location filename="../plugin/seams/window_summary.py" line="101"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="175"/>
+        <location filename="../plugin/seams/window_summary.py" line="103"/>
         <source>feathered</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="188"/>
+        <location filename="../plugin/seams/window_summary.py" line="116"/>
         <source>Mixing alone would have taken {percent} % there; what took the rest is unclear.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="376"/>
+        <location filename="../plugin/seams/window_summary.py" line="311"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="174"/>
+        <location filename="../plugin/seams/window_summary.py" line="102"/>
         <source>{apart} px misfit</source>
         <translation>niedopasowanie {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="375"/>
+        <location filename="../plugin/seams/window_summary.py" line="310"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="399"/>
+        <location filename="../plugin/seams/window_summary.py" line="334"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="403"/>
+        <location filename="../plugin/seams/window_summary.py" line="338"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="183"/>
+        <location filename="../plugin/seams/window_summary.py" line="111"/>
         <source>What took detail along the seam is unclear.</source>
         <translation>Nie wiadomo, co zabrało detale wzdłuż linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="127"/>
         <source>blurred</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="142"/>
+        <location filename="../plugin/seams/words.py" line="128"/>
         <source>Leave out that filter.</source>
         <translation>Pomiń ten filtr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="154"/>
+        <location filename="../plugin/seams/words.py" line="137"/>
         <source>Cut hard or feather less.</source>
         <translation>Tnij ostro albo wtapiaj węziej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="160"/>
+        <location filename="../plugin/seams/words.py" line="143"/>
         <source>Cut hard there.</source>
         <translation>Tnij tam ostro.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="186"/>
+        <location filename="../plugin/seams/words.py" line="169"/>
         <source>clipped</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="187"/>
+        <location filename="../plugin/seams/words.py" line="170"/>
         <source>Stretch it less.</source>
         <translation>Rozciągaj ją słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="203"/>
+        <location filename="../plugin/seams/words.py" line="186"/>
         <source>Register images.</source>
         <translation>Dopasuj obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="214"/>
+        <location filename="../plugin/seams/words.py" line="197"/>
         <source>Add the missing orthoimage.</source>
         <translation>Dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="228"/>
+        <location filename="../plugin/seams/words.py" line="208"/>
         <source>Keep the pixel grid.</source>
         <translation>Zachowaj piksele ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="246"/>
+        <location filename="../plugin/seams/words.py" line="226"/>
         <source>compressed with loss</source>
         <translation>kompresja stratna</translation>
     </message>
@@ -11746,27 +11374,27 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="90"/>
+        <location filename="../plugin/seams/desk/judging.py" line="79"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="391"/>
+        <location filename="../plugin/seams/window_summary.py" line="326"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="343"/>
+        <location filename="../plugin/seams/window_summary.py" line="278"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="384"/>
+        <location filename="../plugin/seams/window_summary.py" line="319"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="388"/>
+        <location filename="../plugin/seams/window_summary.py" line="323"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -11806,22 +11434,22 @@
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="261"/>
+        <location filename="../plugin/seams/words.py" line="241"/>
         <source>dodging took {value} %</source>
         <translation>wyrównanie jasności zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="262"/>
+        <location filename="../plugin/seams/words.py" line="242"/>
         <source>dodged</source>
         <translation>wyrównana jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="263"/>
+        <location filename="../plugin/seams/words.py" line="243"/>
         <source>Dodge it less.</source>
         <translation>Wyrównaj jasność słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="259"/>
+        <location filename="../plugin/seams/words.py" line="239"/>
         <source>Brightness was evened out from place to place; done from a coarse overview, that takes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
@@ -12006,7 +11634,7 @@
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="55"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
         <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and that something is lost is sure</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
@@ -12016,7 +11644,7 @@
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="214"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="193"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
@@ -12036,37 +11664,36 @@
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="223"/>
+        <location filename="../plugin/seams/measure/messages.py" line="224"/>
         <source>The format of SEAMS has no place for the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
         <translation>Format warstwy linii mozaikowania SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="246"/>
+        <location filename="../plugin/seams/measure/messages.py" line="247"/>
         <source>Nothing of the mosaic {name} could be read, so nothing was measured: {why}</source>
         <translation>Z ortofotomapy {name} nie udało się niczego odczytać, więc niczego nie zmierzono: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="248"/>
+        <location filename="../plugin/seams/measure/messages.py" line="249"/>
         <source>No orthoimage could be read, so nothing was measured; mend that, or leave them all out to scan the mosaic along its seamlines alone: {why}</source>
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="391"/>
+        <location filename="../plugin/seams/measure/messages.py" line="392"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="395"/>
+        <location filename="../plugin/seams/measure/messages.py" line="396"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look at it, and give the seamlines that lack or scan without SEAMLINES.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez SEAMLINES.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="400"/>
+        <location filename="../plugin/seams/measure/messages.py" line="401"/>
         <source>{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy its files anew and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="93"/>
         <source>Significant: by the best estimate {percent} % or less of the finest detail is kept along the seam, and that something is lost is sure; or the whole window is blurred badly. Reduced: less than all is kept, beyond the error of the measurement. Preserved: no certain loss.</source>
         <translation>Istotna strata: według najlepszego oszacowania wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej, a to, że coś stracono, jest pewne; albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
     </message>
@@ -12149,7 +11776,7 @@
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="276"/>
+        <location filename="../plugin/seams/words.py" line="256"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
@@ -12169,47 +11796,47 @@
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="53"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="51"/>
         <source>Save the chart as a picture (PNG or SVG)</source>
         <translation>Zapisz wykres jako obraz (PNG lub SVG)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="69"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="67"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="86"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="84"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="89"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="87"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="82"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="80"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="242"/>
+        <location filename="../plugin/seams/desk/dock.py" line="240"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/compared_layer.py" line="63"/>
+        <location filename="../plugin/seams/desk/map/compared_layer.py" line="58"/>
         <source>Open a source</source>
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="126"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="125"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="224"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>
@@ -12219,12 +11846,12 @@
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="81"/>
+        <location filename="../plugin/seams/desk/judging.py" line="70"/>
         <source>{left} to go: {judged} of {count} judged</source>
         <translation>zostało {left}: {judged} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="80"/>
+        <location filename="../plugin/seams/desk/judging.py" line="69"/>
         <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
         <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
@@ -12234,7 +11861,7 @@
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/flicker.py" line="118"/>
+        <location filename="../plugin/seams/desk/map/flicker.py" line="115"/>
         <source>hard cut: reading ...</source>
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
@@ -12244,7 +11871,7 @@
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="168"/>
+        <location filename="../plugin/seams/measure/messages.py" line="169"/>
         <source>Both operators judged {count} windows and agreed on {agreed}. Cohen&apos;s kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
@@ -12254,17 +11881,17 @@
         <translation>kod powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="101"/>
         <source>Beside the seam {kept} % ({low} to {high} %) of the ground&apos;s detail; the ground has {left} % of the orthoimages&apos;</source>
         <translation>Przy linii {kept} % (od {low} do {high} %) detali terenu; teren ma {left} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="107"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="103"/>
         <source>Seam: {kept} % of the ground; ground: {left} % of the orthoimages</source>
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="108"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="104"/>
         <source>Seam {kept} %, ground {left} %</source>
         <translation>Linia {kept} %, teren {left} %</translation>
     </message>
@@ -12499,12 +12126,12 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="157"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="157"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
@@ -12524,72 +12151,72 @@
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="171"/>
+        <location filename="../plugin/seams/desk/session.py" line="169"/>
         <source>removing window {number}</source>
         <translation>usunięcie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="171"/>
+        <location filename="../plugin/seams/desk/session.py" line="169"/>
         <source>removing {count} windows</source>
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="189"/>
+        <location filename="../plugin/seams/desk/session.py" line="187"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="189"/>
+        <location filename="../plugin/seams/desk/session.py" line="187"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="133"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="121"/>
         <source>drawing window {number}</source>
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="127"/>
         <source>copying {count} windows</source>
         <translation>skopiowanie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="171"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="162"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="153"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="144"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="64"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="63"/>
         <source>Undo {step}</source>
         <translation>Cofnij: {step}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="65"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="64"/>
         <source>Redo {step}</source>
         <translation>Ponów: {step}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_results.py" line="145"/>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="139"/>
         <source>inspecting window {number}</source>
         <translation>zbadanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_results.py" line="145"/>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="139"/>
         <source>inspecting {count} windows</source>
         <translation>zbadanie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="63"/>
+        <location filename="../plugin/seams/measure/messages.py" line="67"/>
         <source>{path} can&apos;t be written ({error}); see to it that the disk has room and no other program has the file open.</source>
         <translation>Nie można zapisać {path} ({error}); zadbaj, aby na dysku było miejsce i żaden inny program nie miał otwartego tego pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save what is edited in it, then try again.</source>
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
@@ -12629,12 +12256,12 @@
         <translation>W oknach z ortoobrazami o wielkości piksela ortofotomapy inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="113"/>
+        <location filename="../plugin/seams/measure/messages.py" line="117"/>
         <source>{name} has another pixel size than the mosaic and was resampled; it is shown and doesn&apos;t count, as others have the mosaic&apos;s.</source>
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="361"/>
+        <location filename="../plugin/seams/measure/messages.py" line="362"/>
         <source>{metres:.0f} m of seam were found and the orthoimages are {around:.0f} m around: the mosaic seems to change between them at every turn, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the mosaic as it was before.</source>
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać SEAMLINES albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
@@ -12669,109 +12296,99 @@
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="112"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="108"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), in {width} m</source>
         <translation>Przy linii mozaikowania zachowano {kept} % ({low} do {high} %), na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="113"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="109"/>
         <source>{kept} % kept ({low} to {high} %) in {width} m</source>
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="113"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="109"/>
         <source>{kept} % kept in {width} m</source>
         <translation>{kept} % na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="114"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="110"/>
         <source>{kept} % kept</source>
         <translation>zachowano {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="193"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="192"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="242"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="245"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="242"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="245"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="246"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="249"/>
         <source>All settings ...</source>
         <translation>Wszystkie ustawienia...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="246"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="249"/>
         <source>Sampling plans, rules from a file, who judges, and all outputs.</source>
         <translation>Plany próbkowania, reguły z pliku, kto ocenia i wszystkie wyniki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="260"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="263"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="260"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="263"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="262"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="265"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="262"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="265"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="265"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="268"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="265"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="268"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="122"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="121"/>
         <source>Saved in {folder}.</source>
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="149"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="148"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="232"/>
-        <source>No mosaic is scanned yet: scan it, or go all the way from the files by all settings.</source>
-        <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo przejdź całą drogę od plików przez wszystkie ustawienia.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="237"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="240"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="237"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="240"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="205"/>
-        <source>Accept or reject the delivery by its scans, or all the way from its files</source>
-        <translation>Przyjmij lub odrzuć dostawę według jej badań albo całą drogą od jej plików</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="125"/>
@@ -12789,12 +12406,12 @@
         <translation>Według badania ten odcinek linii mozaikowania: {finding} Wykresy są z okna wokół niego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="83"/>
+        <location filename="../plugin/seams/desk/judging.py" line="72"/>
         <source>{judged} of {count} judged</source>
         <translation>{judged} z {count} ocenione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="83"/>
+        <location filename="../plugin/seams/desk/judging.py" line="72"/>
         <source>{left} to go</source>
         <translation>zostało {left}</translation>
     </message>
@@ -12814,24 +12431,14 @@
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="197"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="234"/>
         <source>No significant loss on {metres} m of seams.</source>
         <translation>Brak istotnej straty na {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="199"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="236"/>
         <source>Significant loss on {failed} of {metres} m of seams.</source>
         <translation>Istotna strata na {failed} z {metres} m linii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="81"/>
-        <source>The greatest loss first, along the seam or all over the window.</source>
-        <translation>Najpierw największa strata, wzdłuż linii mozaikowania lub w całym oknie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="216"/>
-        <source>obs.</source>
-        <translation>obs.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="42"/>
@@ -12839,27 +12446,27 @@
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="260"/>
+        <location filename="../plugin/seams/measure/messages.py" line="261"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or within one orthoimage, where there is no seam, and are left out.</source>
         <translation>{outside:.0f} m z {given:.0f} m linii mozaikowania leży poza ortofotomapą, wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu, gdzie nie ma linii mozaikowania; zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="264"/>
+        <location filename="../plugin/seams/measure/messages.py" line="265"/>
         <source>Along {metres:.0f} m of the seamlines, which name nothing, the mosaic shows one orthoimage on both sides: no seam is there, so they are left out.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="268"/>
+        <location filename="../plugin/seams/measure/messages.py" line="269"/>
         <source>No seamline parts two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
         <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="282"/>
+        <location filename="../plugin/seams/measure/messages.py" line="283"/>
         <source>The orthoimages beside the seams are those that the seamline layer names in {fields}.</source>
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="83"/>
+        <location filename="../plugin/seams/words.py" line="81"/>
         <source>at least {width}</source>
         <translation>co najmniej {width}</translation>
     </message>
@@ -12975,7 +12582,7 @@
         <translation>Okno biegnie od {xmin:.8g} do {xmax:.8g} i od {ymin:.8g} do {ymax:.8g}; podaj xmin, ymin, xmax i ymax jako liczby, najpierw mniejsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="117"/>
+        <location filename="../plugin/seams/measure/messages.py" line="121"/>
         <source>{path} holds no polygon on the mosaic that names its source; choose the layer of seam cells, with their sources&apos; file names in a field.</source>
         <translation>{path} nie zawiera na ortofotomapie wieloboku, który podaje swój ortoobraz; wskaż warstwę, w której są komórki ortofotomapy z nazwami plików ortoobrazów w polu.</translation>
     </message>
@@ -12983,6 +12590,46 @@
         <location filename="../plugin/toolkit/layer_styles.py" line="47"/>
         <source>kept by distance from the seam</source>
         <translation>zachowane według odległości od linii łączenia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/accept_page.py" line="235"/>
+        <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
+        <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="51"/>
+        <source>Click an entry to hide its curve or to show it again</source>
+        <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="237"/>
+        <source>Select one window to see its curves.</source>
+        <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="203"/>
+        <source>Accept or reject the delivery by its scans</source>
+        <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="237"/>
+        <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
+        <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="59"/>
+        <source>The usual columns, as many as there is room for.</source>
+        <translation>Zwykłe kolumny, tyle, na ile jest miejsce.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="383"/>
+        <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source.</source>
+        <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="135"/>
+        <source>{clause} over {width} m</source>
+        <translation>{clause} na szerokości {width} m</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="20"/>
@@ -12993,6 +12640,11 @@
         <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
         <source>The layers of seams are empty, or none of their rows is a piece of seam (field &apos;level&apos;); choose the layers as the scans wrote them.</source>
         <translation>Warstwy linii mozaikowania są puste albo żaden ich wiersz nie jest odcinkiem linii (pole „level”); wybierz warstwy takie, jak je zapisało badanie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="58"/>
+        <source>Window {number} is no rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry or with xmin, ymin, xmax and ymax.</source>
+        <translation>Okno {number} nie jest prostokątem; podaj (xmin, ymin, xmax, ymax), geometrię z shapely albo wiersz z geometrią lub z xmin, ymin, xmax i ymax.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="29"/>

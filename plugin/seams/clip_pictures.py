@@ -34,13 +34,10 @@ _NO_DATA_GREYS, _NO_DATA_SQUARE = (88, 104), 8  # squares that say that there is
 class ClipPicture:
     """One raster's clip, ready to be drawn."""
 
-    raster: str
-    """File name without its folder."""
+    raster: str  # file name without its folder
     is_mosaic: bool
-    pixels: np.ndarray
-    """(rows, columns, 3) uint8, stretched in common with all pictures of the window."""
-    covered: float
-    """Share of the window in which it has pixels."""
+    pixels: np.ndarray  # (rows, columns, 3) uint8, stretched in common with all pictures of the window
+    covered: float  # share of the window in which it has pixels
 
 
 def make_pictures(request: WindowRequest) -> tuple[list[ClipPicture], GreyRanges]:

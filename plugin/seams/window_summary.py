@@ -5,7 +5,7 @@ That is the sentence of a window; what it rests on is told apart, to who asks wh
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
 from .measure.judgement.causes import ALONG_THE_SEAM, Cause, causes_taken
@@ -17,7 +17,6 @@ from .words import (
     LOSSES,
     brief_words,
     cause_clause,
-    causes_words,
     judged_change,
     seam_width_words,
     to_do,
@@ -71,41 +70,6 @@ _LEAST_TAKEN = 0.005  # of the window's finest detail
 _MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
 
 
-class Happening(NamedTuple):
-    """What is said of the causes of a window that is judged by its seam."""
-
-    along_the_seam: str
-    """What took detail there, to go on a sentence with; empty for nothing."""
-    in_the_whole: str
-    """A sentence on what took detail all over the window, and how much; empty where that is not known."""
-    besides: str
-    """A sentence on the rest; empty for none."""
-
-
-def what_happened(row: WindowRecord, found: Explanation | None, width: str) -> Happening:
-    """``found``: the explanation behind what the row holds; None where that is not at hand. ``width``: of the seam."""
-    left = [cause for cause in _causes_of(row) if cause not in _TOLD_BEFORE]
-    main = left[0] if left else ""
-    at_seam = [cause for cause in left if _took_along_the_seam(cause, found)]
-    if at_seam == [Cause.UNCLEAR] and row.kept_1 is None:
-        at_seam = []  # nothing at all is clear
-    seam = _seam_clause(at_seam, row, width) if at_seam else ""
-    taken = {} if found is None else {cause.value: share for cause, share in causes_taken(found.evidence)}
-    took = [
-        (cause, words) for cause in left
-        if cause not in at_seam and taken.get(cause, 0) >= _LEAST_TAKEN and (words := took_words(cause, taken[cause]))
-    ]
-    by_seam = sum(taken.get(cause, 0) for cause in at_seam)
-    whole = _in_the_whole([words for _, words in took], by_seam, row.sharpness or 0.0) if took else ""
-    rest = [cause for cause in left if cause not in at_seam and cause not in [one for one, _ in took]]
-    return Happening(seam, whole, _besides(rest, found, main in rest or not (seam or whole)))
-
-
-def as_sentence(clause: str) -> list[str]:
-    """A clause that stands alone."""
-    return [f"{clause[:1].upper()}{clause[1:]}."] if clause else []
-
-
 def by_mixture(found: Explanation | None) -> list[str]:
     """That what is kept was told by the images' mixture alone, and why."""
     profile = None if found is None else found.profile
@@ -118,48 +82,12 @@ def by_mixture(found: Explanation | None) -> list[str]:
     return [tr("This follows from the mixture of the images, since the ground around is mixed too.")]
 
 
-def _in_the_whole(took: list[str], by_seam: float, sharpness: float) -> str:
-    """What is left in all of the window and what took the rest, of the energy of detail; sharpness is its root."""
-    if by_seam >= _LEAST_TAKEN:
-        took = [*took, filled(tr("the seam took {value} %"), value=percent(by_seam))]
-    text = tr("In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.")
-    return filled(text, left=percent(sharpness**2), sharpness=percent(sharpness), took=", ".join(took))
-
-
 def _took_along_the_seam(cause: str, found: Explanation | None) -> bool:
     return cause in (*ALONG_THE_SEAM, Cause.UNCLEAR) or _is_softened_seam(cause, found)
 
 
 def _is_softened_seam(cause: str, found: Explanation | None) -> bool:
     return cause == Cause.BLUR and found is not None and found.evidence.is_smoothed_seam
-
-
-def _seam_clause(causes: list[str], row: WindowRecord, width: str) -> str:
-    """What took detail there; whether images fit is told of those that are mixed."""
-    apart = shown_number(row.misfit, 1) if Cause.MISREGISTRATION in causes and row.misfit is not None else ""
-    if causes[0] == Cause.UNCLEAR:
-        return ""  # told with what the mixture took
-    if Cause.BLUR in causes:
-        text = tr("the mosaic is softened along the seam")
-    elif Cause.OTHER_MIXTURE in causes:
-        text = tr("images are mixed by another rule than weights")
-        if width:
-            text = tr("images are mixed over {width} m, but not by weights")
-        if apart:
-            text = tr("images {apart} px apart are mixed by another rule than weights")
-    elif Cause.FEATHERING in causes and apart:
-        text = tr("images {apart} px apart are feathered over {width} m") if width else tr(
-            "images {apart} px apart are feathered"
-        )
-        if causes[0] == Cause.MISREGISTRATION:
-            text += tr(", and the misfit took most")
-    elif Cause.FEATHERING in causes:
-        text = tr("images are feathered over {width} m") if width else tr("images are feathered")
-    else:
-        return cause_clause(Cause.MISREGISTRATION, None, False) if not apart else filled(
-            tr("images lie {value} px apart where they meet"), value=apart
-        )
-    return filled(text, width=width, apart=apart)
 
 
 def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
@@ -189,24 +117,33 @@ def _mixing_alone(row: WindowRecord, found: Explanation | None) -> list[str]:
     return [filled(text, percent=percent(max(1 - (profile.by_mixture or 0), 0.0)))]
 
 
-def _besides(causes: list[str], found: Explanation | None, has_main: bool) -> str:
-    """``has_main``: whether the first of them is told in a clause of its own."""
-    if not causes:
-        return ""
-    if not has_main:
-        return filled(tr("Besides: {others}."), others=causes_words("; ".join(causes)))
-    (main,) = as_sentence(cause_clause(causes[0], found, is_loss=False)) or [""]
-    others = causes_words("; ".join(causes[1:]))
-    return filled(tr("{cause}; besides: {others}."), cause=main[:-1], others=others) if others else main
+def _done(row: WindowRecord, found: Explanation | None, width: str, along_the_seam: bool = False) -> str:
+    """All that was done to the window, or what took most ``along_the_seam``, to go on a sentence with."""
+    causes = [cause for cause in _causes_of(row) if cause not in _TOLD_BEFORE]
+    at_seam = [cause for cause in causes if _took_along_the_seam(cause, found)]
+    if at_seam[:1] == [Cause.UNCLEAR]:  # which is told with what mixing took
+        causes, at_seam = [cause for cause in causes if cause not in at_seam], []
+    causes = at_seam[:1] if along_the_seam else causes
+    return "; ".join(filter(None, (_clause(cause, row, found, width) for cause in causes)))
+
+
+def _clause(cause: str, row: WindowRecord, found: Explanation | None, width: str) -> str:
+    if _is_softened_seam(cause, found):
+        return tr("the mosaic is softened along the seam")
+    clause = cause_clause(cause, found, row.misfit if cause == Cause.MISREGISTRATION else None)
+    if width and cause in (Cause.FEATHERING, Cause.OTHER_MIXTURE):
+        return filled(tr("{clause} over {width} m"), clause=clause, width=width)
+    return clause
+
+
+def _as_sentence(clause: str) -> str:
+    return f"{clause[:1].upper()}{clause[1:]}." if clause else ""
 
 
 _APART = 0.05  # a ratio to the composite that differs by less from the one to the sources is not told beside it
 _AS_SHARP = 0.03  # of the sharpness: less is not told
-_THIN = 0.6  # a strip takes less than this part of its own loss from the window
 _UNEXPLAINED = 0.005  # of the pixels
 _ALL_KEPT = 0.97  # less is said to be less, though the interval holds 1
-_TONES = ("dodging", "gamma", "balanced", "clipping", "narrowed histogram")
-"""Causes that change what share of all variance the finest detail is."""
 _NOT_COMPARABLE = "not_comparable"
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
@@ -236,11 +173,9 @@ def window_why(
     found = explanation_of(row, result)
     said = []
     if row.reference == SEAM and row.verdict:
-        happened = what_happened(row, found, _width(row, result, pixel_m))
-        clause = as_sentence(happened.along_the_seam) if row.verdict != "preserved" else []
-        is_told = row.verdict == _NOT_COMPARABLE or is_lost_along_the_seam(row)
-        said = [*_interval(row), *(clause * is_told), *by_mixture(found), *_mixing_alone(row, found)]
-        said += _sharpness(row.sharpness, happened)
+        done = _done(row, found, _width(row, result, pixel_m))
+        said = [*_interval(row), _as_sentence(done), *by_mixture(found), *_mixing_alone(row, found)]
+        said += _sharpness(row, found)
         is_sentence = row.verdict == _NOT_COMPARABLE or (row.verdict not in LOSSES and _has_no_kept(row))
         if row.reason and not is_sentence:
             said.append(row.reason)
@@ -248,7 +183,7 @@ def window_why(
         if missing > _UNEXPLAINED and row.reason_code != OF_THE_REST:
             text = tr("{percent} % of the pixels match none of the given sources and took no part.")
             said.append(filled(text, percent=percent(missing)))
-        said += [happened.besides, *by_the_paper(row)]
+        said += by_the_paper(row)
     return [*filter(None, said), *(cause_numbers(found) if found is not None else ())]
 
 
@@ -294,9 +229,9 @@ def cause_numbers(found: Explanation) -> list[str]:
 def _by_ratio(row: WindowRecord, found: Explanation | None) -> str:
     """Where the verdict was taken by whole windows."""
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
-    because = cause_clause(row.cause, found, row.verdict in LOSSES)
+    because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else cause_clause(row.cause, found)
     if ratio is None:
-        return f"{verdict} {because[:1].upper()}{because[1:]}." if because else verdict
+        return f"{verdict} {_as_sentence(because)}".rstrip()
     values = {"percent": percent(ratio)}
     if row.composite_ratio is not None and abs(row.composite_ratio - ratio) > _APART:
         values["composite"] = percent(row.composite_ratio)
@@ -332,7 +267,7 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None, width: str) -> li
     only what took the more, or made the verdict, is told with its cause. What a seam did not take alone stands last,
     away from the seam's causes."""
     if row.verdict not in LOSSES:
-        return [_what_is_left(row, what_happened(row, found, width).along_the_seam)]
+        return [_what_is_left(row, _done(row, found, width, along_the_seam=True))]
     is_along, whole = is_lost_along_the_seam(row), 1 - _left_in_whole(row)
     is_whole = not is_along or _is_whole_soft(row, found)
     at_seam = [cause for cause in _causes_of(row) if _took_along_the_seam(cause, found)] * is_along
@@ -440,52 +375,36 @@ def _to_an_eye(row: WindowRecord) -> list[str]:
 
 
 def by_the_paper(row: WindowRecord) -> list[str]:
-    """What the paper's rule says where that is something else, and why as far as the figures tell.
-
-    The ratio to the least detailed source is the one to the hard cut times what the hard cut has of that source's.
-    """
-    ratio, composite, kept = row.ratio, row.composite_ratio, judged_kept(row)
-    if ratio is None or row.paper_verdict not in CLAIMS or row.verdict not in CLAIMS:
+    """What the paper's rule says of a loss where the seam says something else."""
+    if row.ratio is None or row.paper_verdict not in CLAIMS or row.verdict not in CLAIMS:
         return []
-    milder = CLAIMS.index(row.paper_verdict) - CLAIMS.index(row.verdict)
-    content = ratio / composite if composite else None
-    has_other_tones = not set(row.causes.split("; ")).isdisjoint(_TONES)
-    change = (row.sharpness or 1) - 1
-    reasons = []
-    if content and (row.sources or 0) > 1 and not has_other_tones:
-        if milder > 0 and content > 1 + _APART:
-            text = tr("another source has more detail here: cut hard, the window would have {percent} %")
-            reasons.append(filled(text, percent=percent(content)))
-        if milder < 0 and content < 1 - _APART:
-            text = tr("the sources differ here: cut hard, the window would have no more than {percent} %")
-            reasons.append(filled(text, percent=percent(content)))
-    if has_other_tones and milder:
-        reasons.append(tr("it measures detail as a share of all variance, and the tones were changed"))
-    if abs(change) > _APART and (change > 0) == (milder > 0) and milder:
-        text = tr("it takes the window as a whole, which has {percent} % of the sharpness of its sources")
-        reasons.append(filled(text, percent=percent(1 + change)))
-    elif milder > 0 and kept is not None and composite and row.band_width and _is_thin(composite, kept):
-        text = tr("the strip is thin in the window, all of which has {percent} % of a hard cut's")
-        reasons.append(filled(text, percent=percent(composite)))
-    if not reasons and (row.paper_verdict in LOSSES) == (row.verdict in LOSSES):
+    if (row.paper_verdict in LOSSES) == (row.verdict in LOSSES):
         return []  # the same, or two limits and no more
-    text = tr("By the paper's rule it is {verdict}, with {percent} % of the detail of the least detailed source")
-    said = filled(text, verdict=verdict_word(row.paper_verdict), percent=percent(ratio))
-    return ["; ".join([said, *reasons]) + "."]
+    text = tr("By the paper's rule it is {verdict}, with {percent} % of the detail of the least detailed source.")
+    return [filled(text, verdict=verdict_word(row.paper_verdict), percent=percent(row.ratio))]
 
 
-def _is_thin(composite: float, kept: float) -> bool:
-    """Whether what a strip lost hardly shows in the whole window."""
-    return abs(1 - composite) < _THIN * (1 - kept)
-
-
-def _sharpness(sharpness: float | None, happened: Happening) -> list[str]:
-    """Sharpness of the whole window in words, with what took of it where that is known."""
-    if happened.in_the_whole or sharpness is None:
-        return [happened.in_the_whole] if happened.in_the_whole else []
-    if abs(sharpness - 1) < _AS_SHARP:
+def _sharpness(row: WindowRecord, found: Explanation | None) -> list[str]:
+    """Sharpness of the whole window, with what took of its detail where that is known. Of the energy of detail, of
+    which sharpness is the root."""
+    if row.sharpness is None:
+        return []
+    taken = {} if found is None else {cause.value: share for cause, share in causes_taken(found.evidence)}
+    at_seam = [cause for cause in taken if _took_along_the_seam(cause, found)]
+    took = [
+        words for cause in _causes_of(row)
+        if cause not in at_seam and taken.get(cause, 0) >= _LEAST_TAKEN and (words := took_words(cause, taken[cause]))
+    ]
+    if took:
+        if (by_seam := sum(taken[cause] for cause in at_seam)) >= _LEAST_TAKEN:
+            took.append(filled(tr("the seam took {value} %"), value=percent(by_seam)))
+        text = tr("In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.")
+        left, sharpness = percent(row.sharpness**2), percent(row.sharpness)
+        return [filled(text, left=left, sharpness=sharpness, took=", ".join(took))]
+    if abs(row.sharpness - 1) < _AS_SHARP:
         return [tr("The window is as sharp as its sources.")]
-    return [filled(tr("The whole window has {percent} % of the sharpness of its sources."), percent=percent(sharpness))]
+    text = tr("The whole window has {percent} % of the sharpness of its sources.")
+    return [filled(text, percent=percent(row.sharpness))]
 
 
 def is_same(one: float | None, other: float | None) -> bool:

@@ -28,10 +28,8 @@ class ShownVerdict(NamedTuple):
     """How people meet a verdict."""
 
     word: str
-    colour: str
-    """The one on the map, too (resources/styles/windows.qml)."""
-    sentence: str = ""
-    """What is said of such a window, where that is more than the word."""
+    colour: str  # the one on the map, too (resources/styles/windows.qml)
+    sentence: str = ""  # what is said of such a window, where that is more than the word
 
 
 VERDICTS = {
@@ -89,11 +87,6 @@ def observer_word(observer: str) -> str:
     return words.get(observer, observer)
 
 
-
-Clause = tuple[str, ...]
-"""What goes on a sentence: of a loss, and of a window that lost nothing where that is put otherwise."""
-
-
 def judged_change(found: Explanation) -> Change:
     """The mosaic against the composite, in the judged band, which is the first."""
     return next(iter(found.changes[-1].values()))
@@ -112,29 +105,22 @@ class ShownCause(NamedTuple):
 
     word: str
     meaning: str
-    clause: Clause
-    measured: Clause = ()
-    """The clause with its number, ``{value}``."""
+    clause: str  # what was done, to go on a sentence with
+    measured: str = ""  # the clause with its number, ``{value}``
     number: Callable[[Explanation], float | None] = lambda found: None
     """That number; None where it is not known, and 0 says nothing."""
     shown: Callable[[float], str] = shown_number
-    took: str = ""
-    """What it took all over a window, ``{value}`` per cent of the finest detail."""
-    brief: str = ""
-    """What was done to all of the mosaic where it took detail, in a word or two."""
-    to_do: str = ""
-    """What whoever made the mosaic can do about what it took."""
+    took: str = ""  # what it took all over a window, ``{value}`` per cent of the finest detail
+    brief: str = ""  # what was done to all of the mosaic where it took detail, in a word or two
+    to_do: str = ""  # what whoever made the mosaic can do about what it took
 
 
 CAUSES: dict[str, ShownCause] = {
     Cause.BLUR.value: ShownCause(
         QT_TR_NOOP("blur"),
         QT_TR_NOOP("The mosaic is less sharp than its sources, beyond what tone and feathering explain."),
-        (QT_TR_NOOP("blur explains it"), QT_TR_NOOP("the mosaic is blurred")),
-        (
-            QT_TR_NOOP("blur to {value} % of their sharpness explains it"),
-            QT_TR_NOOP("the mosaic is blurred to {value} % of their sharpness"),
-        ),
+        QT_TR_NOOP("the mosaic is blurred"),
+        QT_TR_NOOP("the mosaic is blurred to {value} % of their sharpness"),
         lambda found: found.sharpness,
         percent,
         QT_TR_NOOP("blur took {value} %"),
@@ -144,11 +130,8 @@ CAUSES: dict[str, ShownCause] = {
     Cause.FEATHERING.value: ShownCause(
         QT_TR_NOOP("feathering"),
         QT_TR_NOOP("Two images that differ were mixed by weights along the seam."),
-        (QT_TR_NOOP("feathering explains it"), QT_TR_NOOP("images are feathered")),
-        (
-            QT_TR_NOOP("feathering of images {value} px apart explains it"),
-            QT_TR_NOOP("images {value} px apart are feathered"),
-        ),
+        QT_TR_NOOP("images are feathered"),
+        QT_TR_NOOP("images {value} px apart are feathered"),
         lambda found: found.misfit if (found.misfit or 0) >= MIN_MISREGISTRATION_PX else None,
         _tenths,
         to_do=QT_TR_NOOP("Cut hard or feather less."),
@@ -156,21 +139,21 @@ CAUSES: dict[str, ShownCause] = {
     Cause.OTHER_MIXTURE.value: ShownCause(
         QT_TR_NOOP("other mixture"),
         QT_TR_NOOP("Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand."),
-        (QT_TR_NOOP("images are mixed by another rule than weights"),),
+        QT_TR_NOOP("images are mixed by another rule than weights"),
         to_do=QT_TR_NOOP("Cut hard there."),
     ),
     Cause.NARROWED_HISTOGRAM.value: ShownCause(
         QT_TR_NOOP("narrowed histogram"),
         QT_TR_NOOP("Grey values were pressed together by a linear function."),
-        (QT_TR_NOOP("the histogram is narrowed"),),
-        (QT_TR_NOOP("the histogram is narrowed, gain {value}"),),
+        QT_TR_NOOP("the histogram is narrowed"),
+        QT_TR_NOOP("the histogram is narrowed, gain {value}"),
         lambda found: max((tone.gain for tone in found.evidence.tones if tone.gain), default=None),
     ),
     Cause.GAMMA.value: ShownCause(
         QT_TR_NOOP("gamma"),
         QT_TR_NOOP("Grey values were changed by a power function."),
-        (QT_TR_NOOP("grey values are bent by a gamma"),),
-        (QT_TR_NOOP("grey values are bent, gamma {value}"),),
+        QT_TR_NOOP("grey values are bent by a gamma"),
+        QT_TR_NOOP("grey values are bent, gamma {value}"),
         lambda found: max(
             (tone.gamma for tone in found.evidence.tones), key=lambda gamma: abs(log(gamma)), default=None
         ),
@@ -178,8 +161,8 @@ CAUSES: dict[str, ShownCause] = {
     Cause.CLIPPING.value: ShownCause(
         QT_TR_NOOP("clipping"),
         QT_TR_NOOP("Highlights or shadows were driven into the limits."),
-        (QT_TR_NOOP("highlights or shadows are clipped"),),
-        (QT_TR_NOOP("{value} % of the pixels are clipped"),),
+        QT_TR_NOOP("highlights or shadows are clipped"),
+        QT_TR_NOOP("{value} % of the pixels are clipped"),
         lambda found: judged_change(found).clipped,
         percent,
         QT_TR_NOOP("clipping took {value} %"),
@@ -189,15 +172,15 @@ CAUSES: dict[str, ShownCause] = {
     Cause.COLOUR_SHIFT.value: ShownCause(
         QT_TR_NOOP("colour shift"),
         QT_TR_NOOP("The channels were corrected one by one, so the colours shifted."),
-        (QT_TR_NOOP("the colours are shifted"),),
-        (QT_TR_NOOP("the colours are shifted, gains differ by a factor of {value}"),),
+        QT_TR_NOOP("the colours are shifted"),
+        QT_TR_NOOP("the colours are shifted, gains differ by a factor of {value}"),
         lambda found: max((tone.colour_shift for tone in found.evidence.tones if tone.colour_shift), default=None),
     ),
     Cause.MISREGISTRATION.value: ShownCause(
         QT_TR_NOOP("misregistration"),
         QT_TR_NOOP("Images that meet in the mosaic do not lie on each other there."),
-        (QT_TR_NOOP("images do not fit where they meet"),),
-        (QT_TR_NOOP("images lie {value} px apart where they meet"),),
+        QT_TR_NOOP("images do not fit where they meet"),
+        QT_TR_NOOP("images lie {value} px apart where they meet"),
         lambda found: found.misfit,
         _tenths,
         to_do=QT_TR_NOOP("Register images."),
@@ -207,8 +190,8 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP(
             "A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there."
         ),
-        (QT_TR_NOOP("a part of the mosaic matches none of these sources"),),
-        (QT_TR_NOOP("{value} % of the mosaic match none of these sources"),),
+        QT_TR_NOOP("a part of the mosaic matches none of these sources"),
+        QT_TR_NOOP("{value} % of the mosaic match none of these sources"),
         lambda found: found.evidence.missing,
         percent,
         to_do=QT_TR_NOOP("Add the missing orthoimage."),
@@ -216,11 +199,8 @@ CAUSES: dict[str, ShownCause] = {
     Cause.RESAMPLED.value: ShownCause(
         QT_TR_NOOP("resampled"),
         QT_TR_NOOP("The mosaic's pixels lie between those of its sources, so they were interpolated from them."),
-        (QT_TR_NOOP("resampling explains it"), QT_TR_NOOP("the mosaic was resampled")),
-        (
-            QT_TR_NOOP("resampling, {value} px off the sources' pixels, explains it"),
-            QT_TR_NOOP("the mosaic was resampled, {value} px off the sources' pixels"),
-        ),
+        QT_TR_NOOP("the mosaic was resampled"),
+        QT_TR_NOOP("the mosaic was resampled, {value} px off the sources' pixels"),
         lambda found: found.evidence.off_pixel,
         _tenths,
         QT_TR_NOOP("resampling took {value} %"),
@@ -230,16 +210,16 @@ CAUSES: dict[str, ShownCause] = {
     Cause.SHARPENED.value: ShownCause(
         QT_TR_NOOP("sharpened"),
         QT_TR_NOOP("The whole mosaic was sharpened, beyond what its sources show."),
-        (QT_TR_NOOP("the mosaic was sharpened"),),
-        (QT_TR_NOOP("the mosaic was sharpened to {value} % of the sources' contrast"),),
+        QT_TR_NOOP("the mosaic was sharpened"),
+        QT_TR_NOOP("the mosaic was sharpened to {value} % of the sources' contrast"),
         lambda found: found.evidence.texture.most_transfer if found.evidence.texture else None,
         percent,
     ),
     Cause.COMPRESSED.value: ShownCause(
         QT_TR_NOOP("compressed"),
         QT_TR_NOOP("Compression with loss, block by block, changed the fine detail."),
-        (QT_TR_NOOP("the mosaic was compressed with loss"),),
-        (QT_TR_NOOP("the mosaic was compressed with loss, which changed fine detail by {value} DN"),),
+        QT_TR_NOOP("the mosaic was compressed with loss"),
+        QT_TR_NOOP("the mosaic was compressed with loss, which changed fine detail by {value} DN"),
         _noise,
         _tenths,
         QT_TR_NOOP("compression took {value} %"),
@@ -249,15 +229,15 @@ CAUSES: dict[str, ShownCause] = {
     Cause.NOISE_ADDED.value: ShownCause(
         QT_TR_NOOP("noise added"),
         QT_TR_NOOP("The mosaic has noise that its sources do not have."),
-        (QT_TR_NOOP("noise was added"),),
-        (QT_TR_NOOP("noise of {value} DN was added"),),
+        QT_TR_NOOP("noise was added"),
+        QT_TR_NOOP("noise of {value} DN was added"),
         _noise,
         _tenths,
     ),
     Cause.DODGING.value: ShownCause(
         QT_TR_NOOP("dodging"),
         QT_TR_NOOP("Brightness was evened out from place to place; done from a coarse overview, that takes detail."),
-        (QT_TR_NOOP("brightness was evened out from place to place"),),
+        QT_TR_NOOP("brightness was evened out from place to place"),
         took=QT_TR_NOOP("dodging took {value} %"),
         brief=QT_TR_NOOP("dodged"),
         to_do=QT_TR_NOOP("Dodge it less."),
@@ -265,21 +245,21 @@ CAUSES: dict[str, ShownCause] = {
     Cause.BALANCED.value: ShownCause(
         QT_TR_NOOP("balanced"),
         QT_TR_NOOP("The sources were brought to each other's tones, each by its gain and bias; nothing is lost."),
-        (QT_TR_NOOP("the sources' tones were balanced"),),
-        (QT_TR_NOOP("the sources' tones were balanced, gains a factor of {value} apart"),),
+        QT_TR_NOOP("the sources' tones were balanced"),
+        QT_TR_NOOP("the sources' tones were balanced, gains a factor of {value} apart"),
         lambda found: found.evidence.spread[0] if found.evidence.spread[0] >= MIN_GAIN_RATIO else None,
     ),
     Cause.NONE.value: ShownCause(
         QT_TR_NOOP("none"),
         QT_TR_NOOP("No step of production was found that took contrast away."),
-        (QT_TR_NOOP("no step of production took detail away, so the sources differ in content"), ""),
-        (QT_TR_NOOP("the sources were compressed with loss, and the mosaic holds more than they do"), ""),
+        QT_TR_NOOP("no step of production took detail away, so the sources differ in content"),
+        QT_TR_NOOP("the sources were compressed with loss, and the mosaic holds more than they do"),
         lambda found: 1.0 if found.evidence.has_compressed_sources else None,
     ),
     Cause.UNCLEAR.value: ShownCause(
         QT_TR_NOOP("unclear"),
         QT_TR_NOOP("What was measured does not point to one cause."),
-        (QT_TR_NOOP("the cause is unclear"),),
+        QT_TR_NOOP("the cause is unclear"),
     ),
 }
 """Causes by the word that tables hold."""
@@ -311,16 +291,14 @@ def to_do(cause: str) -> str:
     return tr(CAUSES[cause].to_do) if cause in CAUSES and CAUSES[cause].to_do else ""
 
 
-def cause_clause(cause: str, found: Explanation | None, is_loss: bool) -> str:
-    """What the cause did, to go on a sentence with, with its number where that is at hand; empty for nothing to say."""
+def cause_clause(cause: str, found: Explanation | None, number: float | None = None) -> str:
+    """What the cause did, to go on a sentence with; empty for an unknown one. With its number where that is at hand,
+    else with the one given."""
     if cause not in CAUSES:
         return ""
     shown = CAUSES[cause]
-    number = None if found is None else shown.number(found)
-    text = (shown.measured if number else shown.clause)[0 if is_loss else -1]
-    if not text:
-        return ""
-    return filled(tr(text), value=shown.shown(number)) if number else tr(text)
+    number = number if found is None else shown.number(found)
+    return filled(tr(shown.measured), value=shown.shown(number)) if number else tr(shown.clause)
 
 
 def brief_words(cause: str) -> str:

@@ -12,19 +12,12 @@ from tests.patience import MOST_GAP_S
 pytestmark = pytest.mark.stalls
 
 
-def test_hundred_windows_along_real_seams(
-    data_folder: Path, whole_block: Path | None, tmp_path: Path, screenshots: Path
-) -> None:
-    """Place, inspect, look, judge, save, reopen; where `make demo` made its block, from click to curve there.
-
-    Nothing is said over the map after a run, for the desk says it.
-    """
+def test_hundred_windows_along_real_seams(data_folder: Path, tmp_path: Path, screenshots: Path) -> None:
+    """Place, inspect, look, judge, save, reopen. Nothing is said over the map after a run, for the desk says it."""
     brighton = data_folder / "seams" / "brighton"
     if not brighton.is_dir():
         pytest.skip(f"no real data at {brighton}")
-    parameters = {
-        "brighton": str(brighton), "block": str(whole_block or ""), "screenshots": str(screenshots)
-    }  # fmt: skip
+    parameters = {"brighton": str(brighton), "screenshots": str(screenshots)}
     run = play(SCENARIOS / "brighton.py", tmp_path, parameters, seconds=400)  # a machine shared with others
     say("Brighton", run.seconds, run.report)
     check(run)
@@ -37,5 +30,4 @@ def test_hundred_windows_along_real_seams(
     assert report["said_over_the_map"] == 0
     assert report["judged"] == ["visible"]
     assert report["stale"] == 0
-    assert report.get("clicked", [[1024, 1024, 2]]) == [[1024, 1024, 2]]
     assert report["gap_ms"] <= 1000 * MOST_GAP_S

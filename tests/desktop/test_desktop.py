@@ -35,7 +35,7 @@ def test_operators_walk(
     assert report["verdicts"][0] in ("significant", "reduced")  # on the field that was dodged too hard
     assert report["sentence"].startswith(("Significant loss.", "Reduced."))
     assert "detail lost" in report["sentence"]
-    assert "besides: " in report["why"].lower()  # and all causes
+    assert "along the seam" in report["why"]
     assert len(report["table"]) == len(report["verdicts"])
     assert report["table"][0][1] == report["verdicts"][0]
     assert "visible" in report["table"][0]

@@ -31,12 +31,9 @@ _TOLD_EVERY_S = 10.0
 class GivenSources:
     """The values of SOURCES and SOURCE_INDEX in plain data, as far as they can be had before the work begins."""
 
-    refs: tuple[RasterRef, ...]
-    """The files of SOURCES."""
-    left_out: tuple[Message, ...]
-    """Why others have no file."""
-    index_path: str
-    """The file of SOURCE_INDEX; empty for a layer in memory, or none at all."""
+    refs: tuple[RasterRef, ...]  # the files of SOURCES
+    left_out: tuple[Message, ...]  # why others have no file
+    index_path: str  # the file of SOURCE_INDEX; empty for a layer in memory, or none at all
 
 
 def check_sources(run: Run) -> None:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -12,35 +12,28 @@ from ...toolkit.translation import BAND_ORDER, filled, formatted, tr
 from ..measure.window_records import COMPOSITE, REFERENCES
 
 if TYPE_CHECKING:
-    from ..measure.window.window_result import ClipResult, WindowCurves
+    from ..measure.window.window_result import WindowCurves
 
 Key = tuple[bool, str]
 """What tells a curve from others, and stays from window to window: whether it is the mosaic's, and its name."""
 Point = tuple[int, int]
 """A curve's index and a component's."""
 _LOWEST_SHARE = 1e-6  # a logarithmic axis goes no further down: what the measurement resolves
-_MOST_LINEAR_TICKS = 6
 _TICK_LINES = 1.4  # of the font, that ticks of a logarithmic axis are apart
 
 
 @dataclass(frozen=True)
 class ChartCurve:
-    """One line in a chart: of a raster in one window, or the mean of many."""
+    """One line in a chart."""
 
-    label: str
-    """File name without its folder."""
+    label: str  # file name without its folder
     is_mosaic: bool
-    detail: tuple[float, ...]
-    """Relative variance at levels 1..R."""
+    detail: tuple[float, ...]  # relative variance at levels 1..R
     background: float
     colour: int | None = None
     """Number of a source's colour, so that it keeps it from window to window; None: by its place in the chart."""
-    spread: tuple[tuple[float, float], ...] = ()
-    """Lowest and highest value of each component when the curve is a mean, else empty."""
-    is_composite: bool = False
-    """Whether it is the hard-cut composite of the sources, which is none of them."""
-    is_reference: bool = False
-    """Whether the verdict is taken against it alone, and not against the sources."""
+    is_composite: bool = False  # whether it is the hard-cut composite of the sources, which is none of them
+    is_reference: bool = False  # whether the verdict is taken against it alone, and not against the sources
 
     @property
     def key(self) -> Key:
@@ -58,11 +51,8 @@ class Chart:
     """All that a chart shows."""
 
     curves: tuple[ChartCurve, ...]
-    max_ratio: float
-    """The limit of a significant loss at level 1, relative to the least sharp source."""
-    logarithmic: bool = True
-    hidden: frozenset[Key] = frozenset()
-    """Curves that are not drawn, but count for limit and scale."""
+    max_ratio: float  # the limit of a significant loss at level 1, relative to the least sharp source
+    hidden: frozenset[Key] = frozenset()  # curves that are not drawn, but count for limit and scale
 
 
 def numbered(curves: Sequence[ChartCurve]) -> list[tuple[int, ChartCurve]]:
@@ -83,9 +73,7 @@ def least_of_sources(curves: Sequence[ChartCurve], component: int) -> float | No
 
 
 def significance_limit(curves: Sequence[ChartCurve], max_ratio: float) -> float | None:
-    """The share at level 1 at or below which a mosaic has lost significantly; None for means and without sources."""
-    if any(curve.spread for curve in curves):
-        return None
+    """The share at level 1 at or below which a mosaic has lost significantly; None without sources."""
     least = least_of_sources(curves, 0)
     return None if least is None else max_ratio * least
 
@@ -99,26 +87,20 @@ def share_text(share: float) -> str:
 def share_range(chart: Chart) -> tuple[float, float]:
     """Limits of the axis, rounded so that they seldom change from window to window."""
     shares = [share for curve in chart.curves for share in curve.values]
-    shares += [share for curve in chart.curves for ends in curve.spread for share in ends]
     shares.append(significance_limit(chart.curves, chart.max_ratio) or math.nan)
     positive = [share for share in shares if share > 0]
-    if not chart.logarithmic:
-        return 0, 1.05 * math.ceil(10 * max(positive, default=1)) / 10
     lowest = max(min(positive, default=0.01) * 0.9, _LOWEST_SHARE)
     return round_below(lowest), 1.25
 
 
-def share_ticks(low: float, high: float, logarithmic: bool, room: float) -> list[float]:
+def share_ticks(low: float, high: float, room: float) -> list[float]:
     """Round shares within an axis: as many as there is room for, in lines of the font."""
-    if not logarithmic:
-        step = next(step for step in (0.02, 0.05, 0.1, 0.2, 0.5) if high / step <= _MOST_LINEAR_TICKS)
-        return [step * number for number in range(int(high / step) + 1)]
     return decade_ticks(low, high, max(room / _TICK_LINES, 2))
 
 
-def bands_of(results: Iterable[WindowCurves]) -> list[str]:
-    """The bands of the mosaics, luminance and colours first."""
-    names = {name: None for result in results for clip in result.clips[:1] for name in clip.curves}
+def bands_of(result: WindowCurves) -> list[str]:
+    """The bands of the mosaic, luminance and colours first."""
+    names = result.clips[0].curves
     known = [name for name in BAND_ORDER if name in names]
     return [*known, *(name for name in names if name not in known)]
 
@@ -141,35 +123,11 @@ def window_curves(
         curve = clip.curves[band]
         if clip.role == COMPOSITE:
             label, is_reference = tr("composite"), reference == clip.role
-            curves.append(ChartCurve(label, False, curve.detail, curve.background, None, (), True, is_reference))
+            curves.append(ChartCurve(label, False, curve.detail, curve.background, None, True, is_reference))
             continue
         colour = None if is_mosaic else colours.get(clip.raster)
         curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background, colour))
     return curves
-
-
-def mean_curves(results: Sequence[WindowCurves], band: str) -> list[ChartCurve]:
-    """Mean and range of the mosaics of many windows, and of all their sources.
-
-    Windows measured with other levels than most are left out.
-    """
-    clips = [clip for result in results for clip in result.clips if band in clip.curves]
-    depths = Counter(len(clip.curves[band].detail) for clip in clips if clip.role == "mosaic")
-    if not depths:
-        return []
-    depth = depths.most_common(1)[0][0]
-    clips = [clip for clip in clips if len(clip.curves[band].detail) == depth and clip.curves[band].variance > 0]
-    mosaics = [clip for clip in clips if clip.role == "mosaic"]
-    sources = [clip for clip in clips if clip.role == "source"]
-    titles = tr("mosaic (mean)"), tr("sources (mean)")
-    return [_mean(group, band, title) for group, title in zip((mosaics, sources), titles) if group]
-
-
-def _mean(clips: Sequence[ClipResult], band: str, label: str) -> ChartCurve:
-    columns = list(zip(*((*clip.curves[band].detail, clip.curves[band].background) for clip in clips)))
-    means = [math.fsum(column) / len(column) for column in columns]
-    spread = tuple((min(column), max(column)) for column in columns)
-    return ChartCurve(label, clips[0].role == "mosaic", tuple(means[:-1]), means[-1], 0, spread)
 
 
 def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tuple[str, str]:
@@ -179,9 +137,6 @@ def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tup
     is_background = component == len(curve.detail)
     place = tr("background") if is_background else filled(tr("level {number}"), number=component + 1)
     words = f", {place}: {share_text(value)}"
-    if curve.spread:
-        low, high = (share_text(share) for share in curve.spread[component])
-        return curve.label, words + filled(tr(" (range {low} to {high})"), low=low, high=high)
     mosaic = next((other.values[component] for other in curves if other.is_mosaic), math.nan)
     least = least_of_sources(curves, component)
     if curve.is_mosaic and least is not None and value == value:

@@ -65,12 +65,11 @@ class CurvesPainter(ChartPainter):
     """A ``Chart`` in a rectangle, and where its points are."""
 
     def __init__(
-        self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont, marked: int | None = None,
-        point: Point | None = None,
+        self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont, point: Point | None = None
     ) -> None:
-        """``marked``: index of the curve that stands out; ``point``: that of it which has a ring."""
+        """``point``: one that has a ring, and its curve stands out."""
         super().__init__(room, style, font)
-        self.chart, self._marked, self._point = chart, marked, point
+        self.chart, self._point = chart, point
         self._levels = len(chart.curves[0].detail) if chart.curves else 0
         self.low, self.high = share_range(chart)
         self.limit = significance_limit(chart.curves, chart.max_ratio)
@@ -79,7 +78,7 @@ class CurvesPainter(ChartPainter):
         self.places = {
             (index, component): self._place(component, share)
             for index, curve in enumerate(chart.curves) if curve.key not in chart.hidden
-            for component, share in enumerate(curve.values) if self._is_shown(share)
+            for component, share in enumerate(curve.values) if share > 0
         }  # fmt: skip
         """Places of the points that can be seen, by curve and component."""
 
@@ -101,13 +100,8 @@ class CurvesPainter(ChartPainter):
 
     def y_of(self, share: float) -> float:
         """y of a share; what is below the axis stays at its end."""
-        low, high, share = self.low, self.high, max(share, self.low)
-        if self.chart.logarithmic:
-            low, high, share = math.log10(low), math.log10(high), math.log10(share)
+        low, high, share = map(math.log10, (self.low, self.high, max(share, self.low)))
         return float(self.axes.bottom() - self.axes.height() * (share - low) / (high - low))
-
-    def _is_shown(self, share: float) -> bool:
-        return share == share and (share > 0 or not self.chart.logarithmic)
 
     def _place(self, component: int, share: float) -> QPointF:
         return QPointF(self.x_of(component), self.y_of(share))
@@ -119,13 +113,11 @@ class CurvesPainter(ChartPainter):
             for index, (number, curve) in enumerate(numbered(self.chart.curves)) if curve.key not in self.chart.hidden
         ]  # fmt: skip
         curves.sort(key=lambda curve: self.chart.curves[curve[0]].is_mosaic)
-        for index, colour, _ in curves:
-            self._paint_spread(painter, self.chart.curves[index], QColor(colour))
         self._paint_limit(painter)
         for index, colour, dashes in curves:
             self._paint_curve(painter, index, QColor(colour), dashes)
         for index, colour, dashes in curves:
-            if index == self._marked:
+            if self._point is not None and index == self._point[0]:
                 self._paint_curve(painter, index, QColor(colour), dashes, 1.6)
         if self._point in self.places:
             painter.setPen(QPen(QColor(self.style.text), 1.4 * PT))
@@ -133,7 +125,7 @@ class CurvesPainter(ChartPainter):
 
     def _paint_frame(self, painter: QPainter) -> None:
         axes, style = self.axes, self.style
-        for share in share_ticks(self.low, self.high, self.chart.logarithmic, axes.height() / self.line):
+        for share in share_ticks(self.low, self.high, axes.height() / self.line):
             self._share_tick(painter, self.y_of(share), formatted(share, "g"), style.grid, _LABEL_PX / 2)
         for component in range(self._levels + 1):
             x = self.x_of(component)
@@ -165,18 +157,6 @@ class CurvesPainter(ChartPainter):
         colour.setAlphaF(0.15)
         painter.fillRect(QRectF(left, y, right - left, self.axes.bottom() - y), colour)
         self._rule(painter, (left, y), (right, y), self.style.limit, 2 * PT * self.style.scale)
-
-    def _paint_spread(self, painter: QPainter, curve: ChartCurve, colour: QColor) -> None:
-        """The range of a mean."""
-        if not curve.spread:
-            return
-        lower = [self._place(component, low) for component, (low, _) in enumerate(curve.spread)]
-        upper = [self._place(component, high) for component, (_, high) in enumerate(curve.spread)]
-        colour.setAlphaF(0.2)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(colour)
-        painter.drawPolygon(QPolygonF([*lower, *reversed(upper)]))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
 
     def _paint_curve(
         self, painter: QPainter, index: int, colour: QColor, dashes: PenStyle, wider: float = 0.0

@@ -32,14 +32,10 @@ class ShownProfile:
     """What a chart shows."""
 
     profile: SeamProfile
-    pixel_m: float
-    """The mosaic's pixel size, m."""
-    min_kept: float
-    """Share at or below which a loss is significant."""
-    levels: frozenset[int] = frozenset({1})
-    """Which are drawn; the finest of them with its interval."""
-    ground_left: float = 1.0
-    """What the ground around has of the sources' finest detail."""
+    pixel_m: float  # the mosaic's pixel size, m
+    min_kept: float  # share at or below which a loss is significant
+    levels: frozenset[int] = frozenset({1})  # which are drawn; the finest of them with its interval
+    ground_left: float = 1.0  # what the ground around has of the sources' finest detail
 
     def bins(self, level: int) -> list[ProfileBin]:
         """Bins of one level, from the seam outwards."""
@@ -124,11 +120,11 @@ class ProfilePainter(ChartPainter):
 
     def __init__(
         self, shown: ShownProfile, room: QRectF, style: ChartStyle, font: QFont,
-        pointed: ProfileBin | None = None, marked_m: float | None = None,
+        pointed: ProfileBin | None = None,
     ) -> None:
-        """``pointed``: the bin under the mouse; ``marked_m``: the distance that the mouse has on the map."""
+        """``pointed``: the bin under the mouse."""
         super().__init__(room, style, font)
-        self._shown, self._pointed, self._marked_m = shown, pointed, marked_m
+        self._shown, self._pointed = shown, pointed
         left = self.metrics.horizontalAdvance("100 %") + 0.6 * self.line
         self._is_roomy = room.height() > _ROOMY_LINES * self.line
         bottom = (2.5 if self._is_roomy else 1.5) * self.line
@@ -204,9 +200,6 @@ class ProfilePainter(ChartPainter):
             width = 2.2 if level == self._shown.main_level else 1.5
             painter.setPen(QPen(QColor(level_colour(level, self.style)), width * self.style.scale))
             painter.drawPolyline(QPolygonF(steps))
-        if self._marked_m is not None:
-            x, dashes = self.x_of(self._marked_m), Qt.PenStyle.DashLine
-            self._rule(painter, (x, axes.top()), (x, axes.bottom()), self.style.text, 1.5 * self.style.scale, dashes)
 
     def _paint_frame(self, painter: QPainter) -> None:
         axes, line, style = self.axes, self.line, self.style

@@ -48,7 +48,7 @@ from ...toolkit.layer_styles import load_style
 from ...toolkit.translation import filled, sentence, tr
 from ..words import verdict_colour
 from . import messages
-from .accepting import DECISION, decision_values, delivered_scans, open_form, suggested_files
+from .accepting import DECISION, decision_values, delivered_scans, pictures_beside, suggested_files
 from .inputs.project_inputs import Inputs
 
 _HEAD = ("TITLE", "CONTRACT", "PRODUCER", "CLIENT")
@@ -71,8 +71,7 @@ class AcceptPage(QDialog):
         )
         self._scans = delivered_scans(project, inputs.mosaic)
         self._task: DecisionTask | None = None
-        self.files: dict[str, Path] = {}
-        """What the last decision made, by the outputs' names."""
+        self.files: dict[str, Path] = {}  # what the last decision made, by the outputs' names
         self._lay_out()
         self._show_state()
         project.cleared.connect(self.close)
@@ -87,7 +86,7 @@ class AcceptPage(QDialog):
     def decide(self, *_: object) -> None:
         """In the background, into a folder of its own."""
         folder = Path(tempfile.mkdtemp(dir=QgsProcessingUtils.tempFolder()))
-        beside = suggested_files(DECISION, self._project, self._inputs)
+        beside = suggested_files(self._project, self._inputs)
         self._made = {name: folder / Path(file).name for name, file in beside.items()}
         self._home = Path(next(iter(beside.values()), str(Path.home()))).parent
         values = {**self.values(), **{name: str(file) for name, file in self._made.items()}}
@@ -106,7 +105,7 @@ class AcceptPage(QDialog):
 
     def save(self, folder: Path) -> None:
         """Copy what was decided into a folder, in which none of it may be. Raises SettingsError."""
-        pictures = {file.with_name(f"{file.stem}_pictures") for file in self.files.values()}
+        pictures = map(pictures_beside, self.files.values())
         there = [file for file in (*self.files.values(), *pictures) if file.exists()]
         if taken := next((folder / one.name for one in there if (folder / one.name).exists()), None):
             raise SettingsError(messages.DECISION_THERE_ALREADY(path=taken))
@@ -198,7 +197,11 @@ class AcceptPage(QDialog):
                 self._saved.setText(sentence(error.message))
 
     def _open_form(self, *_: object) -> None:
-        open_form(self._project, self._inputs, self.values() if self._scans else None)
+        """QGIS's own."""
+        import processing
+
+        values = {**self.values(), **suggested_files(self._project, self._inputs)}
+        processing.execAlgorithmDialog(DECISION, values)
 
     # Widgets
 
@@ -229,7 +232,7 @@ class AcceptPage(QDialog):
         decided_on = QVBoxLayout()
         decided_on.addWidget(self._list)
         if not self._scans:
-            hint = QLabel(tr("No mosaic is scanned yet: scan it, or go all the way from the files by all settings."))
+            hint = QLabel(tr("No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does."))
             hint.setWordWrap(True)
             decided_on.addWidget(hint)
         layout = QVBoxLayout(self)

@@ -117,7 +117,6 @@ class InspectionDock(ToolDock):
         self.session.windowsChanged.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._repaint_windows)
         self.windows.zoomRequested.connect(self.zoom_to)
-        self.windows.told.connect(self._show_message)
         self.judging.model.stepped.connect(self.zoom_to)
         self.judging.model.changed.connect(self._hide_findings)
         self._hide_findings()
@@ -141,7 +140,6 @@ class InspectionDock(ToolDock):
             self.session.take_places(layer)
 
     def _go_to_worst(self, fids: list[int]) -> None:
-        self.judging.model.change(order="table")
         self.windows.sort_by_number()
         if fids:
             self.session.select(fids[:1])
@@ -202,7 +200,7 @@ class InspectionDock(ToolDock):
         )  # fmt: skip
         self.accept = self._action(
             "FileNew", tr("Accept..."),
-            tr("Accept or reject the delivery by its scans, or all the way from its files"),
+            tr("Accept or reject the delivery by its scans"),
             lambda: AcceptPage(QgsProject.instance(), self.session.inputs, self).show(),
         )  # fmt: skip
         self.inspect_selected = self._action(
@@ -236,7 +234,7 @@ class InspectionDock(ToolDock):
         self._tab_widget = tabs = CornerTabs()
         for panel, title, tip in (
             (self.curves, tr("Curves"),
-             tr("How the variance of the selected windows spreads over the levels of detail, and how much detail is "
+             tr("How the variance of the selected window spreads over the levels of detail, and how much detail is "
                 "kept by the distance from the seam")),
             (self.images, tr("Images"),
              tr("The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye")),

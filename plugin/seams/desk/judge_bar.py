@@ -1,6 +1,7 @@
 """Says what was found in the selected window, takes the operator's judgement, and goes on to the next one."""
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import partial
 from operator import attrgetter
@@ -24,11 +25,10 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ...imagery.statistics import DECIDED, INVISIBLE, UNSURE, VISIBLE, Operator
+from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.desk.widgets import ClippedLabel, rich_tip, single_shot
 from ...toolkit.translation import filled, tr
 from ..window_summary import window_sentence
-from ..words import CLAIMS
 from .judging import Judging, JudgingProgress
 from .notes_row import NotesRow
 from .windows.window_columns import verdict_chip, window_tip, windows_sentence
@@ -307,9 +307,9 @@ class JudgeBar(QWidget):
 
     def _summary(self) -> str:
         """What all verdicts come to."""
-        windows, operator = self._session.windows(), self._judging.operator
-        tool = "" if self._judging.is_blind else tool_words(windows, operator)
-        return f"{counts_words(windows, operator)} {tool}".rstrip()
+        said = Counter(map(self._judging.word, self._session.windows()))
+        text = tr("All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.")
+        return filled(text, visible=said[VISIBLE], invisible=said[INVISIBLE], unsure=said[UNSURE])
 
     # Widgets
 
@@ -392,26 +392,3 @@ class JudgeBar(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda *_: slot())
         return button
-
-
-def counts_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
-    """How many were judged, and what was said of them."""
-    said = [getattr(row, operator.observer) for row in windows]
-    shares = {word: said.count(word) for word in (VISIBLE, INVISIBLE, UNSURE)}
-    text = tr("All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.")
-    return filled(text, visible=shares[VISIBLE], invisible=shares[INVISIBLE], unsure=shares[UNSURE])
-
-
-def tool_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
-    """How often the tool says so too; empty where both said something of none."""
-    pairs = [
-        (getattr(row, operator.observer) == VISIBLE, row.verdict == "significant") for row in windows
-        if getattr(row, operator.observer) in DECIDED and row.verdict in CLAIMS
-    ]  # fmt: skip
-    same, vain = sum(seen == found for seen, found in pairs), sum(found and not seen for seen, found in pairs)
-    text = tr("The tool agrees on {same} of {count}.")
-    if same < len(pairs):
-        text = tr("The tool agrees on {same} of {count}. Called significant and not seen: {vain}; seen and not called "
-                  "so: {missed}.")
-    missed = len(pairs) - same - vain
-    return filled(text, same=same, count=len(pairs), vain=vain, missed=missed) if pairs else ""

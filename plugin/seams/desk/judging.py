@@ -2,10 +2,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
-from itertools import chain, compress, islice
-from operator import is_not
+from itertools import chain, islice
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsProject
@@ -17,7 +16,6 @@ from ...toolkit.project_settings import load_settings, save_settings
 from ...toolkit.translation import filled, tr
 from ..words import observer_word
 from .inputs.project_inputs import read_settings
-from .windows.filter_boxes import WindowOrder, order_named
 
 if TYPE_CHECKING:
     from ..measure.window_records import WindowRecord
@@ -30,18 +28,11 @@ _KEY = "judging"
 class JudgingSettings:
     """Plain values, as the project keeps them."""
 
-    operator: int = 1
-    """1 or 2: who judges."""
-    is_blind: bool = False
-    """Whether the tool's verdict, and the other operator's, is hidden."""
-    order: str = "table"
-    """Name of the order of the windows."""
-    search: str = ""
-    """What the table is filtered by."""
-    shown: str = ""
-    """Name of the kind of windows that the table shows; empty: all."""
-    window: int = 0
-    """Number of the window that was looked at last; 0: none."""
+    operator: int = 1  # 1 or 2: who judges
+    is_blind: bool = False  # whether the tool's verdict, and the other operator's, is hidden
+    search: str = ""  # what the table is filtered by
+    shown: str = ""  # name of the kind of windows that the table shows; empty: all
+    window: int = 0  # number of the window that was looked at last; 0: none
 
 
 def load_judging(project: QgsProject) -> JudgingSettings:
@@ -59,10 +50,8 @@ class JudgingProgress:
     """How far the present operator is with all windows."""
 
     count: int
-    judged: int
-    """With a verdict of his."""
-    unsure: int
-    """Where he looked and was not sure."""
+    judged: int  # with a verdict of his
+    unsure: int  # where he looked and was not sure
     left: int
     """To look at yet, be there too little for a verdict. The others have no source, or are not inspected."""
 
@@ -95,45 +84,6 @@ class JudgingProgress:
 _JUDGED, _UNSURE, _LEFT, _REST = "judged", "unsure", "left", "rest"
 
 
-class JudgingTally:
-    """Counts what one operator has done. Only windows that changed are counted anew: each key asks of thousands."""
-
-    def __init__(self) -> None:
-        self._operator: Operator | None = None
-        self._windows: Sequence[WindowRecord] = ()
-        self._counts: Counter[str] = Counter()
-        self.left: set[int] = set()
-        """Feature ids of the windows to look at yet."""
-
-    def take(self, operator: Operator, windows: Sequence[WindowRecord]) -> None:
-        """How they are now; a window that is as it was is the same record. The list is not to be changed."""
-        if operator != self._operator or len(windows) != len(self._windows):
-            self._operator, self._windows = operator, ()
-            self._counts.clear()
-            self.left.clear()
-            self._add(windows)
-        else:
-            changed = [*map(is_not, self._windows, windows)]
-            for row in compress(self._windows, changed):
-                self._counts[_kind(row, operator)] -= 1
-                self.left.discard(row.fid)
-            self._add(compress(windows, changed))
-        self._windows = windows
-
-    def progress(self) -> JudgingProgress:
-        """Progress in the windows that were taken last."""
-        counts = self._counts
-        return JudgingProgress(len(self._windows), counts[_JUDGED], counts[_UNSURE], counts[_LEFT])
-
-    def _add(self, windows: Iterable[WindowRecord]) -> None:
-        assert self._operator is not None
-        for row in windows:
-            kind = _kind(row, self._operator)
-            self._counts[kind] += 1
-            if kind == _LEFT:
-                self.left.add(row.fid)
-
-
 def _kind(row: WindowRecord, operator: Operator) -> str:
     word = getattr(row, operator.observer)
     if word:
@@ -141,16 +91,11 @@ def _kind(row: WindowRecord, operator: Operator) -> str:
     return _LEFT if row.is_compared else _REST
 
 
-_BLIND_ORDER = "seam"  # tells nothing
-
-
 class Judging(QObject):
     """Writes what the present operator says and goes on to the next window that is to be judged."""
 
-    changed = pyqtSignal()
-    """The operator, the order, or what is hidden."""
-    stepped = pyqtSignal(int)
-    """Feature id of the window that the operator went on to."""
+    changed = pyqtSignal()  # the operator, or what is hidden
+    stepped = pyqtSignal(int)  # feature id of the window that the operator went on to
 
     def __init__(
         self,
@@ -175,7 +120,8 @@ class Judging(QObject):
         self._is_sure_said = False  # of the selected window, before its judgement
         self.just_sure: tuple[int, int] | None = None
         """Number of the window judged before this one, and how sure the operator said then that he was, percent."""
-        self._tally = JudgingTally()
+        self._counted: object = None
+        self._kinds: dict[int, str] = {}  # what the present operator has done with each window, by feature id
         self._fids: Sequence[int] = []
         self._places: dict[int, int] = {}
         self._place = -1
@@ -220,12 +166,6 @@ class Judging(QObject):
     def is_blind(self) -> bool:
         """Whether the tool's verdict and the other operator's are hidden."""
         return self._settings.is_blind
-
-    @property
-    def order(self) -> WindowOrder:
-        """In which windows are judged."""
-        found = order_named(self._settings.order)
-        return order_named(_BLIND_ORDER) if self.is_blind and found.tells_verdict else found
 
     def change(self, **settings: object) -> None:
         """Change some of the settings."""
@@ -354,7 +294,9 @@ class Judging(QObject):
     def follow(self) -> None:
         """Take the windows in the order that they are shown in now, and the place of the selected one."""
         windows = self._session.windows()
-        self._tally.take(self.operator, windows)
+        if (self.operator, windows) != self._counted:  # each key asks of thousands
+            self._counted = self.operator, windows
+            self._kinds = {row.fid: _kind(row, self.operator) for row in windows}
         shown = self._shown() if self._shown is not None else [row.fid for row in windows]
         if shown is not self._fids:
             self._fids, self._places = shown, {fid: place for place, fid in enumerate(shown)}
@@ -365,7 +307,8 @@ class Judging(QObject):
 
     def progress(self) -> JudgingProgress:
         """What the operator has done."""
-        return self._tally.progress()
+        counts = Counter(self._kinds.values())
+        return JudgingProgress(len(self._kinds), counts[_JUDGED], counts[_UNSURE], counts[_LEFT])
 
     @property
     def place(self) -> int:
@@ -394,11 +337,8 @@ class Judging(QObject):
         the first in the chosen order; one that the filter took away once it was judged still has its place."""
         start = self._place + 1 if self._place >= 0 else max(self._last_place, 0) if self._session.selected() else 0
         current = self._fids[self._place] if self._place >= 0 else None
-        left = self._tally.left
-        if left <= {current}:
-            return None
         around = chain(islice(self._fids, start, None), islice(self._fids, start))
-        return next((fid for fid in around if fid in left and fid != current), None)
+        return next((fid for fid in around if self._kinds.get(fid) == _LEFT and fid != current), None)
 
     def _following(self) -> int | None:
         """The next one to judge; where all are judged, as in a review, the one after this. None where none was yet."""

@@ -50,9 +50,7 @@ class JudgingDesk(QObject):
         self.bar = JudgeBar(session, self.model)
         self.model.changed.connect(self._follow)
         windows.orderChanged.connect(self.bar.refresh)
-        windows.orderChosen.connect(self._choose_order)
         windows.filterChosen.connect(self._keep_filter)
-        windows.judged.connect(self._judge)
         session.inputsChanged.connect(self._hide_on_map)
         session.loss_view.changed.connect(self._hide_loss)
         self._follow()
@@ -68,30 +66,19 @@ class JudgingDesk(QObject):
         return {**self.bar.key_actions(), "seamlines": partial(toggle_seamlines, self._session)}
 
     def _follow(self) -> None:
-        """The operator, the order or what is hidden changed."""
+        """The operator or what is hidden changed."""
         model, settings = self.model, self.model.settings
         self._windows.operator = model.operator
         own = frozenset((_NUMBER, *model.operator)) if model.is_blind else None
         self._windows.set_blind(own)
         self._windows.set_filter(settings.search, settings.shown)
-        self._windows.show_order(model.order)
         self._hide_loss()
         self._hide_on_map()
         self.bar.refresh()
 
-    def _choose_order(self, name: str) -> None:
-        self.model.change(order=name)
-
     def _keep_filter(self) -> None:
         search, shown = self._windows.filter()
         self.model.change(search=search, shown=shown)
-
-    def _judge(self, word: str) -> None:
-        """From the table's menu."""
-        if word:
-            self.model.judge(word)
-        else:
-            self.model.take_back()
 
     # What the map tells
 

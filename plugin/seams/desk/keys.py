@@ -20,8 +20,7 @@ class KeyLine(NamedTuple):
     does: str
     keys: Mapping[str, tuple[str, ...]] = {}
     """Keys by what they do, as ``DeskKeys`` and actions call it; empty where a widget of Qt's or QGIS's has them."""
-    is_repeating: bool = False
-    """Whether they go on while they are held."""
+    is_repeating: bool = False  # whether they go on while they are held
 
 
 KEYS = (

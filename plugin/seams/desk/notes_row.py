@@ -57,8 +57,7 @@ class NotesRow(QWidget):
         self.opener.setToolTip(rich_tip(tr("A remark on the window (R); Enter keeps it and Esc leaves it as it was.")))
         self.opener.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.opener.clicked.connect(self._toggle)
-        self.buttons = (self.confidence, self.opener)
-        """What stands in the row of the judge bar."""
+        self.buttons = (self.confidence, self.opener)  # what stands in the row of the judge bar
         self._edit = RemarkEdit(self)
         self._edit.setMaxLength(_LONGEST)
         self._edit.setPlaceholderText(tr("remark"))

@@ -26,8 +26,7 @@ _KEY = "report"
 class ReportWriter(QObject):
     """One report at a time."""
 
-    told = pyqtSignal(str, int)
-    """A sentence, which may hold a link, and its Qgis.MessageLevel as int."""
+    told = pyqtSignal(str, int)  # a sentence, which may hold a link, and its Qgis.MessageLevel as int
 
     def __init__(self, session: Session, parent: QWidget) -> None:
         super().__init__(parent)

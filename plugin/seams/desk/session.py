@@ -48,10 +48,8 @@ class Session(SessionInputs):
     """The Message why the mosaic is not for the windows; ``take_windows`` and its like go on."""
     copyDoubted = pyqtSignal(object)
     """The Message why nothing can be written to the windows; ``copy_to_file`` and ``leave_windows`` go on."""
-    placesTaken = pyqtSignal(list)
-    """Feature ids of the windows at the worst places of a scan, worst first."""
-    stepped = pyqtSignal(int)
-    """Feature id of a window that undo or redo has changed."""
+    placesTaken = pyqtSignal(list)  # feature ids of the windows at the worst places of a scan, worst first
+    stepped = pyqtSignal(int)  # feature id of a window that undo or redo has changed
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

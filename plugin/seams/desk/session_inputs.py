@@ -1,6 +1,8 @@
 """The inputs of a session: which mosaic and sources are inspected and how, and what lies under the mouse."""
 from __future__ import annotations
 
+from functools import partial
+
 from qgis.core import QgsProject, QgsRasterLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
@@ -22,8 +24,7 @@ from .map.window_coverage import Coverage, SeamFinder, WindowCoverage
 class LossView(QObject):
     """Whether the pictures of lost detail are shown, over the map and the images alike. Off at first."""
 
-    changed = pyqtSignal(bool)
-    """Shown or not from now on."""
+    changed = pyqtSignal(bool)  # shown or not from now on
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -47,8 +48,7 @@ class SessionInputs(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._project = project = QgsProject.instance()
-        self.loss_view = LossView(self)
-        """Whether lost detail is painted over the map and the images."""
+        self.loss_view = LossView(self)  # whether lost detail is painted over the map and the images
         self._opening = BackgroundTasks(self)  # apart, since another window layer does not matter to it
         self._block = block = BlockCache(project, self._opening, self)
         self._seams = SeamFinder(block, self._opening)
@@ -61,8 +61,7 @@ class SessionInputs(QObject):
             (self._live.changed, self.liveChanged),
             (block.opened, self._follow_block),
             (self._layers.layersChanged, self._files_changed),
-            (self._layers.indexEdited, self._files_changed),
-            (self._layers.seamlinesEdited, self._seamlines_edited),
+            (self._layers.seamlinesEdited, partial(self._seams.refresh, anew=True)),
             *((told, self._tell) for told in (self._opening.failed, self._live.failed, block.told)),
         ):  # fmt: skip
             signal.connect(slot)
@@ -128,8 +127,8 @@ class SessionInputs(QObject):
         return self._coverage.at(window)
 
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
-        """The nearest point of a seam within reach; None where there is none."""
-        return self._seams.nearest(x, y, reach)
+        """The nearest point of a seam within reach; None where there is none, or while they are being found."""
+        return self._seams.index.nearest(x, y, reach)
 
     def hover(self, window: PixelWindow, is_live: bool) -> None:
         """The mouse is over this window; ``is_live``: its curves follow."""
@@ -180,9 +179,6 @@ class SessionInputs(QObject):
         self._block.refresh(anew=True)
         self._coverage.follow(None)  # what lies in the files may be something else
         self._follow_block()
-
-    def _seamlines_edited(self) -> None:
-        self._seams.refresh(anew=True)
 
     def _forget_layers(self, ids: list[str]) -> None:
         self._live.let_go()  # or their files could not be moved or deleted

@@ -152,10 +152,7 @@ PROFILES_WITHOUT_FIELD = Message(
 CURVES_WITHOUT_FIELD = Message(
     "The table of curves has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
 )
-TABLE_NOT_SAVED = Message("The table can't be saved as {path}: {error}.")
 FILTER_NOT_UNDERSTOOD = Message("The filter is not understood: {error}. Example: kept < 0.7 and cause = 'feathering'.")
-FILTER_DECIMALS = Message("Write decimals in the filter with a point: kept < 0.7.")
-FILTER_SHARE = Message("{name} is a share: write {share:g} for {percent:g} %.")
 FILTER_GEOMETRY = Message(
     "The filter can't use geometry; use 'Select Features by Expression' on the window layer instead."
 )

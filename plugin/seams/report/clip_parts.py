@@ -106,38 +106,29 @@ def _draw_frame(picture: np.ndarray, row: int, column: int, rows: int, columns: 
 class ClipJob:
     """The clips wanted of one window."""
 
-    extent: Extent | None
-    """In the mosaic's reference system; None: no clips."""
-    names: tuple[str, ...]
-    """File names of the sources, those to be shown first in front; empty: as they come."""
-    loss: LossPicture | None = None
-    """Lost detail of the whole window where it was measured already."""
+    extent: Extent | None  # in the mosaic's reference system; None: no clips
+    names: tuple[str, ...]  # file names of the sources, those to be shown first in front; empty: as they come
+    loss: LossPicture | None = None  # lost detail of the whole window where it was measured already
 
 
 @dataclass(frozen=True)
 class PartPicture:
     """A part of one raster's clip."""
 
-    raster: str
-    """File name without its folder."""
+    raster: str  # file name without its folder
     is_mosaic: bool
     jpeg: bytes
-    columns: int
-    """Its width, px."""
+    columns: int  # its width, px
 
 
 @dataclass(frozen=True)
 class WindowParts:
     """One part of a window, in all of its clips."""
 
-    pictures: tuple[PartPicture, ...] = ()
-    """The mosaic first."""
-    extent: Extent | None = None
-    """Where the part lies, in the mosaic's reference system."""
-    left_out: int = 0
-    """How many more sources cover the window."""
-    problem: Message | None = None
-    """Why there are no pictures."""
+    pictures: tuple[PartPicture, ...] = ()  # the mosaic first
+    extent: Extent | None = None  # where the part lies, in the mosaic's reference system
+    left_out: int = 0  # how many more sources cover the window
+    problem: Message | None = None  # why there are no pictures
     loss: tuple[bytes, int] | None = None
     """Lost detail over the mosaic as JPEG, and its columns; None where nothing is told."""
 

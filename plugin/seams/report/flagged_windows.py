@@ -27,8 +27,7 @@ class WindowSections:
 
     def __init__(self, request: ReportRequest, count: int) -> None:
         """``count``: how many sections there will be, which share the bytes that a report may have."""
-        self.notices: list[Message] = []
-        """What could not be shown."""
+        self.notices: list[Message] = []  # what could not be shown
         self._request = request
         self._pixel_m = None if request.block is None else request.block.mosaic.ground_sample_distance
         self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)

@@ -21,16 +21,16 @@ from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.background_tasks import Cancelled, Job
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import HowMeasured, each_raster, measured_raster, save_page, sentences_once
-from ...toolkit.translation import filled, shown_number, tr
+from ...toolkit.translation import filled, percent, shown_number, tr
 from ..clip_pictures import bytes_picture
 from ..measure import limits, messages
-from ..measure.window_records import WindowRecord
+from ..measure.window_records import SEAM, WindowRecord
 from ..window_summary import judged_words
 from ..words import VERDICTS, cause_sentence, cause_word, loss_legend, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
 from .report_request import ReportRequest
-from .window_words import anchor, reading_terms, window_rows
+from .window_words import anchor, window_rows
 
 MAX_REPORT_DETAILS = 300  # flagged windows with curves and clips; the others stand in the table
 OVERVIEW_SIDE_PX = 900  # of the sketch's background, 170 mm wide
@@ -72,7 +72,7 @@ def write_report(
             notices=sentences_once(notices),
             **_summary(request),
             **_map(request, linked),
-            terms=_terms(request),
+            has=_shown(request),
             levels=levels,
             ratio_levels=max((len(one.ratios) for one in request.records), default=0),
             windows=(
@@ -99,11 +99,17 @@ def report_job(path: Path, request: ReportRequest) -> Job:
     return job
 
 
-def _terms(request: ReportRequest) -> list[tuple[str, str]]:
-    """The words that stand in this report."""
-    parts = {"curves": request.curves, "profiles": request.profiles, "clips": request.block}
-    shown = {name for name, part in parts.items() if part}
-    return list(reading_terms(request.records, request.min_kept, request.max_ratio, shown))
+def _shown(request: ReportRequest) -> dict[str, object]:
+    """What there is in this report, by whose words it is read."""
+    records = request.records
+    return {
+        "percent": percent(request.min_kept), "limit": request.max_ratio, "curves": bool(request.curves),
+        "profiles": bool(request.profiles), "clips": request.block is not None,
+        "seam": any(one.reference == SEAM for one in records),
+        "visibility": any(one.visibility is not None for one in records),
+        "sharpness": any(one.sharpness is not None for one in records),
+        "expected": any(value is not None for one in records for value in one.expected_ratios),
+    }
 
 
 def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:

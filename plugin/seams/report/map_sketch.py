@@ -26,15 +26,11 @@ Box = tuple[float, float, float, float]
 class SketchShape:
     """A rectangle on the map."""
 
-    extent: Extent
-    """Map units."""
+    extent: Extent  # map units
     colour: str
-    label: str
-    """Written beside it where there is room."""
-    tip: str
-    """Said when the pointer rests on it."""
-    anchor: str = ""
-    """Where a click leads in the page; empty for nowhere."""
+    label: str  # written beside it where there is room
+    tip: str  # said when the pointer rests on it
+    anchor: str = ""  # where a click leads in the page; empty for nowhere
 
 
 @dataclass(frozen=True)
@@ -42,8 +38,7 @@ class SketchBackground:
     """A picture below the shapes."""
 
     jpeg: bytes
-    extent: Extent
-    """Map units."""
+    extent: Extent  # map units
 
 
 @dataclass(frozen=True)
@@ -51,17 +46,13 @@ class Sketch:
     """What is drawn where."""
 
     width: float
-    height: float
-    """Height of the map."""
-    strip: float
-    """Height of what stands below the map."""
+    height: float  # height of the map
+    strip: float  # height of what stands below the map
     letters: float
     background: tuple[Box, bytes] | None
     shapes: Sequence[tuple[Box, SketchShape]]
-    labels: Sequence[tuple[float, float, str]]
-    """Middle of the foot of each."""
-    bar: float
-    """Length of the scale bar."""
+    labels: Sequence[tuple[float, float, str]]  # middle of the foot of each
+    bar: float  # length of the scale bar
     bar_words: str
 
 

@@ -25,22 +25,14 @@ class ReportRequest:
     """The windows; their extents in the mosaic's reference system where there is a block."""
     curves: Mapping[int, Sequence[CurveRecord]] = field(default_factory=dict)
     """Curves by window, in the judged band."""
-    pairs: Mapping[int, Sequence[PairRecord]] = field(default_factory=dict)
-    """Pairs by window."""
-    block: Block | None = None
-    """Mosaic and sources whose clips are shown; None for none."""
-    wkt: str = ""
-    """Reference system of the extents; empty when it is unknown."""
-    title: str = ""
-    """Heading of the page; empty for the mosaics' names."""
-    name: str = ""
-    """What the mosaic is called where neither the block nor the curves say it."""
-    max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
-    """The limit drawn into the charts of curves."""
-    min_kept: float = limits.MAX_SIGNIFICANT_KEPT
-    """The limit drawn into the charts of what is kept."""
-    profiles: Mapping[int, Sequence[ProfileRecord]] = field(default_factory=dict)
-    """Profiles by window."""
+    pairs: Mapping[int, Sequence[PairRecord]] = field(default_factory=dict)  # pairs by window
+    block: Block | None = None  # mosaic and sources whose clips are shown; None for none
+    wkt: str = ""  # reference system of the extents; empty when it is unknown
+    title: str = ""  # heading of the page; empty for the mosaics' names
+    name: str = ""  # what the mosaic is called where neither the block nor the curves say it
+    max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO  # the limit drawn into the charts of curves
+    min_kept: float = limits.MAX_SIGNIFICANT_KEPT  # the limit drawn into the charts of what is kept
+    profiles: Mapping[int, Sequence[ProfileRecord]] = field(default_factory=dict)  # profiles by window
     losses: Mapping[int, LossPicture] = field(default_factory=dict)
     """Lost detail of whole windows as far as it is known; of others it is measured again where there is a block."""
     made_on: date = field(default_factory=date.today)

@@ -57,10 +57,8 @@ def _chart_curves(curves: Sequence[CurveRecord]) -> tuple[ChartCurve, ...]:
 class ProfilePicture:
     """The chart, and what its lines are."""
 
-    svg: Markup
-    """Part of the page, so that its words can be found; it has no ids."""
-    legend: Sequence[tuple[str, str]]
-    """Colours and names of the levels."""
+    svg: Markup  # part of the page, so that its words can be found; it has no ids
+    legend: Sequence[tuple[str, str]]  # colours and names of the levels
 
 
 def profile_picture(

@@ -149,8 +149,7 @@ class _Components(NamedTuple):
 
     raster: str
     role: str
-    shares: dict[int, float]
-    """Shares by level; the background as _BACKGROUND."""
+    shares: dict[int, float]  # shares by level; the background as _BACKGROUND
 
     def curve(self) -> CurveRecord | None:
         """None while levels are missing."""

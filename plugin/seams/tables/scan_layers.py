@@ -35,10 +35,8 @@ if TYPE_CHECKING:
 class ScanLayer:
     """One of the layers that a scan leaves."""
 
-    name: str
-    """Name of the table in a file of several."""
-    style: str
-    """Style in ``resources/styles``."""
+    name: str  # name of the table in a file of several
+    style: str  # style in ``resources/styles``
     geometry: QgsWkbTypes.Type
     columns: Sequence[Column]
     results: Callable[[ScanResult, ScanRequest], Iterable[tuple[object, QgsGeometry]]]

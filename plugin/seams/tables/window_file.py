@@ -107,8 +107,7 @@ class StoredResult(NamedTuple):
 
     window_id: int
     fingerprint: str
-    result: WindowResult | None = None
-    """None: what is there of it stays."""
+    result: WindowResult | None = None  # none: what is there of it stays
 
 
 def store(path: Path, results: Iterable[StoredResult]) -> None:

@@ -100,8 +100,7 @@ class WindowChange:
     values: Mapping[int, Mapping[str, object]] = field(default_factory=dict)
     """Other values, by feature id and field; fields that the layer lacks are left out."""
     added: Sequence[QgsFeature] = ()
-    removed: Sequence[int] = ()
-    """Feature ids."""
+    removed: Sequence[int] = ()  # feature ids
 
 
 def write(layer: QgsVectorLayer, change: WindowChange, words: str) -> list[int]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QComboBox, QDialogButtonBox, QFileDialog, QLineEdit, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLineEdit, QToolButton, QWidget
 from qgis.utils import iface
 
 from demo.desk import Desk
@@ -75,11 +75,8 @@ def inspect(desk: Desk) -> None:
 
 
 def read(desk: Desk) -> None:
-    """Worst first; a click on the second row; View > Zoom to Selection; Lost detail: where detail was lost."""
-    order = next(box for box in desk.dock.findChildren(QComboBox) if box.findText("worst first") >= 0)
-    order.setCurrentIndex(order.findText("worst first"))
-    order.activated.emit(order.currentIndex())
-    desk.wait(lambda: desk.dock.judging.model.order.name == "worst", 5, "worst first")
+    """A click on the heading loss: worst first; one on the second row; View > Zoom to Selection; Lost detail."""
+    desk.sort_by_loss()
     table = desk.dock.windows.table
     fids = desk.dock.windows.ordered_fids()
     second = min(1, len(fids) - 1)  # a small block may have one window only

@@ -35,7 +35,7 @@ def play(desk: Desk) -> None:
     desk.dock.inspect.trigger()
     desk.wait(lambda: all(row.verdict for row in session.windows()), 60, "all windows inspected")
     desk.wait_for_work()
-    desk.dock.judging.model.change(order="worst")
+    desk.sort_by_loss()
     desk.session.select([])
     with desk.judging():  # begins with the worst
         judge_by_keys(desk, shots)
@@ -50,8 +50,6 @@ def play(desk: Desk) -> None:
 
 def judge_by_keys(desk: Desk, shots: Path) -> None:
     """One key a window, from the map and the desk; the map follows at 2x."""
-    from seam_inspector.plugin.seams.desk.windows.filter_boxes import worst_first
-
     session, keys = desk.session, 0
     everywhere = [desk.canvas, desk.dock.judge, iface.mainWindow(), desk.dock]
     seen, wrong, key_times = [], [], []
@@ -63,7 +61,7 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
             key_times.append(press(desk, everywhere[number % len(everywhere)], key))
             keys += 1
             row = next(row for row in session.windows() if row.window_id == window)
-            seen.append(worst_first(row))
+            seen.append(row.loss or 0.0)
             if row.observer != word or not in_the_middle(desk):
                 wrong.append((window, number % len(everywhere), row.observer))
             if number == 12:
@@ -73,7 +71,7 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
     desk.report["wrong"] = wrong
     desk.report["key_ms"] = [round(1000 * one) for one in (statistics.median(key_times), max(key_times))]
     desk.report["keys_per_window"] = keys / JUDGED
-    desk.report["worst_first"] = seen == sorted(seen)
+    desk.report["worst_first"] = seen == sorted(seen, reverse=True)
     desk.report["judge_gap_ms"], desk.report["judge_work_ms"] = 1000 * gaps.longest_s, 1000 * gaps.longest_work_s
     desk.report["progress"] = desk.dock.judge._progress.text()
     before = session.selected()
@@ -158,7 +156,7 @@ def compare(desk: Desk, shots: Path) -> None:
 
 
 def look_at_the_table(desk: Desk, shots: Path) -> None:
-    """Numbers in the filter, columns, rows for a spreadsheet."""
+    """Numbers in the filter, rows for a spreadsheet."""
     windows = desk.dock.windows
     windows.set_filter("kept < 0.7 and cause = 'feathering'", "")
     desk.pause(0.7)
@@ -172,13 +170,11 @@ def look_at_the_table(desk: Desk, shots: Path) -> None:
     windows.table.selectRow(0)
     windows.copy()
     desk.report["copied"] = QApplication.clipboard().text()
-    windows.save_csv(desk.folder / "windows.csv")
-    desk.report["csv_lines"] = len((desk.folder / "windows.csv").read_text(encoding="utf-8-sig").splitlines())
 
 
 def keep_in_project(desk: Desk, shots: Path) -> None:
-    """Order, filter and place are there when the project is opened again."""
-    desk.dock.judging.model.change(order="worst")
+    """Filter and place are there when the project is opened again."""
+    desk.dock.windows.sort_by_number()
     desk.dock.windows.set_filter("kept < 0.9", "")
     desk.pause(0.7)
     fids = desk.dock.windows.ordered_fids()

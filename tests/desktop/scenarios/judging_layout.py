@@ -26,7 +26,6 @@ def play(desk: Desk) -> None:
     desk.dock.inspect.trigger()
     desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 120, "all windows inspected")
     desk.wait_for_work()
-    desk.dock.judging.model.change(order="sure")
     desk.project.addMapLayer(QgsRasterLayer(str(block / "mosaic.tif"), "over"))  # hides the mosaic
     desk.project.layerTreeRoot().findLayer(desk.session.inputs.mosaic).setItemVisibilityChecked(False)
     desk.wait_for_map()

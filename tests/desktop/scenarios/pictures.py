@@ -106,7 +106,7 @@ def inspect_all(desk: Desk) -> None:
     desk.dock.inspect.trigger()
     desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 120, "all windows inspected")
     desk.wait_for_work()
-    desk.dock.judging.model.change(order="worst")
+    desk.sort_by_loss()
     desk.rest_mouse()
 
 

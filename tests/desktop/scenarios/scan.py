@@ -1,14 +1,13 @@
-"""A real mosaic is scanned from the dock: the picture grows on the map, and the worst places are judged.
+"""A real mosaic is scanned from the dock, and the worst places are judged.
 
 Parameters: ``brighton`` and ``screenshots`` (folders), ``mosaic`` (name), ``piece_m``, ``seamlines`` (whether given).
 """
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
-from qgis.core import QgsProject, QgsRectangle
+from qgis.core import QgsRectangle
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QPushButton
 from qgis.utils import iface
@@ -34,7 +33,7 @@ def play(desk: Desk) -> None:
     )
     desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic open")
     desk.pause(1)
-    scan(desk, shots / f"scan_{name}_stopped.png")
+    scan(desk)
     desk.wait_for_map()
     desk.screenshot(shots / f"scan_{name}_found.png")
     judge_worst(desk)
@@ -44,25 +43,21 @@ def play(desk: Desk) -> None:
     desk.drop_changes()
 
 
-def scan(desk: Desk, shot: Path) -> None:
+def scan(desk: Desk) -> None:
     """Scan by the dock's own button, stopped once and gone on."""
     scans, bar = desk.dock.scans, desk.dock.scan_progress
     found, formats = [], []
     scans.found.connect(found.append)
     scans.changed.connect(lambda: formats.append(bar.format()))
-    so_far = partial(QgsProject.instance().mapLayersByName, "Picture of losses, so far")
     with Gaps() as gaps:
         desk.dock.scan.trigger()
-        desk.wait(lambda: so_far() or found, 60, "a picture")
+        desk.wait(lambda: found or (scans.is_busy and scans.news.share > 0), 60, "a block")
         if scans.is_busy:
             desk.report["stop_enabled"] = desk.dock.stop.isEnabled()
             desk.dock.stop.trigger()
         desk.wait(lambda: not scans.is_at_work, 60, "the scan stopped")
     if not found:
         desk.report["bar_hidden"] = bar.isHidden()
-        desk.report["stopped_layers"] = titles(desk)[:1]
-        desk.wait_for_map()
-        desk.screenshot(shot)
     with Gaps() as later:
         if not found:
             desk.dock.scan.trigger()

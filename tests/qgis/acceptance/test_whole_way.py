@@ -8,9 +8,7 @@ from pathlib import Path
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsGeometry, QgsProcessingContext, QgsProject, QgsRectangle
-from seam_inspector.plugin.seams.desk.accepting import DECISION, WHOLE_WAY, offered_form
-from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from qgis.core import QgsGeometry, QgsProcessingContext, QgsRectangle
 
 from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
@@ -184,11 +182,3 @@ def test_scripts_get_the_models_own_defaults() -> None:
     names = "piece", "min_kept", "max_share", "max_run", "min_measured"
     assert [given[name] for name in names] == [5.0, 0.7, 2.0, 50.0, 90.0]
     assert model._with_defaults({})["piece"] == 10.0
-
-
-def test_the_desk_offers_the_whole_way_before_a_scan() -> None:
-    name, values = offered_form(QgsProject.instance(), Inputs(mosaic="m", sources=("a", "b"), seamlines="s"))
-    model, decision = algorithm("accept_delivery"), algorithm("acceptmosaic")
-    assert (name, decision.id()) == (WHOLE_WAY, DECISION)
-    assert set(values) <= {one.name() for one in model.parameterDefinitions()}
-    assert (values["sources"], values["seamlines"]) == (["a", "b"], "s")

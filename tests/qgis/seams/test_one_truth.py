@@ -13,7 +13,6 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, summary_words
-from seam_inspector.plugin.seams.desk.windows.filter_boxes import worst_first
 from seam_inspector.plugin.seams.desk.windows.window_columns import columns_of
 from seam_inspector.plugin.seams.measure.limits import MIN_MISREGISTRATION_PX
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
@@ -194,10 +193,3 @@ def test_nothing_that_is_said_contradicts_the_verdict(
             assert "no change from one source to another" not in said.lower(), name
         apart = [float(one) for one in re.findall(r"images ([\d.]+) px apart", said)]
         assert all(one >= MIN_MISREGISTRATION_PX for one in apart), name
-
-
-def test_worst_first_goes_by_what_is_missing(rows: dict[str, WindowRecord]) -> None:
-    ordered = sorted((row for row in rows.values() if worst_first(row)), key=lambda row: worst_first(row) or ())
-    for verdict in LOSSES:
-        losses = [row.loss or 0.0 for row in ordered if row.verdict == verdict]
-        assert losses == sorted(losses, reverse=True)

@@ -173,7 +173,7 @@ def test_what_later_tables_hold_is_told(inspected: Run, tmp_path: Path) -> None:
         name: (kind, list(values)) for name, kind, values in zip(fields, kinds, columns)
     })
     page = read(run("report", WINDOWS=more, PAIRS=pairs, CURVES=curves, OUTPUT=str(tmp_path / "report.html")))
-    assert "Significant loss. Detail at level 1 is 40 % of the sources'; blur explains it." in page.words
+    assert "Significant loss. Detail at level 1 is 40 % of the sources'; the mosaic is blurred." in page.words
     assert "Absolute contrast at level 1: 31 %." in page.words
     assert "no source wins clearly: 25 %" in page.words
     assert ["against the hard-cut composite", "0.38"] in page.rows
@@ -205,7 +205,7 @@ def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_p
     assert "between 38 and 49 % (95 % interval). It is 1.4 times what an eye just sees at 2x." in page.words
     assert "just noticeable differences of contrast" in page.words
     assert "The window is as sharp as its sources. " in page.words
-    assert "Besides: compressed." in page.words
+    assert "are feathered over 2.0 m; the mosaic was compressed with loss." in page.words
     assert "17 % of the pixels match none of the given sources" in page.words
     assert "By the paper's rule it is preserved, with 135 % of the detail" in page.words
     assert "By the paper's rule: preserved" not in page.words  # said once is enough

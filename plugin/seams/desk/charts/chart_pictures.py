@@ -33,11 +33,9 @@ _PIECE_PX = 26, 16  # width and height of a line's piece in the legend of a pict
 class ChartPicture:
     """What is to be saved."""
 
-    name: str
-    """Of the file, without its ending."""
+    name: str  # of the file, without its ending
     paint: Callable[[QPainter], None]
-    size: tuple[int, int]
-    """On how many px."""
+    size: tuple[int, int]  # on how many px
 
 
 class PictureButton(QToolButton):

@@ -12,7 +12,7 @@ from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 from ....toolkit.charts.chart_painter import ChartPainter
 from ....toolkit.desk.theme import chart_style
 from ....toolkit.painting import painting
-from ...charts.chart_curves import Chart, Key, Point
+from ...charts.chart_curves import Chart, Point
 from ...charts.curves_painter import CurvesPainter
 from ...charts.profile_painter import ProfilePainter, ShownProfile
 
@@ -66,46 +66,38 @@ class CurvesChart(ChartWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.chart: Chart | None = None
-        """What is seen."""
-        self.point: Point | None = None
-        """What the mouse points at."""
-        self._marked: int | None = None
+        self.chart: Chart | None = None  # what is seen
+        self.point: Point | None = None  # what the mouse points at
 
     def painter(self) -> CurvesPainter | None:
         if self.chart is None:
             return None
         room, font = QRectF(self.rect()), self.font()
-        return CurvesPainter(self.chart, room, chart_style(self), font, self._marked, self.point)
+        return CurvesPainter(self.chart, room, chart_style(self), font, self.point)
 
     def show_chart(self, chart: Chart) -> None:
         """Paint a chart, at which nobody points yet; nothing happens when it is there already."""
         if chart != self.chart:
             self.chart = chart
-            self._marked = self.point = None
+            self.point = None
             self.update()
             self.pointed.emit(None)
-
-    def mark(self, key: Key | None) -> None:
-        """Make one curve stand out, as while the mouse is on its entry in the legend."""
-        keys = [curve.key for curve in self.chart.curves] if self.chart else []
-        self._set_mark(keys.index(key) if key in keys else None, None)
 
     def point_at(self, place: QPointF | None) -> None:
         """A point is pointed at from anywhere in the axes, else from close by."""
         painter = self.painter()
         if place is None or painter is None or not painter.places:
-            self._set_mark(None, None)
+            self._set_point(None)
             return
         away, point = min(
             (hypot(place.x() - at.x(), place.y() - at.y()), point) for point, at in painter.places.items()
         )
         reach = inf if painter.axes.contains(place) else _NEAR_PX
-        self._set_mark(*((point[0], point) if away <= reach else (None, None)))
+        self._set_point(point if away <= reach else None)
 
-    def _set_mark(self, index: int | None, point: Point | None) -> None:
-        if (index, point) != (self._marked, self.point):
-            self._marked, self.point = index, point
+    def _set_point(self, point: Point | None) -> None:
+        if point != self.point:
+            self.point = point
             self.update()
             self.pointed.emit(point)
 
@@ -115,24 +107,15 @@ class ProfileChart(ChartWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.shown: ShownProfile | None = None
-        """What is seen."""
+        self.shown: ShownProfile | None = None  # what is seen
         self._levels = frozenset({1})
-        self._pointed: ProfileBin | None = None
-        self._marked_m: float | None = None
-
-    @property
-    def pointed_bin(self) -> ProfileBin | None:
-        """What the mouse points at, here or on the map."""
-        if self._pointed is None and self._marked_m is not None and self.shown is not None:
-            return self.shown.bin_at(self._marked_m)
-        return self._pointed
+        self.pointed_bin: ProfileBin | None = None  # what the mouse points at
 
     def painter(self) -> ProfilePainter | None:
         if self.shown is None:
             return None
         room, font = QRectF(self.rect()), self.font()
-        return ProfilePainter(self.shown, room, chart_style(self), font, self._pointed, self._marked_m)
+        return ProfilePainter(self.shown, room, chart_style(self), font, self.pointed_bin)
 
     def show_profile(
         self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0
@@ -151,12 +134,6 @@ class ProfileChart(ChartWidget):
             self.shown = replace(self.shown, levels=levels)
         self.update()
 
-    def mark(self, distance_m: float | None) -> None:
-        """A line at the distance that the mouse has from the seam on the map; none when it is elsewhere."""
-        if distance_m != self._marked_m:
-            self._marked_m = distance_m
-            self.update()
-
     def point_at(self, place: QPointF | None) -> None:
         painter = self.painter()
         if place is None or painter is None or self.shown is None:
@@ -166,7 +143,7 @@ class ProfileChart(ChartWidget):
         self._point(self.shown.bin_at(painter.distance_at(place.x())) if is_inside else None)
 
     def _point(self, one: ProfileBin | None) -> None:
-        if one != self._pointed:
-            self._pointed = one
+        if one != self.pointed_bin:
+            self.pointed_bin = one
             self.update()
             self.pointed.emit(one)

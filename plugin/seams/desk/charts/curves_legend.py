@@ -1,17 +1,16 @@
-"""The legend beside the curves or below them: a list whose entries show and hide their curve."""
+"""The legend below the curves: a list whose entries show and hide their curve."""
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from qgis.PyQt.QtCore import QEvent, QModelIndex, QPoint, QRectF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPalette, QPixmap, QResizeEvent
+from qgis.PyQt.QtCore import QModelIndex, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPixmap, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QFrame,
     QListView,
     QListWidget,
     QListWidgetItem,
-    QMenu,
     QStyle,
     QStyleOptionViewItem,
     QWidget,
@@ -26,19 +25,15 @@ from ...charts.chart_curves import ChartCurve, Key, numbered
 from ...charts.curves_painter import PenStyle, curve_look, paint_piece
 
 _KEY = Qt.ItemDataRole.UserRole
-_IS_HIDDEN = _KEY + 1
 _HIDDEN_SHARE = 0.55  # of the text's colour: fainter, and still to be read
-_SHOWN_ACROSS = 20  # of a name beside others, so that two of them fit into a narrow dock
+_SHOWN_CHARACTERS = 20  # of a name, elided in its middle, so that two of them fit into a narrow dock
 _MOST_ACROSS = 4  # names in a row; more are hard to scan
-_SHOWN_CHARACTERS = 26  # of a name; a longer one is elided in its middle
 
 
 class CurvesLegend(QListWidget):
     """One entry per curve: a piece of its line and its name. Hidden ones are grey and stay in the list."""
 
     toggled = pyqtSignal(object)  # key of a curve to show or hide
-    soloed = pyqtSignal(object)  # key of the only curve to show beside the mosaic; None: show all
-    entered = pyqtSignal(object)  # key of the curve under the mouse, or None
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -49,53 +44,28 @@ class CurvesLegend(QListWidget):
         self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setUniformItemSizes(True)
-        self.setMouseTracking(True)
         self.setResizeMode(QListView.ResizeMode.Adjust)
+        self.setFlow(QListView.Flow.LeftToRight)
+        self.setWrapping(True)
         self.setItemDelegate(_Entries(self))
-        self.setToolTip(tr("Click an entry to hide its curve or to show it again; right click for more"))
-        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.setToolTip(tr("Click an entry to hide its curve or to show it again"))
         self.itemClicked.connect(self._toggle)
-        self.itemEntered.connect(self._enter)
-        self.customContextMenuRequested.connect(self._open_menu)
         self._shown: object = None
 
-    @property
-    def is_across(self) -> bool:
-        """Whether the entries stand side by side."""
-        return bool(self.flow() == QListView.Flow.LeftToRight)
-
-    def set_across(self, across: bool) -> None:
-        """Entries side by side in columns, for a place below the chart, or one below the other."""
-        if across != self.is_across:
-            self.setFlow(QListView.Flow.LeftToRight if across else QListView.Flow.TopToBottom)
-            self.setWrapping(across)
-            self.scheduleDelayedItemsLayout()
-
     def entry_size(self) -> QSize:
-        """Size of each entry: a share of the width where they stand side by side."""
-        height = round(1.25 * self.fontMetrics().height())
+        """Size of each entry: a share of the width."""
         room = self.maximumViewportSize().width() - self._kept_free()
-        return QSize(room // self._columns(room) if self.is_across else 0, height)
+        return QSize(room // self._columns(room), round(1.1 * self.fontMetrics().height()))
 
     def height_within(self, width: int, most: int) -> int:
-        """Height of the rows that the entries fill side by side in this width; only whole rows, and at least one."""
+        """Height of the rows that the entries fill in this width; only whole rows, and at least one."""
         around, entry = self.height() - self.viewport().height(), self.entry_size().height()
         rows = -(-self.count() // self._columns(width - around - self._kept_free()))
         return max(1, min(rows, (most - around) // entry)) * entry + around + 2
 
-    def sizeHint(self) -> QSize:
-        """Size that is as wide as the names, within reason."""
-        return QSize(self._entry_width() + self.fontMetrics().height(), 6 * self.fontMetrics().height())
-
-    def minimumSizeHint(self) -> QSize:
-        """Room for a line's piece and the start of a name."""
-        line = self.fontMetrics().height()
-        return QSize(5 * line, (2 if self.is_across else 3) * line)
-
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        if self.is_across:
-            self.scheduleDelayedItemsLayout()
+        self.scheduleDelayedItemsLayout()
 
     def _kept_free(self) -> int:
         """Width kept free: Qt leaves room for a scroll bar where there is none, and breaks rows that reach into it."""
@@ -109,8 +79,7 @@ class CurvesLegend(QListWidget):
         metrics = self.fontMetrics()
         names = (self.item(row).text() for row in range(self.count()))
         widest = max((metrics.horizontalAdvance(name) for name in names), default=0)
-        most = _SHOWN_ACROSS if self.is_across else _SHOWN_CHARACTERS
-        text = min(widest, most * metrics.averageCharWidth())
+        text = min(widest, _SHOWN_CHARACTERS * metrics.averageCharWidth())
         return text + self.iconSize().width() + metrics.height()
 
     def show_curves(
@@ -139,16 +108,6 @@ class CurvesLegend(QListWidget):
             self._look(self.item(row), curve, number, curve.key in hidden, style)
         if has_limit:
             self.item(len(curves)).setIcon(self._piece(QColor(style.limit), Qt.PenStyle.SolidLine, 0.15, 0))
-        self.updateGeometry()
-
-    def mark(self, key: Key | None) -> None:
-        """Underline the entry of the curve that the mouse points at in the chart."""
-        for row in range(self.count()):
-            item = self.item(row)
-            font = item.font()
-            if font.underline() != (key is not None and item.data(_KEY) == key):
-                font.setUnderline(not font.underline())
-                item.setFont(font)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.currentItem():
@@ -156,18 +115,15 @@ class CurvesLegend(QListWidget):
         else:
             super().keyPressEvent(event)
 
-    def leaveEvent(self, event: QEvent) -> None:
-        self.entered.emit(None)
-        super().leaveEvent(event)
-
     def _look(self, item: QListWidgetItem, curve: ChartCurve, number: int, is_hidden: bool, style: ChartStyle) -> None:
         colour, line = curve_look(curve, number, style)
         font = item.font()
         font.setBold(curve.is_mosaic)
         item.setFont(font)
-        item.setData(_IS_HIDDEN, is_hidden)
+        text, ground = QColor(style.text), QColor(style.background)
+        item.setData(Qt.ItemDataRole.ForegroundRole, blended(text, ground, _HIDDEN_SHARE) if is_hidden else None)
         width, radius = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
-        piece = blended(QColor(style.text), QColor(style.background), 0.3) if is_hidden else QColor(colour)
+        piece = blended(text, ground, 0.3) if is_hidden else QColor(colour)
         item.setIcon(self._piece(piece, line, width, radius))
         click = tr("Click to show this curve") if is_hidden else tr("Click to hide this curve")
         label = curve.label
@@ -189,34 +145,11 @@ class CurvesLegend(QListWidget):
         if item.data(_KEY) is not None:
             self.toggled.emit(item.data(_KEY))
 
-    def _enter(self, item: QListWidgetItem) -> None:
-        self.entered.emit(item.data(_KEY))
-
-    def _open_menu(self, position: QPoint) -> None:
-        item = self.itemAt(position)
-        menu = QMenu(self)
-        is_source = item is not None and item.data(_KEY) is not None and not item.data(_KEY)[0]
-        alone = menu.addAction(tr("Show only this curve")) if is_source else None
-        everything = menu.addAction(tr("Show all curves"))
-        chosen = menu.exec(self.mapToGlobal(position))
-        menu.deleteLater()
-        if chosen is not None and chosen in (alone, everything):
-            self.soloed.emit(item.data(_KEY) if chosen == alone else None)
-
 
 class _Entries(ReadableItems):
-    """Names of hidden curves are faint."""
-
     def __init__(self, legend: CurvesLegend) -> None:
         super().__init__(legend)
         self._legend = legend
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
         return self._legend.entry_size()
-
-    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
-        super().initStyleOption(option, index)
-        if index.data(_IS_HIDDEN):
-            palette, role = option.palette, QPalette.ColorRole.Text
-            palette.setColor(role, blended(palette.color(role), palette.color(QPalette.ColorRole.Base), _HIDDEN_SHARE))
-            option.palette = palette

@@ -1,11 +1,11 @@
-"""The tab with the curves of the selected windows."""
+"""The tab with the curves of the selected window."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QResizeEvent
-from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.theme import chart_style
@@ -16,7 +16,6 @@ from ...charts.chart_curves import (
     ChartCurve,
     Key,
     bands_of,
-    mean_curves,
     point_words,
     significance_limit,
     window_curves,
@@ -32,14 +31,13 @@ if TYPE_CHECKING:
     from ...measure.window.window_result import WindowCurves
     from ..session import Session
 
-_TOGETHER_MS = 150  # results of many selected windows that come within this time are drawn once
+_TOGETHER_MS = 150  # changes that come within this time are drawn once
 _PATIENCE_MS = 400  # that a chart of another window stays as it is while the next one is measured
-_WIDE_CHARACTERS = 85  # a panel narrower than that has the legend below the chart
-_MAX_LEGEND_SHARE = 0.3  # of the panel, until the user moves the border
+_MAX_LEGEND_SHARE = 0.3  # of the panel
 
 
 class CurvesPanel(ChartPanel):
-    """Curves of one window, or mean and range of several; words where there is nothing to draw."""
+    """Curves of one window; words where there is nothing to draw."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -48,10 +46,7 @@ class CurvesPanel(ChartPanel):
         self._colours: dict[str, int] = {}
         self._band = ""  # the user's choice, kept while other windows lack it
         self._idle_text = ""
-        self.shown: Sequence[WindowCurves] = ()
-        """What the chart is asked to draw."""
-        self._legend_width = 0
-        self._border_moved = False
+        self.shown: Sequence[WindowCurves] = ()  # what the chart is asked to draw
         self._dimmer = single_shot(self, self._dim, _PATIENCE_MS)
         self._build()
         session.selectionChanged.connect(self._refresh_now)
@@ -70,34 +65,23 @@ class CurvesPanel(ChartPanel):
         self._bands.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._fill_bands([BAND_ORDER[0]])
         self._bands.activated.connect(self._on_band_chosen)
-        self._logarithmic = QToolButton()
-        self._logarithmic.setText(tr("log"))
-        self._logarithmic.setToolTip(tr("Logarithmic axis, which shows the fine levels; off: linear axis"))
-        self._logarithmic.setCheckable(True)
-        self._logarithmic.setChecked(True)
-        self._logarithmic.setAutoRaise(True)
-        self._logarithmic.toggled.connect(self._refresh_now)
         self._save = PictureButton()
         self._save.told.connect(self._session.messageRaised)
-        self._splitter = QSplitter(Qt.Orientation.Horizontal)
-        self._splitter.setChildrenCollapsible(False)
-        self._splitter.splitterMoved.connect(self._on_border_moved)
         self._chart = CurvesChart()
-        self._chart.pointed.connect(self._on_pointed)
+        self._chart.pointed.connect(self._show_point)
         self._legend = CurvesLegend()
         self._legend.toggled.connect(self._on_toggled)
-        self._legend.soloed.connect(self._on_soloed)
-        self._legend.entered.connect(self._chart.mark)
-        self._splitter.addWidget(self._chart)
-        self._splitter.addWidget(self._legend)
-        self._splitter.setStretchFactor(0, 1)
-        self._splitter.setStretchFactor(1, 0)
-        self._pages.addWidget(self._splitter)
+        self._drawn = QWidget()
+        layout = QVBoxLayout(self._drawn)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self._chart, 1)
+        layout.addWidget(self._legend)
+        self._pages.addWidget(self._drawn)
         self._status = ClippedLabel(1)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
         tools = QHBoxLayout()
         tools.addWidget(self._bands)
-        tools.addWidget(self._logarithmic)
         tools.addStretch()
         tools.addWidget(self._save)
         self._lay_out(tools, self._status)
@@ -115,11 +99,8 @@ class CurvesPanel(ChartPanel):
             self._timer.start(_TOGETHER_MS)
 
     def _on_result(self, fid: int) -> None:
-        selected = self._session.selected()
-        if selected == [fid]:
+        if self._session.selected() == [fid]:
             self._refresh_now()
-        elif fid in selected:
-            self._refresh_soon()
 
     def _on_progress(self, _done: int, _asked: int) -> None:
         if self._pages.currentWidget() is self._text:
@@ -130,24 +111,23 @@ class CurvesPanel(ChartPanel):
         if not self.isVisible():
             return
         live = self._session.live
-        results, missing = selected_windows(self._session) if live is None else ([live.clips], "")
-        if not results:
+        result, missing = shown_window(self._session) if live is None else (live.clips, "")
+        if result is None:
             if self._shows_chart and any(map(self._session.is_pending, self._session.selected())):
                 self._wait_for_curves(missing)
             else:
                 self._show_text(missing)
-            return
-        if live is None:
-            self._fill_bands(bands_of(results))
-            self._idle_text = _title(self._session, results)
-            self._draw(results, self._curves(results, self._bands.currentData()))
+        elif live is None:
+            self._fill_bands(bands_of(result))
+            self._idle_text = _title(self._session, result)
+            self._draw(result, self._curves(result, self._bands.currentData()))
         else:
             self._idle_text = _live_title(live)
-            self._draw(results, self._curves(results, next(iter(live.clips.clips[0].curves))))
+            self._draw(result, self._curves(result, next(iter(live.clips.clips[0].curves))))
 
     @property
     def _shows_chart(self) -> bool:
-        return bool(self._pages.currentWidget() is self._splitter)
+        return bool(self._pages.currentWidget() is self._drawn)
 
     def _wait_for_curves(self, words: str) -> None:
         """The chart before stays meanwhile, faint when it takes long."""
@@ -168,29 +148,26 @@ class CurvesPanel(ChartPanel):
                 self._bands.addItem(band_title(name), name)
         self._bands.setCurrentIndex(max(self._bands.findData(self._band), 0))
 
-    def _curves(self, results: list[WindowCurves], band: str) -> tuple[ChartCurve, ...]:
-        if len(results) > 1:
-            return tuple(mean_curves(results, band))
-        for clip in results[0].clips[1:]:
+    def _curves(self, result: WindowCurves, band: str) -> tuple[ChartCurve, ...]:
+        for clip in result.clips[1:]:
             self._colours.setdefault(clip.raster, len(self._colours))
-        return tuple(window_curves(results[0], band, self._colours, self._session.inputs.reference))
+        return tuple(window_curves(result, band, self._colours, self._session.inputs.reference))
 
-    def _draw(self, results: list[WindowCurves], curves: tuple[ChartCurve, ...]) -> None:
+    def _draw(self, result: WindowCurves, curves: tuple[ChartCurve, ...]) -> None:
         hidden = frozenset(self._hidden & {curve.key for curve in curves})
-        chart = Chart(curves, self._session.inputs.max_ratio, self._logarithmic.isChecked(), hidden)
+        chart = Chart(curves, self._session.inputs.max_ratio, hidden)
         style = chart_style(self._legend)  # one sheet with it
         has_limit = significance_limit(curves, chart.max_ratio) is not None
         self._legend.show_curves(curves, hidden, style, has_limit)
-        self._pages.setCurrentWidget(self._splitter)  # first, or its parts find their sizes after they are drawn
+        self._pages.setCurrentWidget(self._drawn)  # first, or its parts find their sizes after they are drawn
         self._fit_legend()
         self._dimmer.stop()
         self._chart.setEnabled(True)
         self._chart.show_chart(chart)
-        self.shown = results
+        self.shown = [result]
         band = self._bands.currentData()
-        which = f"window_{results[0].window_id}" if len(results) == 1 else f"{len(results)}_windows"
-        title = f"{self._idle_text} ({band_title(band)})"
-        self._save.offer(curves_picture(f"{which}_{band}", chart, title) if self._session.live is None else None)
+        title, name = f"{self._idle_text} ({band_title(band)})", f"window_{result.window_id}_{band}"
+        self._save.offer(curves_picture(name, chart, title) if self._session.live is None else None)
         self._show_point()
 
     def _show_text(self, text: str) -> None:
@@ -202,25 +179,8 @@ class CurvesPanel(ChartPanel):
         self._show_point()
 
     def _fit_legend(self) -> None:
-        """Beside the chart where there is room, else below it.
-
-        As wide as the longest name so far, so that the axes seldom move from window to window.
-        """
-        is_wide = self.width() > _WIDE_CHARACTERS * self.fontMetrics().averageCharWidth()
-        orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
-        if orientation != self._splitter.orientation():
-            self._splitter.setOrientation(orientation)
-            self._border_moved = False
-        self._legend.set_across(not is_wide)
-        if self._border_moved:
-            return
-        width, height = self._pages.width(), self._pages.height()
-        if is_wide:
-            self._legend_width = max(self._legend_width, self._legend.sizeHint().width())
-            whole, size = width, min(self._legend_width, int(width * _MAX_LEGEND_SHARE))
-        else:
-            whole, size = height, self._legend.height_within(width, int(height * _MAX_LEGEND_SHARE))
-        self._splitter.setSizes([whole - size - self._splitter.handleWidth(), size])
+        most = int(_MAX_LEGEND_SHARE * self._pages.height())
+        self._legend.setFixedHeight(self._legend.height_within(self._pages.width(), most))
 
     # what the user does
 
@@ -228,31 +188,15 @@ class CurvesPanel(ChartPanel):
         self._band = self._bands.itemData(index)
         self._refresh_now()
 
-    def _on_border_moved(self, _position: int, _index: int) -> None:
-        self._border_moved = True
-
     def _on_toggled(self, key: Key) -> None:
         self._hidden ^= {key}
         self._refresh_now()
 
-    def _on_soloed(self, key: Key | None) -> None:
-        chart = self._chart.chart
-        self._hidden.clear()
-        if key is not None and chart is not None:
-            self._hidden |= {curve.key for curve in chart.curves if not curve.is_mosaic and curve.key != key}
-        self._refresh_now()
-
-    def _on_pointed(self, point: tuple[int, int] | None) -> None:
-        chart = self._chart.chart
-        if chart is not None:
-            self._legend.mark(chart.curves[point[0]].key if point else None)
-        self._show_point()
-
-    def _show_point(self) -> None:
+    def _show_point(self, *_: object) -> None:
         """The values under the mouse, the name elided where there is no room for it, but never the values."""
         chart = self._chart.chart
         point = self._chart.point
-        if chart is None or point is None or self._pages.currentWidget() is not self._splitter:
+        if chart is None or point is None or not self._shows_chart:
             self._status.setText(self._idle_text)
             return
         name, words = point_words(chart.curves, *point)
@@ -263,27 +207,20 @@ class CurvesPanel(ChartPanel):
         self._status.setToolTip(plain_tip(name + words))
 
 
-def selected_windows(session: Session) -> tuple[list[WindowCurves], str]:
-    """What there is of the selected windows that can be compared; without any, why not."""
+def shown_window(session: Session) -> tuple[WindowCurves | None, str]:
+    """What there is of the selected window, if it can be compared; else why not."""
     selected = session.selected()
-    found = [result for result in map(session.clips, selected) if result is not None]
-    usable = [result for result in found if result.is_compared and result.clips]
-    return usable, "" if usable else _why_nothing(session, selected)
+    found = session.clips(selected[0]) if len(selected) == 1 else None
+    if found is not None and found.is_compared and found.clips:
+        return found, ""
+    return None, _why_nothing(session, selected)
 
 
-def _title(session: Session, results: Sequence[WindowCurves]) -> str:
-    """Which windows are drawn."""
-    selected = session.selected()
-    if len(results) > 1 and len(results) < len(selected):
-        template = tr("{count} of the {selected} selected windows: mean and range")
-        return filled(template, count=len(results), selected=len(selected))
-    if len(results) > 1:
-        return filled(tr("{count} windows: mean and range"), count=len(results))
-    text = filled(tr("Window {number}"), number=results[0].window_id)
-    row = session.row(selected[0]) if len(selected) == 1 else None
-    if row is not None and row.stale:
-        text += tr(", out of date: inspect it again")
-    return text
+def _title(session: Session, result: WindowCurves) -> str:
+    """Which window is drawn."""
+    text = filled(tr("Window {number}"), number=result.window_id)
+    row = session.row(session.selected()[0])
+    return text + tr(", out of date: inspect it again") if row is not None and row.stale else text
 
 
 def _live_title(live: LiveWindow) -> str:
@@ -296,17 +233,16 @@ def _live_title(live: LiveWindow) -> str:
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:
     if not selected:
         return tr("Select a window in the table or on the map, or draw one.")
-    found = [result for result in map(session.result, selected) if result is not None]
-    if found and len(selected) > 1:
-        return tr("None of the selected windows can be compared.")
-    if found:
-        reason = found[0].judgement.reason
+    if len(selected) > 1:
+        return tr("Select one window to see its curves.")
+    result, row = session.result(selected[0]), session.row(selected[0])
+    if result is not None:
+        reason = result.judgement.reason
         return sentence(reason) if reason else tr("This window can't be compared.")
-    if any(map(session.is_pending, selected)):
+    if session.is_pending(selected[0]):
         return tr("Measuring ...")
-    rows = [row for row in map(session.row, selected) if row is not None]
-    if len(rows) == 1 and rows[0].verdict and not rows[0].is_compared and rows[0].reason and not rows[0].stale:
-        return rows[0].reason
-    if any(row.verdict for row in rows):
-        return tr("The curves are not kept with the project. Inspect again to see them.")
-    return tr("Not inspected yet")
+    if row is None or not row.verdict:
+        return tr("Not inspected yet")
+    if not row.is_compared and row.reason and not row.stale:
+        return row.reason
+    return tr("The curves are not kept with the project. Inspect again to see them.")

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QEvent, QObject, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QIcon, QPixmap, QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QSplitter, QToolButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QHBoxLayout, QScrollArea, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.theme import chart_style
@@ -17,11 +17,10 @@ from .chart_widgets import ProfileChart
 from .curves_panel import CurvesPanel
 
 if TYPE_CHECKING:
-    from ...measure.profile.seam_profile import ProfileBin, SeamProfile
+    from ...measure.profile.seam_profile import SeamProfile
     from ...measure.window.window_result import WindowResult
     from ..session import Session
 
-_TITLE_CHARACTERS = 38  # a narrower panel has no title; the axis says what it is
 _WIDE_CHARACTERS = 75  # a tab wider than that has room for two charts side by side
 _SPARE_LINES = 1  # that the dock's sentence may be longer for another window, without the charts moving to and fro
 
@@ -29,17 +28,14 @@ _SPARE_LINES = 1  # that the dock's sentence may be longer for another window, w
 class ProfilePanel(ChartPanel):
     """Chart, levels to choose, and a line of words. Looks anew once it comes into sight."""
 
-    followed = pyqtSignal(object)
-    """The WindowResult whose profile is shown; None for none."""
-    pointed = pyqtSignal(object)
-    """The ProfileBin under the mouse; None when it is elsewhere."""
+    followed = pyqtSignal(object)  # the WindowResult whose profile is shown; None for none
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
         self._result: WindowResult | None = None
         self.chart = ProfileChart()
-        self.chart.pointed.connect(self._on_pointed)
+        self.chart.pointed.connect(self._say)
         self._levels: list[QToolButton] = []
         self._build()
         for signal in (
@@ -61,11 +57,6 @@ class ProfilePanel(ChartPanel):
         self._fill_levels(len(profile.kept))
         self.chart.show_profile(profile, pixel_m, min_kept, ground_left)
         self._pages.setCurrentWidget(self.chart)
-        self._say()
-
-    def mark(self, distance_m: float | None) -> None:
-        """The distance that the mouse has from the seam on the map."""
-        self.chart.mark(distance_m)
         self._say()
 
     def refresh(self) -> None:
@@ -92,28 +83,18 @@ class ProfilePanel(ChartPanel):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        wide = _TITLE_CHARACTERS * self.fontMetrics().averageCharWidth()
-        self._title.setVisible(self.width() > wide and self._tools.geometry().width() >= self._asked_by_tools())
         self._say()
-
-    def _asked_by_tools(self) -> int:
-        """Pixels of the row with the title, seen or not, in whatever theme."""
-        widgets = [self._tools.itemAt(place).widget() for place in range(self._tools.count())]
-        asked = [widget.sizeHint().width() for widget in widgets if widget is not None]
-        return sum(asked) + self._tools.spacing() * len(asked)
 
     def _build(self) -> None:
         self._pages.addWidget(self.chart)
         self._status = ClippedLabel(1)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
-        self._title = title = QLabel(tr("Seam profile"))
-        title.setToolTip(
+        self.chart.setToolTip(
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
         )
         self._save = PictureButton()
         self._save.told.connect(self._session.messageRaised)
         self._tools = QHBoxLayout()
-        self._tools.addWidget(title)
         self._tools.addStretch()
         self._tools.addWidget(self._save)
         self._lay_out(self._tools, self._status)
@@ -135,7 +116,7 @@ class ProfilePanel(ChartPanel):
             button.setToolTip(filled(tip, level=level))
             button.toggled.connect(self._choose_levels)
             self._levels.append(button)
-            self._tools.insertWidget(level, button)  # after the title
+            self._tools.insertWidget(level - 1, button)
         for before, after in zip(self._levels, [*self._levels[1:], self._save]):
             QWidget.setTabOrder(before, after)
         self._colour_levels()
@@ -178,11 +159,7 @@ class ProfilePanel(ChartPanel):
         self._save.offer(None if shown is None or result is None else profile_picture(
             f"window_{result.window_id}_profile", shown))
 
-    def _on_pointed(self, one: ProfileBin | None) -> None:
-        self._say()
-        self.pointed.emit(one)
-
-    def _say(self) -> None:
+    def _say(self, *_: object) -> None:
         """What the mouse points at, else what is kept beside the seam; in short where there is no room for it all."""
         shown = self.chart.shown if self._pages.currentWidget() is self.chart else None
         words = [""]

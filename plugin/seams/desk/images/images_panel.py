@@ -98,8 +98,7 @@ class ImagesPanel(QWidget):
         self._is_moving = False
         self.mosaic, self.other = WindowMap(self), WindowMap(self)
         self._view = WindowView(self.mosaic, session, is_blind)
-        self.compared = ComparedLayer(self)
-        """What stands beside the mosaic."""
+        self.compared = ComparedLayer(self)  # what stands beside the mosaic
         self.compared.changed.connect(self._show_compared)
         self.compared.failed.connect(self._show_compared)
         self._is_alike = True  # what is compared has the mosaic's look
@@ -239,11 +238,12 @@ class ImagesPanel(QWidget):
 
     def _show_loss(self, *_: object) -> None:
         """Over both maps, where it was measured and is asked for."""
-        selected, mosaic, grid = self._session.selected(), self._session.mosaic_layer(), self._session.mosaic_grid()
+        selected, grid = self._session.selected(), self._session.mosaic_grid()
         result = self._session.result(selected[0]) if selected and self._session.loss_view.is_shown else None
         placed = []
-        if result is not None and result.loss is not None and mosaic is not None and grid is not None:
-            placed = [placed_picture(result, rgba_image(loss_rgba(result.loss.kept)), grid, result.loss.cell_px)]
+        if result is not None and result.window is not None and result.loss is not None and grid is not None:
+            image = rgba_image(loss_rgba(result.loss.kept))
+            placed = [placed_picture(image, result.window, result.loss.cell_px, grid)]
         for canvas in (self.mosaic, self.other):
             canvas.loss.show(placed, canvas.mapSettings().destinationCrs())
 

@@ -54,10 +54,8 @@ class BlockCache(QObject):
 
     opened = pyqtSignal()
     """The mosaic was opened, or could not be; or copies of it were found among its sources."""
-    told = pyqtSignal(object)
-    """A Message on copies of the mosaic among its sources."""
-    _compared = pyqtSignal(object)
-    """A ComparedBlock, from whatever thread."""
+    told = pyqtSignal(object)  # a Message on copies of the mosaic among its sources
+    _compared = pyqtSignal(object)  # a ComparedBlock, from whatever thread
 
     def __init__(self, project: QgsProject, background: BackgroundTasks, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -73,13 +71,12 @@ class BlockCache(QObject):
         self._indexed: dict[str, tuple[Source, ...]] = {}  # of source indexes, which may vanish
         self._cells: dict[str, tuple[Cell, ...]] = {}  # likewise
         self._states: dict[object, str] = {}
-        self.doubt: Message | None = None
-        """Why the mosaic is not for the windows that are looked at."""
+        self.doubt: Message | None = None  # why the mosaic is not for the windows that are looked at
         self.forget()
 
     def forget(self) -> None:
         """Another project."""
-        self._files: InputFiles | None = None
+        self._files: object = None  # what has to be opened, which may take long when it is on a network drive
         self._opened: OpenedFiles | None = None
         self._unopened: Message = messages.NO_MOSAIC()  # why nothing is opened; a warning while it is being opened
         self._block: Block | None = None
@@ -91,13 +88,17 @@ class BlockCache(QObject):
         self._block = self._failure = None
         if anew:
             self._made = None
+        mosaic, vectors = self.mosaic_layer(), (self.inputs.source_index, self.inputs.cells)
         try:
-            files = block_files(self._project, self.inputs)
+            if mosaic is None:
+                raise SettingsError(messages.NO_MOSAIC())
+            ref, origins = layers.layer_ref(mosaic), [_origin(self._project.mapLayer(name)) for name in vectors]
         except SeamInspectorError as error:
             self.forget()
             self._unopened = error.message
             self._background.cancel_others(set())
             return
+        files = ref, origins
         if files == self._files and not anew:
             return
         if files != self._files:
@@ -106,9 +107,9 @@ class BlockCache(QObject):
         self._unopened = messages.MOSAIC_OPENING()
         self._turn += 1
         self._background.cancel_others({self._turn})
-        job = opening_job(self._project, self.inputs, files)
-        ids = self.inputs.source_index if files.index else "", self.inputs.cells if files.cells else ""
-        take = partial(self._take, self._turn, ids)
+        job = opening_job(self._project, self.inputs, ref)
+        index, cells = (name if source else "" for name, (source, _) in zip(vectors, origins))
+        take = partial(self._take, self._turn, (index, cells))
         self._background.start(tr("Open the mosaic"), job, take, self._turn)
 
     def mosaic_layer(self) -> QgsRasterLayer | None:
@@ -369,45 +370,18 @@ class ComparedBlock:
     """A block whose sources were compared with its mosaic."""
 
     block: Block
-    kept: Block
-    """Without copies of the mosaic."""
-    notices: tuple[Message, ...]
-    """Which are left out, and which may be some."""
-
-
-@dataclass(frozen=True)
-class InputFiles:
-    """What of a block has to be opened: that may take long when it is on a network drive."""
-
-    mosaic: RasterRef
-    index: str = ""
-    """Where the source index comes from; empty without one."""
-    index_wkt: str = ""
-    cells: str = ""
-    """Where the seam cells come from; empty without any."""
-    cells_wkt: str = ""
+    kept: Block  # without copies of the mosaic
+    notices: tuple[Message, ...]  # which are left out, and which may be some
 
 
 @dataclass(frozen=True)
 class OpenedFiles:
-    """What was found in them."""
+    """What was found in the files of the inputs."""
 
     mosaic: Raster
-    indexed: tuple[Source, ...]
-    """The orthoimages of the source index."""
-    cells: tuple[Cell, ...] = ()
-    """Which source each part of the mosaic was cut from."""
-    content: str = ""
-    """What the mosaic is known again by, wherever it lies."""
-
-
-def block_files(project: QgsProject, inputs: Inputs) -> InputFiles:
-    """The files of the inputs. Raises SettingsError when there is no mosaic, RasterError when it is no file."""
-    mosaic = project.mapLayer(inputs.mosaic)
-    if not isinstance(mosaic, QgsRasterLayer):
-        raise SettingsError(messages.NO_MOSAIC())
-    places = [_origin(project.mapLayer(layer_id)) for layer_id in (inputs.source_index, inputs.cells)]
-    return InputFiles(layers.layer_ref(mosaic), *places[0], *places[1])
+    indexed: tuple[Source, ...]  # the orthoimages of the source index
+    cells: tuple[Cell, ...] = ()  # which source each part of the mosaic was cut from
+    content: str = ""  # what the mosaic is known again by, wherever it lies
 
 
 def _origin(layer: QgsMapLayer | None) -> tuple[str, str]:
@@ -433,14 +407,14 @@ class LayerFeatures:
         return LayerFeatures(source, source.fields().names(), layers.layer_path(layer), layer.crs())
 
 
-def opening_job(project: QgsProject, inputs: Inputs, files: InputFiles) -> Job:
-    """Opens them; yields the OpenedFiles, or the Message why there are none."""
-    context, crs = project.transformContext(), reference_system(files.mosaic.wkt)
+def opening_job(project: QgsProject, inputs: Inputs, ref: RasterRef) -> Job:
+    """Opens the files of the inputs; yields the OpenedFiles, or the Message why there are none."""
+    context, crs = project.transformContext(), reference_system(ref.wkt)
     index, cells = (LayerFeatures.of(project.mapLayer(layer_id)) for layer_id in (inputs.source_index, inputs.cells))
 
     def opened() -> OpenedFiles:
-        mosaic = describe_mosaic(files.mosaic)
-        check_readable(OpenRaster(files.mosaic))
+        mosaic = describe_mosaic(ref)
+        check_readable(OpenRaster(ref))
         target = crs if crs.isValid() else layers.mosaic_crs(mosaic)
         indexed: list[Source] = []
         known: list[Cell] = []
@@ -452,7 +426,7 @@ def opening_job(project: QgsProject, inputs: Inputs, files: InputFiles) -> Job:
                 raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
             transform = transformation(cells.crs, target, context)
             known = input_layers.seam_cells(cells.source.getFeatures(), transform)
-        return OpenedFiles(mosaic, tuple(indexed), tuple(known), content_of(files.mosaic.path))
+        return OpenedFiles(mosaic, tuple(indexed), tuple(known), content_of(ref.path))
 
     def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         try:

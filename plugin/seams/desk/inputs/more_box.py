@@ -25,8 +25,7 @@ if TYPE_CHECKING:
 class MoreBox(QgsCollapsibleGroupBoxBasic):
     """Folded until it is asked for."""
 
-    changed = pyqtSignal(str, object)
-    """The name of a field of ``Inputs`` and its new value."""
+    changed = pyqtSignal(str, object)  # the name of a field of ``Inputs`` and its new value
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("More"), parent)
@@ -37,6 +36,10 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         references = (tr("the seam"), tr("the composite"), tr("the sources (paper)"))
         densities = (tr("along the seams"), tr("every pixel"))
         self.cells = LayerBox(QgsMapLayerProxyModel.Filter.PolygonLayer, tr("none"), self)
+        levels = QgsSpinBox(self)
+        levels.setRange(imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS)
+        levels.setClearValue(imagery_limits.DEFAULT_LEVELS)
+        levels.setKeyboardTracking(False)
         corridor = metres_box(0, 10, self)
         corridor.setMinimum(0)
         corridor.setSpecialValueText(tr("whole mosaic"))
@@ -45,7 +48,7 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
              tr("Metres along the seam from one placed window to the next")),
             ("wavelet", tr("Wa&velet"), _word_box(zip(imagery_limits.WAVELETS, imagery_limits.WAVELETS), self),
              tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers.")),
-            ("levels", tr("L&evels"), _levels_box(self),
+            ("levels", tr("L&evels"), levels,
              tr("Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as "
                 "coarse.")),
             ("reference", tr("Verdict &by"), _word_box(zip(REFERENCES, references), self),
@@ -102,20 +105,11 @@ def _word_box(words: Iterable[tuple[str, str]], parent: QWidget) -> QComboBox:
     return box
 
 
-def _levels_box(parent: QWidget) -> QgsSpinBox:
-    box = QgsSpinBox(parent)
-    box.setRange(imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS)
-    box.setClearValue(imagery_limits.DEFAULT_LEVELS)
-    box.setKeyboardTracking(False)
-    return box
-
-
 def _share_box(usual: float, parent: QWidget) -> QgsDoubleSpinBox:
-    box = QgsDoubleSpinBox(parent)
+    box = metres_box(usual, 0.05, parent)
     box.setRange(0.01, 0.99)
-    box.setSingleStep(0.05)
-    box.setClearValue(usual)
-    box.setKeyboardTracking(False)
+    box.setDecimals(2)
+    box.setSuffix("")
     return box
 
 

@@ -26,34 +26,23 @@ _WORDS = {"reference": REFERENCES, "density": DENSITIES}
 class Inputs:
     """What is inspected and how. Layers are named by their ids, so that one that vanished does no harm."""
 
-    mosaic: str = ""
-    """Raster layer."""
-    sources: tuple[str, ...] = ()
-    """Raster layers."""
-    source_index: str = ""
-    """Polygon layer with a field ``location``."""
-    seamlines: str = ""
-    """Line or polygon layer."""
-    windows: str = ""
-    """The window layer; empty while there is none."""
-    side_m: float = imagery_limits.STANDARD_SIDE_M
-    """Metres that a standard window spans at least."""
-    spacing_m: float = limits.STANDARD_SPACING_M
-    """Metres along the seam between placed windows."""
+    mosaic: str = ""  # raster layer
+    sources: tuple[str, ...] = ()  # raster layers
+    source_index: str = ""  # polygon layer with a field ``location``
+    seamlines: str = ""  # line or polygon layer
+    windows: str = ""  # the window layer; empty while there is none
+    side_m: float = imagery_limits.STANDARD_SIDE_M  # metres that a standard window spans at least
+    spacing_m: float = limits.STANDARD_SPACING_M  # metres along the seam between placed windows
     wavelet: str = imagery_limits.DEFAULT_WAVELET
     levels: int = imagery_limits.DEFAULT_LEVELS
     max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
     min_kept: float = limits.MAX_SIGNIFICANT_KEPT
-    reference: str = REFERENCES[0]
-    """What the verdict is taken by, one of ``REFERENCES``."""
+    reference: str = REFERENCES[0]  # what the verdict is taken by, one of ``REFERENCES``
     cells: str = ""
     """Polygon layer with a field ``source``: which source the mosaic was cut from, where that is known."""
-    density: str = DENSITIES[0]
-    """What a scan measures, one of ``DENSITIES``."""
-    piece_m: float = limits.STANDARD_PIECE_M
-    """Metres of seam that a scan judges as one."""
-    corridor_m: float = 0.0
-    """Metres that a scan reads on either side of the seamlines; 0: the whole mosaic."""
+    density: str = DENSITIES[0]  # what a scan measures, one of ``DENSITIES``
+    piece_m: float = limits.STANDARD_PIECE_M  # metres of seam that a scan judges as one
+    corridor_m: float = 0.0  # metres that a scan reads on either side of the seamlines; 0: the whole mosaic
 
     @property
     def placing(self) -> PlacingSettings:
@@ -181,17 +170,15 @@ class InputsWatch(QObject):
     """Tells what may have changed; whether it really has is for others to find out."""
 
     layersChanged = pyqtSignal()
-    """A layer has another data source or reference system; of the windows only the system counts here."""
-    indexEdited = pyqtSignal()
-    """The features of the source index, or of the seam cells, are others."""
-    seamlinesEdited = pyqtSignal()
-    """The seamlines are others."""
+    """A layer has another data source or reference system, of the windows only that; or the source index or the seam
+    cells have other features."""
+    seamlinesEdited = pyqtSignal()  # the seamlines are others
 
     def __init__(self, project: QgsProject, parent: QObject) -> None:
         super().__init__(parent)
         self._project = project
         self._followed: tuple[dict[str, QgsMapLayer], str, str, str, str] = ({}, "", "", "", "")
-        self._index_timer = single_shot(self, self.indexEdited, _EDITS_MS)
+        self._index_timer = single_shot(self, self.layersChanged, _EDITS_MS)
         self._seamlines_timer = single_shot(self, self.seamlinesEdited, _EDITS_MS)
 
     def follow(self, inputs: Inputs) -> None:

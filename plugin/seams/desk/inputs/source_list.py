@@ -44,8 +44,7 @@ class _Entry:
     text: str
     tip: str
     is_missing: bool = False
-    reason: str = ""
-    """Why it is not suggested."""
+    reason: str = ""  # why it is not suggested
 
 
 class _Names(QStyledItemDelegate):
@@ -72,10 +71,8 @@ class _Names(QStyledItemDelegate):
 class SourceList(QWidget):
     """The rasters of the project but the mosaic; sources that are missing stay in it until they are unchecked."""
 
-    changed = pyqtSignal(tuple)
-    """The operator chose other sources: their layers' ids."""
-    suggestionWanted = pyqtSignal()
-    """The operator wants the suggested sources, and no others."""
+    changed = pyqtSignal(tuple)  # the operator chose other sources: their layers' ids
+    suggestionWanted = pyqtSignal()  # the operator wants the suggested sources, and no others
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -30,17 +30,14 @@ _REACH_PX = 8  # screen pixels at 96 dpi, from a line
 class ClickedPiece:
     """The piece that was clicked."""
 
-    found: WindowRecord
-    """What the scan found, as of a window."""
-    window: PixelWindow
-    """The standard window around the click, which the charts are of."""
+    found: WindowRecord  # what the scan found, as of a window
+    window: PixelWindow  # the standard window around the click, which the charts are of
 
 
 class ClickedPieces(QObject):
     """Follows clicks of the tools that pan and identify until ``close``."""
 
-    changed = pyqtSignal()
-    """Another piece is looked at, or none any more."""
+    changed = pyqtSignal()  # another piece is looked at, or none any more
 
     def __init__(
         self, canvas: QgsMapCanvas, session: Session, parent: QObject, is_blind: Callable[[], bool]
@@ -48,8 +45,7 @@ class ClickedPieces(QObject):
         super().__init__(parent)
         self._canvas, self._session, self._is_blind = canvas, session, is_blind
         self._pressed_at: QPoint | None = None
-        self.current: ClickedPiece | None = None
-        """What is looked at."""
+        self.current: ClickedPiece | None = None  # what is looked at
         canvas.viewport().installEventFilter(self)
         self._connections = Connections(
             (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave)

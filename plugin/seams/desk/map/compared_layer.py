@@ -28,17 +28,14 @@ class Compared:
     """What the mosaic is compared with in a window."""
 
     request: WindowRequest
-    source: RasterRef | None = None
-    """None: the hard cut of the window's sources."""
+    source: RasterRef | None = None  # none: the hard cut of the window's sources
 
 
 class ComparedLayer(QObject):
     """One at a time, opened in the background, since that may take long."""
 
-    changed = pyqtSignal()
-    """``layer`` is another one."""
-    failed = pyqtSignal(object)
-    """The Message why there is none."""
+    changed = pyqtSignal()  # ``layer`` is another one
+    failed = pyqtSignal(object)  # the Message why there is none
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -46,10 +43,8 @@ class ComparedLayer(QObject):
         self._background.failed.connect(self.failed)
         self._compared: Compared | None = None
         self._file = ""  # of the hard cut, in memory
-        self.layer: QgsRasterLayer | None = None
-        """None until it is there."""
-        self.why_not: Message | None = None
-        """Why it can't be had."""
+        self.layer: QgsRasterLayer | None = None  # none until it is there
+        self.why_not: Message | None = None  # why it can't be had
 
     def ask(self, compared: Compared | None) -> None:
         """This one from now on; None: nothing."""

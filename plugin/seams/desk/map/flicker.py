@@ -29,16 +29,13 @@ class Flicker(QObject):
     """Puts a layer of the hard cut above the map's rasters. QGIS keeps both drawn, so that one follows the other at
     once; once it was asked for, that of each window that is gone to lies ready."""
 
-    told = pyqtSignal(str, int)
-    """A sentence for the user, and its level in the message bar."""
-    shown = pyqtSignal(bool)
-    """Whether the map shows it from now on."""
+    told = pyqtSignal(str, int)  # a sentence for the user, and its level in the message bar
+    shown = pyqtSignal(bool)  # whether the map shows it from now on
 
     def __init__(self, canvas: QgsMapCanvas, session: Session, parent: QObject) -> None:
         super().__init__(parent)
         self._canvas, self._session = canvas, session
-        self.is_shown = False
-        """Whether it is to be seen, be it still being cut."""
+        self.is_shown = False  # whether it is to be seen, be it still being cut
         self._was_asked = False
         self.hard_cut = ComparedLayer(self)
         self.hard_cut.failed.connect(self._tell)

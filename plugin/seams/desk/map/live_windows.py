@@ -31,10 +31,8 @@ class LiveWindows(QObject):
     ``measure`` is how a single window is to be measured: what was measured ahead is there at once.
     """
 
-    changed = pyqtSignal()
-    """There is another live window, or more is known of it, or there is none any more."""
-    failed = pyqtSignal(object)
-    """A Message."""
+    changed = pyqtSignal()  # there is another live window, or more is known of it, or there is none any more
+    failed = pyqtSignal(object)  # a Message
 
     def __init__(self, block: BlockCache, parent: QObject) -> None:
         super().__init__(parent)

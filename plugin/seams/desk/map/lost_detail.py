@@ -1,22 +1,22 @@
-"""Where detail was lost, on the map: the button and key that show it, its pictures, and the chart's distances."""
+"""Where detail was lost, on the map: the button and key that show it, its pictures, and the ground of the chart."""
 from __future__ import annotations
 
 import time
 from dataclasses import dataclass
+from html import escape
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
+from qgis.core import QgsCoordinateReferenceSystem
 from qgis.gui import QgisInterface, QgsMapCanvas
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QIcon, QImage, QPainter, QPaintEvent
-from qgis.PyQt.QtWidgets import QAction, QWidget
+from qgis.PyQt.QtCore import QEvent, QObject, Qt
+from qgis.PyQt.QtGui import QColor, QIcon, QImage
+from qgis.PyQt.QtWidgets import QAction, QLabel
 
 from ....imagery.grids import Grid, PixelWindow
 from ....toolkit.connections import Connections
+from ....toolkit.desk.theme import blended
 from ....toolkit.desk.widgets import single_shot
-from ....toolkit.layers import transformed_point
-from ....toolkit.painting import painting
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
 from ...words import LOSS_OPACITY, loss_legend, loss_rgba
@@ -38,7 +38,7 @@ class LostDetail(QObject):
     def __init__(self, iface: QgisInterface, session: Session, parent: QObject) -> None:
         super().__init__(parent)
         self.overlay = LossOverlay(iface.mapCanvas(), session, self)
-        self.profile = ProfileOnMap(iface.mapCanvas(), session, self)
+        self.profile = ProfileOnMap(iface.mapCanvas(), session)
         self.action = QAction(QIcon(icon_path("loss")), tr("Lost detail"), parent)
         self.action.setToolTip(
             tr("Show where detail was lost, over the map and the images (L while judging). One scale for all windows")
@@ -48,10 +48,9 @@ class LostDetail(QObject):
         session.loss_view.changed.connect(self.action.setChecked)
 
     def follow_chart(self, panel: ProfilePanel) -> None:
-        """What is pointed at in the chart is marked on the map, and the other way round."""
+        """What is pointed at in the chart is marked on the map."""
         panel.followed.connect(self.profile.follow)
-        panel.pointed.connect(self.profile.highlight)
-        self.profile.distanceChanged.connect(panel.mark)
+        panel.chart.pointed.connect(self.profile.highlight)
 
     def close(self) -> None:
         """Take all off the canvas."""
@@ -67,13 +66,10 @@ _SLICE_S = 0.05  # of reading results, which of thousands of windows are in a fi
 class _Picture:
     """Picture of one window's result."""
 
-    of: tuple[object, ...]
-    """What was measured in the window, as its row says."""
-    image: QImage | None
-    """None where nothing is to be painted."""
+    of: tuple[object, ...]  # what was measured in the window, as its row says
+    image: QImage | None  # none where nothing is to be painted
     window: PixelWindow | None
-    cell_px: int
-    """Side of an image's pixel, in pixels of the mosaic; 0 where the loss can't be told."""
+    cell_px: int  # side of an image's pixel, in pixels of the mosaic; 0 where the loss can't be told
 
 
 class LossOverlay(QObject):
@@ -146,7 +142,7 @@ class LossOverlay(QObject):
         if is_late:
             self._next_slice.start()
         placed = [
-            _placed(one.image, one.window, one.cell_px, grid)
+            placed_picture(one.image, one.window, one.cell_px, grid)
             for one in found.values()
             if one.image is not None and one.window is not None
         ]
@@ -164,89 +160,57 @@ def _picture(row: WindowRecord, result: WindowResult) -> _Picture:
     return _Picture(row.measured, rgba_image(rgba) if rgba[..., 3].any() else None, result.window, loss.cell_px)
 
 
-def placed_picture(result: WindowResult, image: QImage, grid: Grid, cell_px: int) -> PlacedPicture:
-    """Picture of a measured window: an image whose pixels are ``cell_px`` px of the mosaic, from its upper left."""
-    assert result.window is not None
-    return _placed(image, result.window, cell_px, grid)
-
-
-def _placed(image: QImage, window: PixelWindow, cell_px: int, grid: Grid) -> PlacedPicture:
+def placed_picture(image: QImage, window: PixelWindow, cell_px: int, grid: Grid) -> PlacedPicture:
+    """Picture of a window: an image whose pixels are ``cell_px`` px of the mosaic, from its upper left."""
     whole = PixelWindow(window.column, window.row, cell_px * image.width(), cell_px * image.height())
     return PlacedPicture(image, grid.window_extent(whole), grid.window_extent(window))
 
 
-_BACK, _TEXT = QColor(20, 20, 20, 215), QColor("#ffffff")
+_LEGEND = "color: white; background: rgba(20, 20, 20, 215); border-radius: 4px; padding: 3px 6px;"
 _GROUND = QColor(128, 128, 128)  # beneath the colours, which are seen through
 
 
-class LossLegend(QWidget):
+class LossLegend(QLabel):
     """In the lower right of the canvas; the mouse goes through it."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)  # not of its viewport, which scrolls its children
         self._canvas = canvas
-        self._is_empty = False
+        self.setStyleSheet(_LEGEND)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.hide()
         canvas.installEventFilter(self)
 
     def show_legend(self, has_pictures: bool) -> None:
         """``has_pictures``: whether any window has one; else it is said that there is none yet."""
-        self._is_empty = not has_pictures
+        swatch, words = "<td style='background: {}'>&nbsp;&nbsp;&nbsp;&nbsp;</td><td>&nbsp;{}</td>", []
+        for text, (*rgb, alpha) in loss_legend():
+            colour = blended(QColor(*rgb), _GROUND, LOSS_OPACITY * alpha / 255)
+            words.append(swatch.format(colour.name(), escape(text)))
+        if not has_pictures:
+            nothing = tr("No picture yet: inspect windows")
+            words = [f"<td>{escape(nothing)}</td>"]
+        page = escape(tr("Detail kept")) + f"<table><tr>{'</tr><tr>'.join(words)}</tr></table>"
+        self.setText(page)
         self._place()
         self.show()
         self.raise_()
-        self.update()
 
     def close_legend(self) -> None:
         """Off the canvas."""
         if sip.isdeleted(self):
             return
         self._canvas.removeEventFilter(self)
-        self.hide()
         self.setParent(None)
         self.deleteLater()
-
-    def lines(self) -> list[str]:
-        """Title and entries."""
-        words = [tr("No picture yet: inspect windows")] if self._is_empty else [one for one, _ in loss_legend()]
-        return [tr("Detail kept"), *words]
-
-    def sizeHint(self) -> QSize:
-        line = self.fontMetrics().height()
-        widths = [self.fontMetrics().horizontalAdvance(one) for one in self.lines()]
-        across = max(widths[0], max(widths[1:]) + 1.8 * line) + line
-        return QSize(round(across), round((len(widths) * 1.15 + 0.7) * line))
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Resize:
             self._place()
         return False
 
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        with painting(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            line = self.fontMetrics().height()
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(_BACK)
-            painter.drawRoundedRect(QRectF(self.rect()), line / 4, line / 4)
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(_TEXT)
-            title, *words = self.lines()
-            painter.drawText(QPointF(line / 2, 1.2 * line), title)
-            for number, text in enumerate(words, 1):
-                base = (1.2 + 1.15 * number) * line
-                if not self._is_empty:
-                    colour = QColor(*loss_legend()[number - 1][1])
-                    colour.setAlphaF(LOSS_OPACITY * colour.alphaF())
-                    swatch = QRectF(line / 2, base - 0.75 * line, 1.4 * line, 0.85 * line)
-                    painter.fillRect(swatch, _GROUND)
-                    painter.fillRect(swatch, colour)
-                painter.drawText(QPointF(line / 2 + (0 if self._is_empty else 1.8 * line), base), text)
-
     def _place(self) -> None:
-        self.resize(self.sizeHint())
+        self.adjustSize()
         gap = self.fontMetrics().height() // 2
         self.move(self._canvas.width() - self.width() - gap, self._canvas.height() - self.height() - gap)
 
@@ -255,25 +219,18 @@ _MOST_SAMPLES = 512  # a side: a distance transform of more would hold up the in
 _HIGHLIGHT = (0, 255, 255, 150)  # no colour of a loss, and seen on vegetation and on asphalt
 
 
-class ProfileOnMap(QObject):
-    """Owns what lies on the canvas until ``close``."""
+class ProfileOnMap:
+    """The ground that a bin of the profile is of. Owns what lies on the canvas until ``close``."""
 
-    distanceChanged = pyqtSignal(object)
-    """The distance from the seam, m, of the mouse on the map inside the window; None elsewhere."""
-
-    def __init__(self, canvas: QgsMapCanvas, session: Session, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._canvas, self._session = canvas, session
+    def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
+        self._session = session
         self._overlay = PictureOverlay(canvas, smooth=False, above=1.0)
         self._result: WindowResult | None = None
         self._distances: np.ndarray | None = None  # px, of squares of _side pixels
         self._side = 1
-        self._told: float | None = None
-        canvas.xyCoordinates.connect(self._follow_mouse)
 
     def close(self) -> None:
-        """Take all off the canvas and follow the mouse no more."""
-        self._canvas.xyCoordinates.disconnect(self._follow_mouse)
+        """Take all off the canvas."""
         self._overlay.close()
 
     def follow(self, result: WindowResult | None) -> None:
@@ -281,7 +238,6 @@ class ProfileOnMap(QObject):
         if result is not self._result:
             self._result, self._distances = result, None
             self._overlay.hide()
-            self._tell(None)
 
     def highlight(self, one: ProfileBin | None) -> None:
         """Show the ground of a bin on the map; None: nothing."""
@@ -292,29 +248,11 @@ class ProfileOnMap(QObject):
         if one is None or distances is None or layer is None or grid is None or result is None:
             self._overlay.hide()
             return
+        assert result.window is not None
         rgba = np.zeros((*distances.shape, 4), np.uint8)
         rgba[(distances >= one.near_px) & (distances < one.far_px)] = _HIGHLIGHT
-        placed = placed_picture(result, rgba_image(rgba), grid, self._side)
+        placed = placed_picture(rgba_image(rgba), result.window, self._side, grid)
         self._overlay.show([placed], QgsCoordinateReferenceSystem(layer.crs()))
-
-    def distance_at(self, point: QgsPointXY) -> float | None:
-        """From the seam, m, of a point on the map; None outside the window."""
-        layer, grid, result = self._session.mosaic_layer(), self._session.mosaic_grid(), self._result
-        if layer is None or grid is None or result is None or result.window is None:
-            return None
-        place = transformed_point(point, self._canvas.mapSettings().destinationCrs(), layer.crs())
-        if place is None:
-            return None
-        column = (place.x() - grid.left) / grid.pixel_width - result.window.column
-        row = (grid.top - place.y()) / grid.pixel_height - result.window.row
-        if not (0 <= column < result.window.width and 0 <= row < result.window.height):
-            return None
-        distances = self._seam_distances()
-        if distances is None:
-            return None
-        rows, columns = distances.shape
-        away = distances[min(int(row / self._side), rows - 1), min(int(column / self._side), columns - 1)]
-        return float(away) * result.ground_sample_distance
 
     def _seam_distances(self) -> np.ndarray | None:
         """Distances from the seam of the followed window, (rows, columns) px; None without a seam."""
@@ -335,12 +273,3 @@ class ProfileOnMap(QObject):
             seam[tuple(result.loss.seam.T // step)] = True
             self._distances = self._side * ndimage.distance_transform_edt(~seam)
         return self._distances
-
-    def _follow_mouse(self, point: QgsPointXY) -> None:
-        if self._result is not None:
-            self._tell(self.distance_at(point))
-
-    def _tell(self, distance: float | None) -> None:
-        if distance != self._told:
-            self._told = distance
-            self.distanceChanged.emit(distance)

@@ -27,10 +27,8 @@ class PlacedPicture(NamedTuple):
     """A picture on the ground."""
 
     image: QImage
-    extent: Extent
-    """Extent of the whole image, in the overlay's reference system."""
-    shown: Extent
-    """Extent of the part that is seen: a window may end within a cell."""
+    extent: Extent  # extent of the whole image, in the overlay's reference system
+    shown: Extent  # extent of the part that is seen: a window may end within a cell
 
 
 def rgba_image(rgba: np.ndarray) -> QImage:

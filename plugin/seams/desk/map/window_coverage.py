@@ -38,12 +38,9 @@ _TOGETHER_MS = 200
 class Coverage:
     """What is known of a window before it is inspected."""
 
-    sources: int
-    """How many take part; of those not read yet none is counted."""
-    unread: int = 0
-    """Sources over the window of which that is not known yet."""
-    missing: float | None = None
-    """Share of the mosaic's pixels that lack; None while that is not known."""
+    sources: int  # how many take part; of those not read yet none is counted
+    unread: int = 0  # sources over the window of which that is not known yet
+    missing: float | None = None  # share of the mosaic's pixels that lack; None while that is not known
 
     @property
     def can_be_judged(self) -> bool:
@@ -55,8 +52,7 @@ class Coverage:
 class WindowCoverage(QObject):
     """The mosaic is read first, then the sources, those under the mouse before others."""
 
-    changed = pyqtSignal()
-    """More is known."""
+    changed = pyqtSignal()  # more is known
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -172,8 +168,7 @@ class SeamFinder:
 
     def forget(self) -> None:
         """Another project."""
-        self.index = SeamIndex([])
-        """Empty while they are being found."""
+        self.index = SeamIndex([])  # empty while they are being found
         self._key: object = None  # what was searched
         self._turn = object()
 
@@ -194,10 +189,6 @@ class SeamFinder:
         self._turn = turn = object()
         job = jobs.seams_job(lines, block.mosaic.grid.pixel_width)
         self._background.start(tr("Find seams"), job, partial(self._take, turn))
-
-    def nearest(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
-        """The nearest point of a seam within ``reach``; none while they are being found."""
-        return self.index.nearest(x, y, reach)
 
     def _take(self, turn: object, seams: Any) -> None:
         if turn is self._turn:

@@ -38,8 +38,7 @@ Point = tuple[float, float]
 class _Draft:
     """What a click or the end of a drag would make here, in the mosaic's reference system."""
 
-    extent: Extent
-    """The window's pixels, or what was drawn when it can't be a window."""
+    extent: Extent  # the window's pixels, or what was drawn when it can't be a window
     window: PixelWindow | None
     text: str
     tone: OutlineTone
@@ -215,16 +214,13 @@ class WindowTool(DrawingTool):
         coverage = self._session.coverage(window)
         text, tone = described(grid, window, coverage), OutlineTone.GOOD
         if not coverage.can_be_judged:
-            tone = OutlineTone.DOUBTFUL
-            near = self._session.nearest_judgeable(window, seam_point is not None) if may_move else None
-            if near is not None and is_near(window, near) and not self._is_new:
+            tone, is_here = OutlineTone.DOUBTFUL, not may_move or self._is_new
+            near = None if is_here else self._session.nearest_judgeable(window, seam_point is not None)
+            if near is not None and is_near(window, near):
                 note = tr("{metres:.1f} m aside, where it can be judged; Ctrl places it here")
                 text = f"{described(grid, near, self._session.coverage(near))}\n"
                 text += filled(note, metres=metres_apart(grid, window, near))
                 return _Draft(grid.window_extent(near), near, text, OutlineTone.GOOD, seam_point and middle(grid, near))
-            if near is not None:
-                note = tr("nearest place that can be judged: {metres:.1f} m {direction}")
-                text += "\n" + filled(note, metres=metres_apart(grid, window, near), direction=direction(window, near))
         return _Draft(grid.window_extent(window), window, text, tone, seam_point)
 
     def _on_mosaic(self, point: QgsPointXY) -> Point | None:
@@ -341,16 +337,6 @@ def metres_apart(grid: Grid, one: PixelWindow, other: PixelWindow) -> float:
 def is_near(one: PixelWindow, other: PixelWindow) -> bool:
     """Whether two windows of one size overlap or touch."""
     return abs(other.column - one.column) <= one.width and abs(other.row - one.row) <= one.height
-
-
-def direction(one: PixelWindow, other: PixelWindow) -> str:
-    """Where another window lies, in words."""
-    words = (
-        tr("east"), tr("north-east"), tr("north"), tr("north-west"), tr("west"), tr("south-west"), tr("south"),
-        tr("south-east"),
-    )
-    turn = math.atan2(one.row - other.row, other.column - one.column)
-    return words[round(turn / (math.pi / 4)) % 8]
 
 
 def middle(grid: Grid, window: PixelWindow) -> tuple[float, float]:

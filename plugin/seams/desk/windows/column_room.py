@@ -3,9 +3,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
 from functools import partial
-from typing import NamedTuple
 
 from qgis.core import QgsSettings
 from qgis.PyQt.QtCore import QSize, Qt
@@ -23,38 +21,24 @@ from .windows_model import WindowsModel
 _KEY = "SeamInspector/window_columns"
 
 
-@dataclass(frozen=True)
-class ColumnChoice:
-    """Columns by their fields."""
-
-    shown: tuple[str, ...] = ()
-    """Empty: those that there is room for."""
-    order: tuple[str, ...] = ()
-    """From left to right; empty: as they come."""
-
-
-def load_choice() -> ColumnChoice:
-    """What was chosen last; nothing where that can't be understood."""
+def load_choice() -> tuple[str, ...]:
+    """Fields of the columns that were chosen last; none where that can't be understood, or those there is room for."""
     try:
-        stored = json_document(QgsSettings().value(_KEY, "") or "{}")
-        return ColumnChoice(*(tuple(map(str, stored.get(name, ()))) for name in ("shown", "order")))
-    except (ValueError, TypeError, AttributeError):
-        return ColumnChoice()
+        return tuple(map(str, json_document(QgsSettings().value(_KEY, "") or "[]")))
+    except (ValueError, TypeError):
+        return ()
 
 
-def save_choice(choice: ColumnChoice) -> None:
+def save_choice(fields: tuple[str, ...]) -> None:
     """For the next time."""
-    QgsSettings().setValue(_KEY, json.dumps(asdict(choice)))
+    QgsSettings().setValue(_KEY, json.dumps(fields))
 
 
 def columns_menu(
-    columns: Sequence[TableColumn],
-    visible: Sequence[str],
-    choose: Callable[[tuple[str, ...]], None],
-    reset: Callable[[], None],
-    parent: QWidget,
+    columns: Sequence[TableColumn], visible: Sequence[str], choose: Callable[[tuple[str, ...]], None], parent: QWidget
 ) -> QMenu:
-    """A menu with a tick at each visible column; ``choose`` is told the fields that shall be seen."""
+    """A menu with a tick at each visible column; ``choose`` is told the fields that shall be seen, none for those
+    there is room for."""
 
     def toggle(field: str, shown: bool) -> None:
         wanted = {*visible, field} if shown else {*visible} - {field}
@@ -63,7 +47,8 @@ def columns_menu(
     menu = QMenu(parent)
     menu.setToolTipsVisible(True)
     for column in columns:
-        action = menu.addAction(_menu_title(column))
+        title = filled(tr("ratio {level}"), level=column.level) if column.level > 1 else column.title()
+        action = menu.addAction(title)
         action.setToolTip(column.title_tip())
         action.setCheckable(True)
         action.setChecked(column.field in visible)
@@ -71,28 +56,13 @@ def columns_menu(
         action.triggered.connect(partial(toggle, column.field))
     menu.addSeparator()
     action = menu.addAction(tr("As there is room"))
-    action.setToolTip(tr("The usual columns in their usual order, as many as there is room for."))
-    action.triggered.connect(lambda *_: reset())
+    action.setToolTip(tr("The usual columns, as many as there is room for."))
+    action.triggered.connect(lambda *_: choose(()))
     return menu
 
 
-def _menu_title(column: TableColumn) -> str:
-    return filled(tr("ratio {level}"), level=column.level) if column.level > 1 else column.title()
-
-
-_GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio")
-"""After reasons, the ratios beyond level 1 and the paper's flag; verdict, loss, observer and cause stay longest."""
-
-
-class ColumnChoosing(NamedTuple):
-    """What a room is used for."""
-
-    hidden: set[int]
-    """Sections."""
-    short: bool
-    """Whether headings are."""
-    widths: list[int]
-    """Widths of all sections, px, with all of their words."""
+_GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio", "observer_2", "cause")
+"""After reasons, the ratios beyond level 1 and the paper's flag; verdict, loss and observer always stay."""
 
 
 class ColumnMeter:
@@ -104,94 +74,76 @@ class ColumnMeter:
         self._most_lost = shown_area(windows.most_lost)  # a number that is never cut
         self._metrics = QFontMetrics(table.font())
 
-    def widths(self, columns: Sequence[TableColumn], short: bool) -> list[int]:
-        """With short headings or whole ones."""
-        return [self._width(column, short) for column in columns]
-
-    @property
-    def least_cause(self) -> int:
-        """With causes cut short, of which the first letters tell."""
-        return self._heading(CAUSE.title(), self._sorted_by == CAUSE)
-
-    def _width(self, column: TableColumn, short: bool) -> int:
-        em = self._metrics.horizontalAdvance("m")
-        title = self._heading(column.title(short), column == self._sorted_by)
-        if column.short_heading and not short:
-            title += em  # themes cut it before others, as its cells are narrow; the short one takes its place then
-        shown = [one for one in self._verdicts if one in CLAIMS or not short] or self._verdicts
-        words = [verdict_word(verdict) for verdict in shown]  # in short, what there is no verdict by is cut
-        claims = [verdict_word(one) for one in CLAIMS if one in self._verdicts]
-        changed = [filled(tr("{verdict}, changed"), verdict=word) for word in claims]
-        observers = [observer_word(word) for word in OBSERVERS]
+    def width(self, column: TableColumn) -> int:
+        """With all of its words."""
         samples = {
             "reason": ["m" * 20], "causes": ["m" * 20], "remark": ["m" * 10], "remark_2": ["m" * 10],
-            "verdict": [*words, *(changed if self._has_stale else [])],
+            "verdict": [*map(verdict_word, self._verdicts), *self._claims()],
             "cause": [cause_word(cause.value) for cause in Cause], "paper_verdict": [*map(verdict_word, VERDICTS)],
-            "observer": observers, "observer_2": observers,
+            "observer": [*map(observer_word, OBSERVERS)], "observer_2": [*map(observer_word, OBSERVERS)],
             "window_id": ["000"], "sources": ["00"], "loss": ["888 m²", self._most_lost],
         }  # fmt: skip
-        width = self._with_margins(*samples.get(column.name, ["0.00"]))
-        if column.name == "verdict":
-            width += self._table.iconSize().width() + em // 2
-        return max(width, title)
+        return max(self._of_words(column, *samples.get(column.name, ["0.00"])), self._heading(column))
 
-    def _with_margins(self, *texts: str) -> int:
+    def least(self, column: TableColumn) -> int:
+        """Causes are cut short, as their first letters tell, and so are words that are no verdict."""
+        if column == CAUSE:
+            return self._heading(column)
+        if column.name == "verdict" and (claims := self._claims()):
+            return max(self._of_words(column, *claims), self._heading(column))
+        return self.width(column)
+
+    def _claims(self) -> list[str]:
+        """Words of the windows' verdicts that say whether detail was lost."""
+        claims = [verdict_word(one) for one in CLAIMS if one in self._verdicts]
+        return [*claims, *(filled(tr("{verdict}, changed"), verdict=one) for one in claims if self._has_stale)]
+
+    def _of_words(self, column: TableColumn, *texts: str) -> int:
         margin = self._table.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self._table)
-        widest = max(map(self._metrics.horizontalAdvance, texts))
-        return int(widest + 2 * (margin + 1) + self._metrics.horizontalAdvance("m") // 2)
+        widest, em = max(map(self._metrics.horizontalAdvance, texts)), self._metrics.horizontalAdvance("m")
+        chip = self._table.iconSize().width() + em // 2 if column.name == "verdict" else 0
+        return int(widest + 2 * (margin + 1) + em // 2 + chip)
 
-    def _heading(self, title: str, is_sorted: bool) -> int:
+    def _heading(self, column: TableColumn) -> int:
         """That shows all of a heading, with what the style or a theme's style sheet puts around it."""
-        header = self._table.horizontalHeader()
+        header, is_sorted = self._table.horizontalHeader(), column == self._sorted_by
         option = QStyleOptionHeader()
         option.initFrom(header)
         option.orientation = Qt.Orientation.Horizontal
-        option.text = title
+        option.text = column.title()
         if is_sorted:
             option.sortIndicator = QStyleOptionHeader.SortIndicator.SortDown
         style, metrics = header.style(), header.fontMetrics()
         least = style.sizeFromContents(QStyle.ContentsType.CT_HeaderSection, option, QSize(), header).width()
-        needed = metrics.horizontalAdvance(title + "m") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
+        margins = 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
+        needed = metrics.horizontalAdvance(column.title() + "m") + margins
         if is_sorted:
             needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
         return max(int(least), int(needed))  # the style's own word is too little in Fusion
 
 
-def choose_columns(columns: Sequence[TableColumn], meter: ColumnMeter, room: int) -> ColumnChoosing:
-    """Those there is room for. Causes are cut short, and go last, so that a verdict's word is never cut."""
-    reason, cause = next(place for place, one in enumerate(columns) if one.name == "reason"), columns.index(CAUSE)
-    off = set(range(reason + 1, len(columns)))  # for the operator to choose
-    coarser = {section for section, column in enumerate(columns) if column.level > 1 or column == PAPER}
-    long, brief = meter.widths(columns, short=False), meter.widths(columns, short=True)
-
-    def needed(widths: list[int], without: set[int]) -> int:
-        return sum(one for section, one in enumerate(widths) if section not in without)
-
-    hidden = set(off)
-    named = ({place for place, one in enumerate(columns) if one.name == name} for name in _GIVING_WAY)
-    for group in (set[int](), {reason}, coarser, *named):
-        hidden |= group
-        for widths, short, size in (
-            (long, False, long[cause]), (brief, True, brief[cause]), (brief, True, meter.least_cause)
-        )[: 3 if reason in hidden else 1]:
-            if room >= needed(widths, {*hidden, cause}) + size:
-                return ColumnChoosing(hidden, short, widths)
-    hidden.add(cause)
-    short = room < needed(long, hidden)
-    return ColumnChoosing(hidden, short, brief if short else long)
-
-
-def shared_room(columns: Sequence[TableColumn], chosen: ColumnChoosing, room: int) -> dict[int, int]:
-    """The width of each section that is shown: the cause, or else the verdict, whose chip is seen yet, takes what is
-    lacking; reasons, or all, what is left."""
-    found = {section: width for section, width in enumerate(chosen.widths) if section not in chosen.hidden}
-    names = {columns[section].name: section for section in found}
-    spare = room - sum(found.values())
+def fitted_columns(columns: Sequence[TableColumn], meter: ColumnMeter, room: int) -> dict[int, int]:
+    """Widths of the columns that there is room for, by their place: as many as fit, with all words if there are
+    reasons."""
+    full, least = [*map(meter.width, columns)], [*map(meter.least, columns)]
+    names = [column.name for column in columns]
+    reason, verdict = names.index("reason"), names.index("verdict")
+    coarser = {place for place, column in enumerate(columns) if column.level > 1 or column == PAPER}
+    giving_way = ({place for place, one in enumerate(names) if one == name} for name in _GIVING_WAY)
+    shown = set(range(reason + 1))  # the others are for the operator to choose
+    for group in (set[int](), {reason}, coarser, *giving_way):
+        shown -= group
+        if sum((full if reason in shown else least)[place] for place in shown) <= room:
+            break
+    sizes = {place: least[place] for place in sorted(shown)}
+    for place in (verdict, columns.index(CAUSE), *sorted(shown)):
+        if place in shown:
+            sizes[place] += max(min(full[place] - sizes[place], room - sum(sizes.values())), 0)
+    spare = room - sum(sizes.values())
     if spare < 0:
-        found[names.get("cause", names["verdict"])] += spare
-    elif "reason" in names:
-        found[names["reason"]] += spare
+        sizes[verdict] += spare  # whose chip is seen yet
+    elif reason in shown:
+        sizes[reason] += spare
     else:
-        for section in found:
-            found[section] += spare // len(found)
-    return found
+        sizes = {place: size + spare // len(sizes) for place, size in sizes.items()}
+    return sizes

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -24,7 +23,7 @@ from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import filled, tr
 from ... import jobs
 from ...measure import messages
-from ...measure.planning.window_placing import PlacedWindow, Placement
+from ...measure.planning.window_placing import Placement
 from ...measure.window.inspection import Block
 from ...measure.window_records import WindowRecord
 from ...tables import window_file, window_layer
@@ -39,31 +38,20 @@ DRAWN, PLACED, SCAN = "drawn", "placed", "scan"
 """Where a window comes from: ``origin``."""
 _SAME_PLACE = 0.5  # of the smaller of two windows: more of it was looked at than not when the other was judged
 _SAME = 0.999  # of it: coordinates are rounded where files and reference systems change
-
-
 _AT_ONCE = 50  # windows added, some 20 ms with all that follows them; then the interface has its turn
 
 
-@dataclass(frozen=True)
-class Place:
-    """The outline of a window, in the reference system of the window layer."""
-
-    outline: QgsGeometry
-    known: Mapping[str, object]
-    """What is known of it, by the fields' names."""
+Place = tuple[QgsGeometry, Mapping[str, object]]
+"""The outline of a window, in the reference system of the window layer, and what is known of it by fields' names."""
 
 
 class NewWindows(QObject):
     """Does one thing after the other, step by step."""
 
-    layerMade = pyqtSignal(str)
-    """Id of a new window layer in the project, to be followed from now on."""
-    scanned = pyqtSignal(list)
-    """Feature ids of the windows at the worst places of a scan, worst first."""
-    drawn = pyqtSignal(list)
-    """Feature ids of windows that are to be inspected at once."""
-    told = pyqtSignal(object)
-    """A Message."""
+    layerMade = pyqtSignal(str)  # id of a new window layer in the project, to be followed from now on
+    scanned = pyqtSignal(list)  # feature ids of the windows at the worst places of a scan, worst first
+    drawn = pyqtSignal(list)  # feature ids of windows that are to be inspected at once
+    told = pyqtSignal(object)  # a Message
 
     def __init__(
         self, home: WindowHome, block: BlockCache, watch: WindowWatch, steps: WindowSteps, background: BackgroundTasks,
@@ -128,29 +116,32 @@ class NewWindows(QObject):
 
     def _drawing(self, window: PixelWindow) -> Iterator[None]:
         yield from self._with_layer(block := self._block.required())
-        found = [fid for fid in self._there(block, [window]) if fid is not None]
-        places = [Place(outline, {"origin": DRAWN}) for outline in self._outlines(block, [window])]
+        outlines = self._outlines(block, [window])
+        found = [fid for fid in self._there(outlines, window.width) if fid is not None]
         words = filled(tr("drawing window {number}"), number=self._watch.next_number)
-        self.drawn.emit(found or [fid for fids in self._added(places, words) for fid in fids])
+        added = self._added([(outlines[0], {"origin": DRAWN})], words)
+        self.drawn.emit(found or [fid for fids in added for fid in fids])
 
     def _copying(self, outlines: Sequence[QgsGeometry]) -> Iterator[None]:
         yield from self._with_layer(self._block.required())
-        places = [Place(outline, {"origin": DRAWN}) for outline in outlines]
-        for _ in self._added(places, filled(tr("copying {count} windows"), count=len(places))):
+        words = filled(tr("copying {count} windows"), count=len(outlines))
+        for _ in self._added([(outline, {"origin": DRAWN}) for outline in outlines], words):
             yield
 
     def _placing(self, mosaic: str, placement: Placement) -> Iterator[None]:
         if mosaic != self._block.inputs.mosaic:
             return
         found = placement.windows
-        new: list[PlacedWindow] = list(found)
+        new: list[Place] = []
         if found:
             yield from self._with_layer(block := self._block.required())
-            there = self._there(block, [one.window for one in found])
-            new = [one for one, fid in zip(found, there) if fid is None]
-            known = [{"origin": PLACED, "seam_id": one.seam_id, "station": one.station_m} for one in new]
-            places = map(Place, self._outlines(block, [one.window for one in new]), known)
-            for _ in self._added(list(places), filled(tr("placing {count} windows"), count=len(new))):
+            outlines = self._outlines(block, [one.window for one in found])
+            there = self._there(outlines, found[0].window.width)
+            new = [
+                (outline, {"origin": PLACED, "seam_id": one.seam_id, "station": one.station_m})
+                for one, outline, fid in zip(found, outlines, there) if fid is None
+            ]  # fmt: skip
+            for _ in self._added(new, filled(tr("placing {count} windows"), count=len(new))):
                 yield
         write_log(placement.dropped)
         self.told.emit(_placed_message(len(new), len(found) - len(new), placement.dropped))
@@ -165,7 +156,7 @@ class NewWindows(QObject):
         rows = [row for row in self._watch.rows() if row.extent]
         there = [_same_place(rows, layers.extent(outline)) for outline in outlines]
         places = [
-            Place(outline, {"origin": SCAN, "seam_id": one["seam_id"], "station": one["station"]})
+            (outline, {"origin": SCAN, "seam_id": one["seam_id"], "station": one["station"]})
             for one, outline, fid in zip(features, outlines, there) if fid is None
         ]  # fmt: skip
         parts = self._added(places, filled(tr("adding {count} places of a scan"), count=len(places)))
@@ -210,10 +201,11 @@ class NewWindows(QObject):
         self.layerMade.emit(made.id())
         yield
 
-    def _there(self, block: Block, windows: Sequence[PixelWindow]) -> list[int | None]:
-        """The layer's windows at the same places, None where there is none: nothing is doubled."""
-        places = [layers.extent(outline) for outline in self._outlines(block, windows)]
-        pixel = min(places[0][2] - places[0][0], places[0][3] - places[0][1]) / windows[0].width
+    def _there(self, outlines: Sequence[QgsGeometry], width: int) -> list[int | None]:
+        """The layer's windows at the same places, None where there is none: nothing is doubled. ``width``: px of all.
+        """
+        places = [layers.extent(outline) for outline in outlines]
+        pixel = min(places[0][2] - places[0][0], places[0][3] - places[0][1]) / width
         taken = {_in_pixels(row.extent, places[0], pixel): row.fid for row in self._watch.rows() if row.extent}
         return [taken.get(_in_pixels(place, places[0], pixel)) for place in places]
 
@@ -230,7 +222,7 @@ class NewWindows(QObject):
             assert layer is not None
             part = places[start : start + _AT_ONCE]
             self._watch.prepare([], self._block.inputs.levels)
-            outlines, known = [one.outline for one in part], [one.known for one in part]
+            outlines, known = zip(*part)
             made = window_layer.new_windows(layer, outlines, self._watch.next_number, known)
             numbers = step.come(layer, made, words)
             if not start:

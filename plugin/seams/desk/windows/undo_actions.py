@@ -26,8 +26,7 @@ class UndoActions(QObject):
         self.redo = QAction(QgsApplication.getThemeIcon("/mActionRedo.svg"), tr("Redo"), self)
         self.undo.triggered.connect(self._undo)
         self.redo.triggered.connect(self._stack.redo)
-        self.actions = {"undo": self.undo, "redo": self.redo}
-        """Actions by the names of their keys."""
+        self.actions = {"undo": self.undo, "redo": self.redo}  # actions by the names of their keys
         self._of_qgis = {name: window.findChild(QAction, f"mAction{name.title()}") for name in self.actions}
         self._stack.indexChanged.connect(self.refresh)
         self.refresh()

@@ -99,27 +99,22 @@ _RATIO_TIP = QT_TR_NOOP("Detail at level {level} in the mosaic as a multiple of 
 class TableColumn(NamedTuple):
     """A column of the table."""
 
-    name: str
-    """The field of the window layer, of ratios without their level."""
+    name: str  # the field of the window layer, of ratios without their level
     heading: str
     explanation: str
-    text: Callable[[WindowRecord], str]
-    """What the cell says."""
-    key: Callable[[WindowRecord], Any]
-    """What the column is sorted by; None where the row has nothing there."""
+    text: Callable[[WindowRecord], str]  # what the cell says
+    key: Callable[[WindowRecord], Any]  # what the column is sorted by; None where the row has nothing there
     alignment: int = ALIGNED_LEFT
-    short_heading: str = ""
-    level: int = 0
-    """Level of a ratio: 1..R."""
+    level: int = 0  # level of a ratio: 1..R
 
     @property
     def field(self) -> str:
         """That tells it from all other columns."""
         return f"{self.name}_{self.level}" if self.level else self.name
 
-    def title(self, short: bool = False) -> str:
+    def title(self) -> str:
         """The heading."""
-        return tr(self.short_heading if short and self.short_heading else self.heading)
+        return tr(self.heading)
 
     def title_tip(self) -> str:
         """The tooltip of the heading."""
@@ -207,13 +202,11 @@ _LAST = (
         "sources", QT_TR_NOOP("sources"),
         QT_TR_NOOP("How many sources the mosaic was compared with."),
         lambda row: "" if row.sources is None else str(row.sources), lambda row: row.sources, _CENTRED,
-        QT_TR_NOOP("src."),
     ),
     TableColumn(
         "observer", QT_TR_NOOP("observer"),
         QT_TR_NOOP("Whether the operator saw the loss of detail at 2x magnification."),
         lambda row: observer_word(row.observer), lambda row: OBSERVERS.get(row.observer),
-        short_heading=QT_TR_NOOP("obs."),
     ),
     TableColumn(
         "reason", QT_TR_NOOP("reason"),

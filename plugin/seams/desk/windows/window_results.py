@@ -35,23 +35,17 @@ _AT_ONCE, _PAUSE_MS = 3, 20  # results, of some 12 ms each; then the interface h
 class _Version(NamedTuple):
     """What a result is of."""
 
-    extent: Extent | None
-    """The extent that the window had."""
-    inputs: str
-    """Their fingerprint."""
+    extent: Extent | None  # the extent that the window had
+    inputs: str  # their fingerprint
 
 
 class WindowResults(QObject):
     """Results by window number, since feature ids change where the layer is edited with QGIS's tools."""
 
-    arrived = pyqtSignal(int)
-    """Feature id of a window that has its result now."""
-    curvesArrived = pyqtSignal(int)
-    """Feature id of a window whose curves are there, and the rest is not yet."""
-    failed = pyqtSignal(object)
-    """The Message why results could not be written."""
-    progressChanged = pyqtSignal(int, int)
-    """Steps done and asked for; (0, 0) when all is done and written."""
+    arrived = pyqtSignal(int)  # feature id of a window that has its result now
+    curvesArrived = pyqtSignal(int)  # feature id of a window whose curves are there, and the rest is not yet
+    failed = pyqtSignal(object)  # the Message why results could not be written
+    progressChanged = pyqtSignal(int, int)  # steps done and asked for; (0, 0) when all is done and written
 
     def __init__(
         self, block: BlockCache, steps: WindowSteps, watch: WindowWatch, background: BackgroundTasks,

@@ -30,8 +30,7 @@ class ValuesStep:
     def __init__(self, before: Values, after: Values) -> None:
         self.before, self.after = before, after
         self.marks_before: dict[int, str] = {}
-        self.marks_after: dict[int, str] = {}
-        """Fingerprints, where the values are measured."""
+        self.marks_after: dict[int, str] = {}  # fingerprints, where the values are measured
         self.records: dict[int, bytes] = {}
         """Results that the values had which are not in the layer now, where they are measured."""
         self.is_undone = False
@@ -89,10 +88,8 @@ Step = Union["ValuesStep", "PresenceStep"]
 class WindowSteps(QObject):
     """The steps taken in the layer that is followed."""
 
-    failed = pyqtSignal(object)
-    """The Message why a step can't be undone or done again."""
-    stepped = pyqtSignal(list)
-    """Numbers of the windows that were changed by undo or redo and are there."""
+    failed = pyqtSignal(object)  # the Message why a step can't be undone or done again
+    stepped = pyqtSignal(list)  # numbers of the windows that were changed by undo or redo and are there
 
     def __init__(self, watch: WindowWatch, parent: QObject) -> None:
         super().__init__(parent)

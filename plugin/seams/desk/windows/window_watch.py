@@ -28,15 +28,11 @@ from .. import messages
 class WindowWatch(QObject):
     """Follows one layer at a time."""
 
-    windowsChanged = pyqtSignal()
-    """Once for all changes that come together."""
-    selectionChanged = pyqtSignal()
-    """Other windows are selected; never before the windows themselves are told."""
-    replaced = pyqtSignal()
-    """The layer has another data source."""
+    windowsChanged = pyqtSignal()  # once for all changes that come together
+    selectionChanged = pyqtSignal()  # other windows are selected; never before the windows themselves are told
+    replaced = pyqtSignal()  # the layer has another data source
 
-    rolledBack = pyqtSignal()
-    """Edits that were made with QGIS's tools are no more, and the desk's among them."""
+    rolledBack = pyqtSignal()  # edits that were made with QGIS's tools are no more, and the desk's among them
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -44,8 +40,7 @@ class WindowWatch(QObject):
         self._notifier = single_shot(self, self._notify)
         self._told: set[int] | None = set()  # the selection
         self._is_unmoved = False
-        self.state: str | None = None
-        """The fingerprint of the inputs."""
+        self.state: str | None = None  # the fingerprint of the inputs
         self._forget()
 
     def _forget(self) -> None:

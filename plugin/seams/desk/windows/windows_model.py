@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from itertools import groupby
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
@@ -20,12 +19,12 @@ _ALIGNMENT = Qt.ItemDataRole.TextAlignmentRole
 _DECORATION = Qt.ItemDataRole.DecorationRole
 _FONT = Qt.ItemDataRole.FontRole
 _TOOL_TIP = Qt.ItemDataRole.ToolTipRole
-_MAX_RUNS = 64  # changes in more places than that are told to the views as one
-_ASCENDING = Qt.SortOrder.AscendingOrder
+_FIRST_ORDER = Qt.ItemDataRole.InitialSortOrderRole
+_ASCENDING, _DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
 
 
 class WindowsModel(QAbstractTableModel):
-    """The session's windows, in the order of one column. Views hear only of the rows that changed."""
+    """The session's windows, in the order of one column. Where only values change, views hear of their rows alone."""
 
     def __init__(
         self, parent: QObject | None = None, result: Callable[[int], WindowResult | None] = lambda fid: None
@@ -34,24 +33,17 @@ class WindowsModel(QAbstractTableModel):
         self._result = result  # of a window, by its feature id: the numbers in tooltips
         self._levels, self._used, self._by_ratio = 3, frozenset[str](), False
         self.columns = all_columns(self._levels, self._used, self._by_ratio)
-        self.is_blind = False
-        """Whether tooltips keep to themselves what was found."""
-        self._short_titles = False
-        self.sorted_by: TableColumn | None = WINDOW_ID
-        """None in an order that is no column's."""
-        self._key: Callable[[WindowRecord], Any] = WINDOW_ID.key
+        self.is_blind = False  # whether tooltips keep to themselves what was found
+        self.sorted_by = WINDOW_ID
         self.sort_order = _ASCENDING
         self._tests: Sequence[Callable[[WindowRecord], bool]] = ()
         self._taken: Sequence[WindowRecord] = ()  # all windows as they were given, in their own order
         self._chips: dict[tuple[str, bool], QIcon] = {}
         self._italic = QFont()
         self._italic.setItalic(True)
-        self.has_stale = False
-        """Whether a window is to be inspected again."""
-        self.verdicts: frozenset[str] = frozenset()
-        """Those that windows have."""
-        self.most_lost = 0.0
-        """The largest loss of a window, m²."""
+        self.has_stale = False  # whether a window is to be inspected again
+        self.verdicts: frozenset[str] = frozenset()  # those that windows have
+        self.most_lost = 0.0  # the largest loss of a window, m²
         self._fids: list[int] = []
         self._set_rows([])
 
@@ -90,7 +82,7 @@ class WindowsModel(QAbstractTableModel):
         return bool(self._tests)
 
     def set_windows(self, windows: Iterable[WindowRecord]) -> None:
-        """Take these, with as little stir as can be: selection and persistent indexes stay with their windows."""
+        """Take these, with as little stir as can be while no window comes or goes."""
         windows, taken = list(windows), self._taken
         self._taken, self.has_stale = windows, True in [row.stale for row in windows]
         self.verdicts = frozenset({row.verdict for row in windows})
@@ -121,19 +113,7 @@ class WindowsModel(QAbstractTableModel):
         self.sort_order = order
         if 0 <= column < len(self.columns):
             self.sorted_by = self.columns[column]
-            self._key = self.sorted_by.key
         self._rearrange(self._in_order(self._rows))
-
-    def sort_by(self, key: Callable[[WindowRecord], Any]) -> None:
-        """In an order that is no column's."""
-        self.sorted_by, self.sort_order, self._key = None, _ASCENDING, key
-        self._rearrange(self._in_order(self._rows))
-
-    def set_short_titles(self, short: bool) -> None:
-        """Whether headings have to be short."""
-        if short != self._short_titles:
-            self._short_titles = short
-            self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(self.columns) - 1)
 
     # What views ask
 
@@ -164,9 +144,11 @@ class WindowsModel(QAbstractTableModel):
             return None
         column = self.columns[section]
         if role == _DISPLAY:
-            return column.title(self._short_titles)
+            return column.title()
         if role == _TOOL_TIP:
             return column.title_tip()
+        if role == _FIRST_ORDER:  # by the first click on it
+            return _DESCENDING if column.name == "loss" else _ASCENDING
         if role == _ALIGNMENT:  # the arrow is on the right, and may be drawn over the words
             return ALIGNED_LEFT if column == self.sorted_by else column.alignment
         return None
@@ -183,17 +165,19 @@ class WindowsModel(QAbstractTableModel):
         changed = [(old, new) for old, new in zip(taken, windows) if old is not new]
         if not all(self._stays(old, new) for old, new in changed):
             return False
-        shown = [(self._places[old.fid], new, old != new) for old, new in changed if old.fid in self._places]
-        for place, row, _ in shown:
-            self._rows[place] = row
-        self._tell_changes(sorted(place for place, _, is_other in shown if is_other))
+        changed = [(old, new) for old, new in changed if old.fid in self._places]
+        for old, new in changed:
+            self._rows[self._places[old.fid]] = new
+        places = [self._places[old.fid] for old, new in changed if old != new]
+        if places:
+            self.dataChanged.emit(self.index(min(places), 0), self.index(max(places), len(self.columns) - 1))
         return True
 
     def _stays(self, old: WindowRecord, new: WindowRecord) -> bool:
         """Whether a window needs no other place and no other columns."""
         return (
             (old.fid, old.window_id) == (new.fid, new.window_id)
-            and self._key(old) == self._key(new)
+            and self.sorted_by.key(old) == self.sorted_by.key(new)
             and len(old.ratios) == len(new.ratios)
             and used_columns([old]) == used_columns([new])
             and is_by_ratio([old]) == is_by_ratio([new])
@@ -204,34 +188,17 @@ class WindowsModel(QAbstractTableModel):
         return all(test(row) for test in self._tests)
 
     def _in_order(self, windows: Iterable[WindowRecord]) -> list[WindowRecord]:
-        keyed = [(self._key(row), row) for row in sorted(windows, key=WINDOW_ID.key)]
+        keyed = [(self.sorted_by.key(row), row) for row in sorted(windows, key=WINDOW_ID.key)]
         present = [pair for pair in keyed if pair[0] is not None]
         present.sort(key=itemgetter(0), reverse=self.sort_order != _ASCENDING)
         return [row for _, row in present] + [row for value, row in keyed if value is None]
 
     def _show(self, rows: list[WindowRecord]) -> None:
-        """Other rows instead of those shown: first some go, then the others change places, then some come."""
-        wanted = {row.fid: row for row in rows}
-        gone = _runs(place for place, row in enumerate(self._rows) if row.fid not in wanted)
-        added = _runs(place for place, row in enumerate(rows) if row.fid not in self._places)
-        if len(gone) + len(added) > _MAX_RUNS:
-            self._reset(rows)
-            return
-        for first, last in reversed(gone):
-            self.beginRemoveRows(QModelIndex(), first, last)
-            self._set_rows(self._rows[:first] + self._rows[last + 1 :])
-            self.endRemoveRows()
-        kept = [row for row in rows if row.fid in self._places]
-        before = {row.fid: row for row in self._rows}
-        if [row.fid for row in kept] != self._fids:
-            self._rearrange(kept)
+        """Other rows instead of those shown."""
+        if self._places.keys() == {row.fid for row in rows}:
+            self._rearrange(rows)
         else:
-            self._set_rows(kept)
-        for first, last in added:
-            self.beginInsertRows(QModelIndex(), first, last)
-            self._set_rows(self._rows[:first] + rows[first : last + 1] + self._rows[first:])
-            self.endInsertRows()
-        self._tell_changes(place for place, row in enumerate(rows) if before.get(row.fid, row) != row)
+            self._reset(rows)
 
     def _rearrange(self, rows: list[WindowRecord]) -> None:
         """Show the same windows in another order."""
@@ -247,8 +214,8 @@ class WindowsModel(QAbstractTableModel):
         self.beginResetModel()
         if columns:
             self.columns = columns
-            if self.sorted_by is not None and self.sorted_by not in columns:
-                self.sorted_by, self.sort_order, self._key = WINDOW_ID, _ASCENDING, WINDOW_ID.key
+            if self.sorted_by not in columns:
+                self.sorted_by, self.sort_order = WINDOW_ID, _ASCENDING
                 rows = self._in_order(rows)
         self._set_rows(rows)
         self.endResetModel()
@@ -259,21 +226,7 @@ class WindowsModel(QAbstractTableModel):
         self._places = {fid: place for place, fid in enumerate(self._fids)}
         self._numbers = {row.window_id: row.fid for row in rows}
 
-    def _tell_changes(self, changed: Iterable[int]) -> None:
-        runs = _runs(changed)
-        if len(runs) > _MAX_RUNS:
-            runs = [(runs[0][0], runs[-1][1])]
-        for first, last in runs:
-            self.dataChanged.emit(self.index(first, 0), self.index(last, len(self.columns) - 1))
-
     def _chip(self, verdict: str, stale: bool) -> QIcon:
         if (verdict, stale) not in self._chips:
             self._chips[verdict, stale] = verdict_chip(verdict, stale)
         return self._chips[verdict, stale]
-
-
-def _runs(places: Iterable[int]) -> list[tuple[int, int]]:
-    """First and last of each run of consecutive numbers."""
-    groups = groupby(enumerate(places), key=lambda pair: pair[1] - pair[0])
-    runs = ([place for _, place in group] for _, group in groups)
-    return [(run[0], run[-1]) for run in runs]

@@ -20,8 +20,7 @@ class WindowsMosaic(QObject):
     doubted = pyqtSignal(object)
     """The Message why nothing goes on with these windows and this mosaic; once for each two of them."""
 
-    told = pyqtSignal(object)
-    """The Message why the file can't say it."""
+    told = pyqtSignal(object)  # the Message why the file can't say it
 
     def __init__(self, block: BlockCache, watch: WindowWatch, parent: QObject) -> None:
         super().__init__(parent)

@@ -1,22 +1,18 @@
 """The windows as a sortable, filterable table whose selection is the window layer's."""
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication
 from qgis.gui import QgsFilterLineEdit
-from qgis.PyQt.QtCore import QItemSelectionModel, QLocale, QModelIndex, QPoint, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QAction,
     QApplication,
-    QFileDialog,
     QHBoxLayout,
     QLabel,
     QMenu,
@@ -24,15 +20,11 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....imagery.atomic_files import replacing
 from ....imagery.errors import SettingsError, cell_text
-from ....imagery.messages import system_reason
-from ....imagery.statistics import INVISIBLE, UNSURE, VISIBLE, Operator
-from ....toolkit.desk.message_bar import bar_level
-from ....toolkit.desk.widgets import check_chosen_file, is_confirmed, single_shot
+from ....imagery.statistics import Operator
+from ....toolkit.desk.widgets import is_confirmed, single_shot
 from ....toolkit.translation import filled, sentence, tr
-from ...measure import messages
-from .filter_boxes import TABLE, KindBox, OrderBox, WindowOrder
+from .kind_box import KindBox
 from .window_columns import TableColumn
 from .windows_filter import window_filter
 from .windows_model import WindowsModel
@@ -50,17 +42,9 @@ _SELECT_ROWS = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelection
 class WindowsPanel(QWidget):
     """The table of windows with its filter."""
 
-    zoomRequested = pyqtSignal(int)
-    """Feature id of the window to be looked at."""
-    orderChanged = pyqtSignal()
-    """Other windows are shown, or in another order."""
-    judged = pyqtSignal(str)
-    """The operator's word on the selected windows; empty takes it back."""
-    orderChosen = pyqtSignal(str)
-    """Name of the order in which the operator wants the windows."""
+    zoomRequested = pyqtSignal(int)  # feature id of the window to be looked at
+    orderChanged = pyqtSignal()  # other windows are shown, or in another order
     filterChosen = pyqtSignal()
-    told = pyqtSignal(str, int)
-    """A sentence for the message bar, and its level."""
 
     def __init__(
         self, session: Session, parent: QWidget | None = None, confirm: Callable[[QWidget, str], bool] = is_confirmed
@@ -74,7 +58,6 @@ class WindowsPanel(QWidget):
         self._windows = WindowsModel(self, session.result)
         self._search = QgsFilterLineEdit(self)  # before the table, for Tab
         self._verdicts = KindBox(self)
-        self._orders = OrderBox(self)
         self._problem = QLabel(self)
         self._problem.setTextFormat(Qt.TextFormat.PlainText)
         self._filter_time = single_shot(self, self.filterChosen, _TYPED_MS)
@@ -95,8 +78,6 @@ class WindowsPanel(QWidget):
 
         self._search.textChanged.connect(self._filter)
         self._verdicts.currentIndexChanged.connect(self._filter)
-        self._orders.activated.connect(self._choose_order)
-        self.table.horizontalHeader().sectionClicked.connect(lambda *_: self.orderChosen.emit(TABLE.name))
         self.table.copyRequested.connect(self.copy)
         self.table.selectionModel().selectionChanged.connect(self._lead)
         self.table.doubleClicked.connect(self._zoom_to)
@@ -109,31 +90,16 @@ class WindowsPanel(QWidget):
         self._take_windows()
 
     def sort_by_number(self) -> None:
-        """Sort by number, as it was before the operator sorted otherwise."""
+        """As it was before the operator sorted otherwise."""
         self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
-
-    def show_order(self, order: WindowOrder) -> None:
-        """Show the windows in an order that is no column's, or go on in a column's."""
-        self._orders.show_order(order)
-        if (key := order.key) is not None:
-            if order.takes_limit:
-                key = partial(self._by_limit, key)
-            with self._following():
-                self._windows.sort_by(key)
-            self.table.show_sorting()
-        elif self._windows.sorted_by is None:
-            self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
-
-    def _by_limit(self, key: Callable[[WindowRecord, float], Any], row: WindowRecord) -> Any:
-        """With the limit as it is then."""
-        return key(row, self._session.inputs.min_kept)
 
     def set_blind(self, own: frozenset[str] | None) -> None:
         """Show these columns and no others, and offer nothing that tells what was found; None: show all."""
         self.table.set_blind(own)
         self._own = own
-        for box in (self._verdicts, self._orders):
-            box.set_blind(own is not None)
+        if own is not None and self._windows.sorted_by.field not in own:
+            self.sort_by_number()  # another order would tell
+        self._verdicts.set_blind(own is not None)
         self._filter()
 
     def filter(self) -> tuple[str, str]:
@@ -160,11 +126,6 @@ class WindowsPanel(QWidget):
         rows = [row for row in map(self._session.row, self.table.selected_fids()) if row is not None]
         if rows:
             QApplication.clipboard().setText(copied_rows(self.table.visible_columns(), rows))
-
-    def save_csv(self, path: Path) -> None:
-        """The windows that are shown, with all of their numbers; raises OSError."""
-        rows = [row for row in map(self._session.row, self._windows.fids()) if row is not None]
-        write_csv(path, self._windows.columns if not self._windows.is_blind else self.table.visible_columns(), rows)
 
     def ordered_fids(self) -> list[int]:
         """The windows shown, from top to bottom: the same list while they are the same; not to be changed."""
@@ -273,27 +234,6 @@ class WindowsPanel(QWidget):
     def _inspect(self, *_: object) -> None:
         self._session.inspect(self.table.selected_fids())
 
-    def _judge(self, word: str, *_: object) -> None:
-        if set(self.table.selected_fids()) != set(self._session.selected()):  # the filter hides some
-            self._session.select(self.table.selected_fids())
-        self.judged.emit(word)
-
-    def _choose_order(self, place: int) -> None:
-        self.orderChosen.emit(self._orders.itemData(place))
-
-    def _ask_for_csv(self, *_: object) -> None:
-        path, _ = QFileDialog.getSaveFileName(self, tr("Save the windows"), "windows.csv", tr("CSV files (*.csv)"))
-        if not path:
-            return
-        try:
-            check_chosen_file(Path(path))
-            self.save_csv(Path(path))
-        except SettingsError as error:
-            self.told.emit(sentence(error.message), bar_level(error.message))
-        except OSError as error:
-            problem = messages.TABLE_NOT_SAVED(path=path, error=system_reason(error))
-            self.told.emit(sentence(problem), bar_level(problem))
-
     def _remove(self, *_: object) -> None:
         fids = self.table.selected_fids()
         rows = [row for row in map(self._session.row, fids) if row is not None]
@@ -317,19 +257,8 @@ class WindowsPanel(QWidget):
              tr("Shows the window with one image pixel on 2 x 2 pixels of the screen."), Qt.Key.Key_Return),
             (tr("Inspect again"), "mActionRefresh", self._inspect, tr("Measures the selected windows anew."), None),
             None,
-            (tr("Judge visible"), "mActionShowAllLayers", partial(self._judge, VISIBLE),
-             tr("The loss of detail can be seen at 2x magnification."), None),
-            (tr("Judge invisible"), "mActionHideAllLayers", partial(self._judge, INVISIBLE),
-             tr("The loss of detail can't be seen at 2x magnification."), None),
-            (tr("Judge not sure"), "mActionHelpContents", partial(self._judge, UNSURE),
-             tr("You can't tell. The window counts as not judged in all results."), None),
-            (tr("Take judgement back"), "mActionUndo", partial(self._judge, ""),
-             tr("Marks the selected windows as not judged."), None),
-            None,
             (tr("Copy rows"), "mActionEditCopy", self.copy,
              tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),
-            (tr("Save as CSV ..."), "mActionFileSaveAs", self._ask_for_csv,
-             tr("All windows that are shown, with all of their numbers."), None),
             None,
             (tr("Remove"), "mActionDeleteSelected", self._remove,
              tr("Removes the selected windows; undo brings them back."), Qt.Key.Key_Delete),
@@ -351,7 +280,6 @@ class WindowsPanel(QWidget):
         line = QHBoxLayout()
         line.addWidget(self._search, 1)
         line.addWidget(self._verdicts)
-        line.addWidget(self._orders)
         line.addWidget(self._count)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -367,28 +295,3 @@ def copied_rows(columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) ->
     """Rows as they are read in the table, tab separated, headings first."""
     lines = [[column.title() for column in columns], *([column.text(row) for column in columns] for row in rows)]
     return "\n".join("\t".join(cell_text(" ".join(cell.split())) for cell in line) for line in lines)
-
-
-def write_csv(path: Path, columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) -> None:
-    """All digits of the numbers, as the operator's spreadsheet reads them; fields for headings.
-
-    Where the decimal point is a comma, columns are separated by semicolons. Raises OSError.
-    """
-    comma = QLocale().decimalPoint() == ","
-    encoding = "utf-8-sig"  # by its mark a spreadsheet knows it
-    with replacing(path) as unfinished, unfinished.open("w", encoding=encoding, newline="") as file:
-        writer = csv.writer(file, delimiter=";" if comma else ",")
-        writer.writerow(column.field for column in columns)
-        for row in rows:
-            writer.writerow(_cell(column, row, comma) for column in columns)
-
-
-def _cell(column: TableColumn, row: WindowRecord, comma: bool) -> str:
-    value = getattr(row, column.field, None)
-    if value is None or isinstance(value, (tuple, str)):
-        value = column.key(row) if not isinstance(value, str) else value
-        if not isinstance(value, (int, float, str)):
-            return ""
-    if isinstance(value, str):
-        return cell_text(value)
-    return str(value).replace(".", ",") if comma and isinstance(value, float) else str(value)

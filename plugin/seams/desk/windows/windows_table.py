@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from qgis.PyQt.QtCore import QEvent, QItemSelection, QModelIndex, QPoint, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPaintEvent, QPalette, QResizeEvent
@@ -10,16 +9,7 @@ from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QTableVie
 
 from ....toolkit.desk.theme import ReadableItems, readable_palette
 from ....toolkit.painting import painting
-from .column_room import (
-    ColumnChoice,
-    ColumnChoosing,
-    ColumnMeter,
-    choose_columns,
-    columns_menu,
-    load_choice,
-    save_choice,
-    shared_room,
-)
+from .column_room import ColumnMeter, columns_menu, fitted_columns, load_choice, save_choice
 from .window_columns import TableColumn
 from .windows_model import WindowsModel
 
@@ -33,8 +23,7 @@ class WindowsTable(QTableView):
 
     def __init__(self, windows: WindowsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.hint = ""
-        """What is said in the middle of an empty table."""
+        self.hint = ""  # what is said in the middle of an empty table
         self._windows = windows
         self._fitted: tuple[object, ...] = ()  # the words that columns have room for
         self._choice = load_choice()
@@ -60,13 +49,10 @@ class WindowsTable(QTableView):
         header.setTextElideMode(Qt.TextElideMode.ElideRight)
         header.setMinimumSectionSize(1)
         header.sortIndicatorChanged.connect(self.fit)  # the arrow needs room in its column
-        header.setSectionsMovable(True)
-        header.sectionMoved.connect(self._keep_order)
         header.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         header.customContextMenuRequested.connect(self._show_columns_menu)
         windows.modelReset.connect(self.show_sorting)
-        windows.rowsInserted.connect(self._fit_words)
-        self._put_in_order()
+        windows.layoutChanged.connect(self._fit_words)
         self.fit()
 
     def selected_rows(self) -> list[int]:
@@ -96,9 +82,8 @@ class WindowsTable(QTableView):
 
     def visible_columns(self) -> list[TableColumn]:
         """Those that are seen, from left to right."""
-        header, columns = self.horizontalHeader(), self._windows.columns
-        sections = (header.logicalIndex(place) for place in range(header.count()))
-        return [columns[section] for section in sections if not self.isColumnHidden(section)]
+        columns = enumerate(self._windows.columns)
+        return [column for section, column in columns if not self.isColumnHidden(section)]
 
     def set_fewest_rows(self, rows: int) -> None:
         """Show at least so many; 0: as few as there is room for."""
@@ -122,15 +107,11 @@ class WindowsTable(QTableView):
         room, columns, wanted = self.viewport().width(), self._windows.columns, self._chosen()
         meter = ColumnMeter(self, self._windows)
         if wanted is not None:
-            hidden = {section for section, column in enumerate(columns) if column.field not in wanted}
-            chosen = ColumnChoosing(hidden, False, meter.widths(columns, short=False))
-            sizes = {section: one for section, one in enumerate(chosen.widths) if section not in hidden}
+            sizes = {place: meter.width(one) for place, one in enumerate(columns) if one.field in wanted}
         else:
-            chosen = choose_columns(columns, meter, room)
-            sizes = shared_room(columns, chosen, room)
-        self._windows.set_short_titles(chosen.short)
+            sizes = fitted_columns(columns, meter, room)
         for section in range(len(columns)):
-            self.setColumnHidden(section, section in chosen.hidden)
+            self.setColumnHidden(section, section not in sizes)
         for section, size in sizes.items():
             self.setColumnWidth(section, size)
 
@@ -185,13 +166,11 @@ class WindowsTable(QTableView):
                 painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
 
     def show_sorting(self) -> None:
-        """The arrow may stand on another column, or on none, after the order or the columns changed."""
-        header, column = self.horizontalHeader(), self._windows.sorted_by
+        """The arrow may stand on another column after the columns changed."""
+        header = self.horizontalHeader()
         blocked = header.blockSignals(True)
-        section = -1 if column is None else self._windows.columns.index(column)
-        header.setSortIndicator(section, self._windows.sort_order)
+        header.setSortIndicator(self._windows.columns.index(self._windows.sorted_by), self._windows.sort_order)
         header.blockSignals(blocked)
-        self._put_in_order()
         self.fit()
 
     # Columns that the operator chose
@@ -200,31 +179,12 @@ class WindowsTable(QTableView):
         """The fields of the columns to be seen; None where they are those there is room for."""
         if self._blind is not None:
             return self._blind
-        known = {column.field for column in self._windows.columns}.intersection(self._choice.shown)
+        known = {column.field for column in self._windows.columns}.intersection(self._choice)
         return frozenset(known) or None
 
-    def _put_in_order(self) -> None:
-        """Move the columns to where the operator had them; unknown ones stay where they come."""
-        header, columns = self.horizontalHeader(), self._windows.columns
-        places = {field: place for place, field in enumerate(self._choice.order)}
-        known = iter(sorted((one for one in columns if one.field in places), key=lambda one: places[one.field]))
-        wanted = [next(known) if one.field in places else one for one in columns]
-        blocked = header.blockSignals(True)
-        for place, column in enumerate(wanted):
-            header.moveSection(header.visualIndex(columns.index(column)), place)
-        header.blockSignals(blocked)
-
-    def _keep_order(self, *_: int) -> None:
-        header, columns = self.horizontalHeader(), self._windows.columns
-        order = tuple(columns[header.logicalIndex(place)].field for place in range(header.count()))
-        self._choice = replace(self._choice, order=order)
-        save_choice(self._choice)
-        self.fit()
-
-    def _take_choice(self, choice: ColumnChoice) -> None:
-        self._choice = choice
-        save_choice(choice)
-        self._put_in_order()
+    def _choose(self, fields: tuple[str, ...]) -> None:
+        self._choice = fields
+        save_choice(fields)
         self.fit()
 
     def _show_columns_menu(self, place: QPoint) -> None:
@@ -234,10 +194,7 @@ class WindowsTable(QTableView):
     def columns_menu(self) -> QMenu:
         """Which columns are seen."""
         visible = [column.field for column in self.visible_columns()]
-        menu = columns_menu(
-            self._windows.columns, visible, lambda fields: self._take_choice(replace(self._choice, shown=fields)),
-            lambda: self._take_choice(ColumnChoice()), self,
-        )
+        menu = columns_menu(self._windows.columns, visible, self._choose, self)
         menu.aboutToHide.connect(menu.deleteLater)
         return menu
 

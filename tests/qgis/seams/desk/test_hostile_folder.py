@@ -44,9 +44,9 @@ def test_links_by_the_names_of_our_own_files_are_not_followed(qgis_app: object, 
 @pytest.mark.skipif(os.name == "nt", reason="links of POSIX")
 def test_a_scan_takes_no_names_that_are_taken(tmp_path: Path) -> None:
     """Nobody is asked where a scan of the desk goes, so that nobody has to lose a file by it."""
-    files = ScanFiles(tmp_path / "a_loss.tif", tmp_path / "a_scan.gpkg", tmp_path / "a_loss_so_far.tif")
+    files = ScanFiles(tmp_path / "a_loss.tif", tmp_path / "a_scan.gpkg")
     assert _is_ours(files)
-    for name in (files.picture, files.layers, files.so_far):
+    for name in (files.picture, files.layers):
         name.symlink_to(tmp_path / "outside")
         assert not _is_ours(files)
         name.unlink()

@@ -1,18 +1,15 @@
-"""Scan in the desk: the picture grows on the map, the results come in a group, stopping and going on lose nothing."""
+"""Scan in the desk: the results come in a group, stopping and going on lose nothing."""
 from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
 import pytest
-from osgeo import gdal
 from qgis.core import QgsApplication, QgsProject
-from seam_inspector.plugin.seams.desk import mosaic_scans
 from seam_inspector.plugin.seams.desk.mosaic_scans import scan_sentence
 from seam_inspector.plugin.seams.jobs import ScanDone, ScanFiles, time_left
 
-from tests.qgis.seams.desk.scan_scene import SEAM_ROW, ScanDesk, ScanScene, make_scan_scene
+from tests.qgis.seams.desk.scan_scene import ScanDesk, ScanScene, make_scan_scene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
 
 FOUND = ["Worst places", "Seams", "Source cells", "Picture of losses"]
@@ -32,12 +29,6 @@ def desk(scan_scene: ScanScene, project: QgsProject, tmp_path: Path) -> Iterator
     project.clear()
 
 
-def kept(path: Path) -> np.ndarray:
-    """The first band of a picture."""
-    dataset = gdal.Open(str(path))
-    return np.asarray(dataset.GetRasterBand(1).ReadAsArray())
-
-
 def names(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir() if path.suffix != ".xml")  # QGIS's own
 
@@ -48,8 +39,7 @@ def test_what_a_scan_found_lies_in_a_group_on_top(desk: ScanDesk) -> None:
     assert desk.titles()[:4] == FOUND
     (group,) = [node for node in desk.project.layerTreeRoot().children() if node.name() == "Scan of ortho"]
     assert [node.name() for node in group.children()] == FOUND
-    assert names(desk.folder) == ["ortho_loss.tif", "ortho_scan.gpkg"]  # no journal, no picture so far
-    assert not list(desk.folder.glob("*so_far*"))
+    assert names(desk.folder) == ["ortho_loss.tif", "ortho_scan.gpkg"]  # no journal
     seams, cells = (desk.project.mapLayersByName(name)[0] for name in ("Seams", "Source cells"))
     assert sum(row["length"] for row in seams.getFeatures()) == pytest.approx(done.seam_metres)
     assert {row["verdict"] for row in seams.getFeatures()} <= {"significant", "reduced"}
@@ -61,54 +51,19 @@ def test_what_a_scan_found_lies_in_a_group_on_top(desk: ScanDesk) -> None:
     assert desk.messages == []
 
 
-def test_the_picture_arrives_block_by_block(desk: ScanDesk, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its first block is on the map while the second is still to be measured."""
-    desk.use("north", "south")
-    shares, pictures = [], []
-
-    def look() -> None:
-        news = desk.scans.news
-        if news is None:
-            return
-        shares.append(news.share)
-        if desk.project.mapLayersByName("Picture of losses, so far") and not pictures:
-            pictures.append(kept(desk.folder / "ortho_loss_so_far.tif"))
-
-    desk.scans.changed.connect(look)
-    desk.scan()
-    assert shares == sorted(shares)
-    rows = SEAM_ROW // 32
-    assert pictures
-    assert (pictures[0][rows - 1 : rows + 1, :64] < 0.9).mean() > 0.4
-    assert not desk.project.mapLayersByName("Picture of losses, so far")
-
-
-def test_the_picture_so_far_says_what_the_final_one_does(desk: ScanDesk, monkeypatch: pytest.MonkeyPatch) -> None:
-    desk.use("north", "south")
-    monkeypatch.setattr(mosaic_scans.ScanGroup, "finish", lambda _group, done: desk.found.append(done))
-    desk.scan()
-    so_far, final = kept(desk.folder / "ortho_loss_so_far.tif"), kept(desk.folder / "ortho_loss.tif")
-    assert so_far.shape == final.shape
-    both = (so_far >= 0) & (final >= 0)
-    assert both.sum() > 0.9 * (final >= 0).sum()
-    assert np.abs(so_far[both] - final[both]).mean() < 0.02
-
-
 def test_stopping_keeps_what_is_done_and_starting_goes_on(desk: ScanDesk) -> None:
     desk.use("north", "south")
     desk.scans.start()
-    wait_until(lambda: desk.scans.news is not None and desk.scans.news.has_picture, "for the first block")
+    wait_until(lambda: desk.scans.news is not None and desk.scans.news.share > 0, "for the first block")
     desk.scans.stop()
     wait_until(lambda: not desk.scans.is_busy, "for the end")
     settle(0.1)
-    assert names(desk.folder) == ["ortho_loss.tif.scan", "ortho_loss_so_far.tif"]
-    assert desk.titles()[0] == "Picture of losses, so far"
+    assert names(desk.folder) == ["ortho_loss.tif.scan"]
     assert desk.messages == ["The scan was stopped; started again with the same output it goes on from here."]
     desk.messages.clear()
     desk.scan()
     assert "goes on" in desk.messages[0]
     assert desk.titles()[:4] == FOUND
-    assert "Picture of losses, so far" not in desk.titles()
     assert names(desk.folder) == ["ortho_loss.tif", "ortho_scan.gpkg"]
 
 
@@ -168,7 +123,7 @@ def test_closing_the_project_stops_the_scan(desk: ScanDesk) -> None:
 def test_closing_the_desk_leaves_no_task_and_no_layer_of_its_own(desk: ScanDesk) -> None:
     desk.use("north", "south")
     desk.scans.start()
-    wait_until(lambda: desk.scans.news is not None and desk.scans.news.has_picture, "for the first block")
+    wait_until(lambda: desk.scans.news is not None and desk.scans.news.share > 0, "for the first block")
     desk.close()
     desk.close()
     wait_for_tasks()
@@ -207,7 +162,7 @@ def test_the_time_left_is_told_no_more_precisely_than_it_is_known(seconds: float
 
 
 def test_what_a_scan_found_is_told_shortly() -> None:
-    files = ScanFiles(Path("a"), Path("b"), Path("c"))
+    files = ScanFiles(Path("a"), Path("b"))
     assert scan_sentence(ScanDone(files, 0.0, 0.0, None, 0)) == "Scanned: no seam was found."
     assert scan_sentence(ScanDone(files, 265.4, 12.0, 0.469, 9)) == "Significant loss on 12 of 265 m of seams."
     assert scan_sentence(ScanDone(files, 265.4, 0.0, 0.974, 9)) == "No significant loss on 265 m of seams."

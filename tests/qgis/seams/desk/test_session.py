@@ -6,7 +6,7 @@ from qgis.core import NULL, QgsApplication, QgsVectorLayer, QgsVectorLayerUtils
 from qgis.PyQt.QtCore import QEventLoop
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.statistics import OPERATORS, Operator
-from seam_inspector.plugin.seams.desk.charts.curves_panel import selected_windows
+from seam_inspector.plugin.seams.desk.charts.curves_panel import shown_window
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
 
@@ -303,7 +303,7 @@ def test_only_windows_that_were_asked_for_are_being_measured(desk: Desk) -> None
     for fid in (1, 2):
         desk.session.select([fid])
         settle(0.01)  # fields were added, and windows are told before what is selected of them
-        said[fid] = (selected_windows(desk.session)[1], bar.sentence())
+        said[fid] = (shown_window(desk.session)[1], bar.sentence())
     assert said == {1: ("Measuring ...", "Measuring ..."), 2: ("Not inspected yet", "Not inspected yet.")}
     desk.session.select([1])
     desk.wait()

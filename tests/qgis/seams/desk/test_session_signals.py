@@ -194,7 +194,7 @@ SIGNALS: dict[type, tuple[str, ...]] = {
     WindowResults: ("arrived", "curvesArrived", "failed", "progressChanged"),
     NewWindows: ("layerMade", "drawn", "scanned", "told"),
     BlockCache: ("opened",),
-    InputsWatch: ("layersChanged", "indexEdited", "seamlinesEdited"),
+    InputsWatch: ("layersChanged", "seamlinesEdited"),
     BackgroundTasks: ("progressChanged", "failed", "ended"),
 }  # fmt: skip
 

@@ -1,15 +1,12 @@
 """The table of windows and the judge bar, on a session without layers."""
 from __future__ import annotations
 
-import csv
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
-from qgis.core import QgsProject, QgsVectorLayer
-from qgis.PyQt.QtCore import QLocale, QPoint, Qt
+from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QStyleOptionViewItem
+from qgis.PyQt.QtWidgets import QApplication, QStyleOptionViewItem
 from seam_inspector.plugin.seams.desk.windows.window_columns import WINDOW_ID
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
@@ -187,6 +184,13 @@ def test_a_loss_is_never_cut(panel: WindowsPanel, session: WindowsSession) -> No
         assert panel.table.horizontalScrollBar().maximum() == 0
 
 
+def test_the_first_click_on_the_loss_shows_the_worst_first(panel: WindowsPanel) -> None:
+    header = panel.table.horizontalHeader()
+    place = QPoint(header.sectionViewportPosition(LOSS) + header.sectionSize(LOSS) // 2, header.height() // 2)
+    QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert panel.ordered_fids() == [2, 1, 10, 3, 4, 12]
+
+
 def test_as_many_ratios_as_levels(panel: WindowsPanel, session: WindowsSession) -> None:
     panel.table.sortByColumn(RATIO_3, ASCENDING)
     session.put([replace(row, ratios=row.ratios[:2]) for row in ROWS])
@@ -258,9 +262,6 @@ def test_a_changed_value_resets_nothing(panel: WindowsPanel, session: WindowsSes
     assert (heard, changed) == ([], [(1, 1)])
     session.put(session.rows)
     assert (heard, changed) == ([], [(1, 1)])
-    session.put([row for row in session.rows if row.fid not in (3, 4)])
-    session.put([*session.rows, window(20)])
-    assert heard == ["rowsRemoved", "rowsInserted"]
 
 
 def test_changes_at_once_end_in_the_session_s_windows(panel: WindowsPanel, session: WindowsSession) -> None:
@@ -385,14 +386,11 @@ def test_context_menu(panel: WindowsPanel, session: WindowsSession) -> None:
     session.calls.clear()
     zoomed: list[int] = []
     panel.zoomRequested.connect(zoomed.append)
-    judged: list[str] = []
-    panel.judged.connect(judged.append)
     for action in panel._menu.actions():
-        if not action.isSeparator() and action.text() != "Save as CSV ...":
+        if not action.isSeparator():
             assert action.toolTip()
             action.trigger()
     assert zoomed == [1]
-    assert judged == ["visible", "invisible", "unsure", ""]
     assert session.calls == [("inspect", [1, 12]), ("remove", [1, 12])]
 
 
@@ -403,11 +401,9 @@ def test_context_menu(panel: WindowsPanel, session: WindowsSession) -> None:
     ("text", "fids"),
     [
         ("kept < 0.7", [2]), ("visibility > 1", [2]), ("kept<0.95 and cause = 'feathering'", [2]), ("kept_1 > 1", [10]),
-        ("ratio_2 >= 0.7", [1, 10, 12]), ("observer = visible", [2]), ("verdict = 'significant' or id = 1", [1, 2, 12]),
-        ("Sources > 2", [1, 10]), ("cause is null", [1, 3, 4, 12]), ("observer <> invisible", [2]),
-        ("reason like '%west%'", [4]), ("ratio / composite_ratio < 0.7", [2]),
-        ("ratio 1 < 0.5", [2, 12]), ('"ratio 1" < 0.5', [2, 12]), ("src. > 2", [1, 10]), ("src > 2", [1, 10]),
-        ("Kept from > 0.8 and sources = 3", [1]), ("reason = 'ratio 1'", []), ("100 * kept < 70", [2]),
+        ("ratio_2 >= 0.7", [1, 10, 12]), ("verdict = 'significant' or id = 1", [1, 2, 12]),
+        ("Sources > 2", [1, 10]), ("cause is null", [1, 3, 4, 12]), ("observer <> 'invisible'", [2]),
+        ("reason like '%west%'", [4]), ("ratio / composite_ratio < 0.7", [2]), ("100 * kept < 70", [2]),
         ("round(kept, 1) > 0.95", [10]),
     ],
 )
@@ -419,9 +415,8 @@ def test_filter_by_an_expression(panel: WindowsPanel, text: str, fids: list[int]
 @pytest.mark.parametrize(
     ("text", "said"),
     [("kept <", "not understood"), ("sharp < 0.7", "'sharp'"), ("kept < )", "not under"), ("abs(1, 2) > 1", "under"),
-     ("kept < 0,7", "Write decimals in the filter with a point"), ("$area > 10", "can't use geometry"),
-     ("geom_to_wkt($geometry) <> ''", "can't use geometry"), ("kept < 55", "kept is a share: write 0.55 for 55 %."),
-     ("not (70.5 <= kept from) or id = 1", "write 0.705 for 70.5 %"), ("sharpness > 90", "sharpness is a share")],
+     ("kept < 0,7", "not understood"), ("$area > 10", "can't use geometry"),
+     ("geom_to_wkt($geometry) <> ''", "can't use geometry"), ("cause = feathering", "'feathering'")],
 )
 def test_a_wrong_expression_gets_a_sentence_and_leaves_no_window_out(
     panel: WindowsPanel, text: str, said: str
@@ -460,7 +455,7 @@ def choose_column(panel: WindowsPanel, title: str) -> None:
     next(action for action in menu.actions() if action.text() == title).trigger()
 
 
-def test_columns_are_chosen_moved_and_kept(
+def test_columns_are_chosen_and_kept(
     panel: WindowsPanel, session: WindowsSession, show: Show, own_settings: None
 ) -> None:
     before = titles(panel)
@@ -468,14 +463,12 @@ def test_columns_are_chosen_moved_and_kept(
     choose_column(panel, "visibility")
     choose_column(panel, "verdict")
     assert titles(panel) == [*(title for title in before if title != "verdict"), "band width", "visibility"]
-    header = panel.table.horizontalHeader()
-    header.moveSection(header.visualIndex(LOSS), 0)
     other = WindowsPanel(session)
     show(other)
     assert titles(other) == titles(panel)
-    assert titles(other)[0] == "loss"
     choose_column(other, "As there is room")
     other.resize(panel.size())
+    QTest.qWait(1)
     assert titles(other) == before
 
 
@@ -519,37 +512,3 @@ def test_selected_rows_are_copied_with_their_headings(panel: WindowsPanel) -> No
     lines = [line.split("\t") for line in QApplication.clipboard().text().split("\n")]
     assert lines[0] == titles(panel)
     assert [line[:3] for line in lines[1:]] == [["2", "significant", "44 m²"], ["4", "not comparable", ""]]
-
-
-@pytest.mark.parametrize(("language", "separator", "number"), [("en", ",", "0.381234"), ("pl", ";", "0,381234")])
-def test_a_csv_file_as_the_operators_spreadsheet_reads_it(
-    panel: WindowsPanel, tmp_path: Path, language: str, separator: str, number: str
-) -> None:
-    before = QLocale()
-    QLocale.setDefault(QLocale(language))
-    try:
-        filter_to(panel, choice="significant")
-        panel.save_csv(tmp_path / "windows.csv")
-    finally:
-        QLocale.setDefault(before)
-    with open(tmp_path / "windows.csv", encoding="utf-8-sig", newline="") as file:
-        rows = list(csv.DictReader(file, delimiter=separator))
-    assert [row["window_id"] for row in rows] == ["2", "12"]
-    assert rows[0]["verdict"] == "significant"
-    assert rows[0]["ratio_1"] == number
-    assert rows[0]["observer"] == "visible"
-    assert rows[1]["loss"] == ""
-
-
-def test_no_layer_of_the_project_is_written_over(
-    panel: WindowsPanel, project: QgsProject, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    said: list[str] = []
-    panel.told.connect(lambda text, _level: said.append(text))
-    path = tmp_path / "points.csv"
-    path.write_text("x\n1\n")
-    project.addMapLayer(QgsVectorLayer(f"file://{path}?type=csv", "points", "delimitedtext"))
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
-    panel._ask_for_csv()
-    assert "which belongs to an input; choose another file" in said[0]
-    assert path.read_text() == "x\n1\n"

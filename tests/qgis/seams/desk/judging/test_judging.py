@@ -1,4 +1,4 @@
-"""Judging: what a verdict writes and where it leads, orders, what the project keeps, two operators."""
+"""Judging: what a verdict writes and where it leads, what the project keeps, two operators."""
 from __future__ import annotations
 
 from dataclasses import replace
@@ -8,7 +8,6 @@ from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging, JudgingSettings, load_judging, save_judging
-from seam_inspector.plugin.seams.desk.windows.filter_boxes import ORDERS, order_named
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.judging.conftest import Asked
@@ -76,10 +75,7 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     assert session.selected() == []
     assert not judging.judge("unsure")
     assert [row.observer for row in session.rows] == ["invisible", "invisible", "visible", "invisible", "invisible"]
-    assert bar.sentence() == (
-        "All windows are judged: 1 visible, 4 invisible, 0 not sure. The tool agrees on 4 of 5. Called significant and "
-        "not seen: 0; seen and not called so: 1."
-    )
+    assert bar.sentence() == "All windows are judged: 1 visible, 4 invisible, 0 not sure."
     judging.take_back()
     assert session.selected() == [3]
 
@@ -136,7 +132,7 @@ def test_judging_starts_with_the_first_of_the_order_where_no_window_is_selected(
 ) -> None:
     """And not with the one that was looked at last."""
     session.put([replace(row, loss=float(row.window_id)) for row in five()])
-    panel.show_order(order_named("worst"))
+    panel.table.sortByColumn(VERDICT + 1, Qt.SortOrder.DescendingOrder)  # by the loss
     assert panel.ordered_fids() == [5, 4, 3, 2, 1]
     session.select([2])
     judging.follow()
@@ -203,7 +199,7 @@ def test_many_at_once_only_when_the_operator_says_so(judging: Judging, session: 
     assert not {"judge", "note"}.intersection(call[0] for call in session.calls)
 
 
-# Orders
+# Disagreements
 
 
 def placed(fid: int, seam: int, station: float, kept: float, observer: str = "", observer_2: str = "") -> object:
@@ -216,59 +212,6 @@ PLACED = [
     placed(1, 2, 5.0, 0.9, "visible", "visible"), placed(2, 1, 30.0, 0.4, "visible", "invisible"),
     placed(3, 2, 1.0, 0.6, "invisible", "unsure"), placed(4, 1, 4.0, 0.3, "invisible"),
 ]  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    ("name", "fids"),
-    [("seam", [4, 2, 3, 1]), ("worst", [4, 2, 3, 1]), ("tool", [4, 2, 1, 3]), ("operators", [2, 3, 1, 4])],
-)
-def test_orders(panel: WindowsPanel, session: WindowsSession, name: str, fids: list[int]) -> None:
-    """Windows that do not disagree come after those that do, by their number."""
-    session.put(PLACED)  # type: ignore[arg-type]
-    panel.show_order(order_named(name))
-    assert panel.ordered_fids() == fids
-    session.change(1, kept=(0.1,), loss=90.0, seam_id=None)
-    expected = {"seam": [4, 2, 3, 1], "worst": [1, 4, 2, 3], "tool": [4, 2, 1, 3], "operators": [2, 3, 1, 4]}
-    assert panel.ordered_fids() == expected[name]
-
-
-def test_the_worst_are_those_that_lost_most(panel: WindowsPanel, session: WindowsSession) -> None:
-    """Whatever it was taken by: of a window that is blurred more is gone than of a strip; then by the verdict."""
-    blurred = replace(window(4, "reduced", (0.3, 1, 1), kept=(1.37,)), sharpness=0.31, loss=900.0)
-    strip = window(3, "significant", (0.9, 1, 1), kept=(0.55,))
-    by_ratio, other = window(2, "significant", (0.2, 1, 1)), window(1, "reduced", (0.9, 1, 1))
-    session.put([window(7), window(8, "not_comparable"), other, by_ratio, strip, blurred])
-    panel.show_order(order_named("worst"))
-    assert panel.ordered_fids() == [4, 3, 2, 1, 8, 7]
-
-
-def test_without_seams_along_the_seam_is_by_number(panel: WindowsPanel, session: WindowsSession) -> None:
-    session.put(five()[::-1])
-    panel.show_order(order_named("seam"))
-    assert panel.ordered_fids() == [1, 2, 3, 4, 5]
-
-
-def test_the_worst_are_judged_first(judging: Judging, panel: WindowsPanel, session: WindowsSession) -> None:
-    session.put(five())
-    judging.change(order="worst")
-    panel.show_order(judging.order)
-    judging.go_on()
-    seen = []
-    for _ in range(5):
-        seen += session.selected()
-        judging.judge("visible")
-    assert seen == [4, 2, 5, 3, 1]
-
-
-def test_a_click_on_a_heading_is_an_order_of_its_own(panel: WindowsPanel, session: WindowsSession) -> None:
-    chosen: list[str] = []
-    panel.orderChosen.connect(chosen.append)
-    panel.show_order(order_named("worst"))
-    header = panel.table.horizontalHeader()
-    header.sectionClicked.emit(VERDICT)
-    panel.table.sortByColumn(VERDICT, Qt.SortOrder.AscendingOrder)
-    assert chosen == ["table"]
-    assert panel.ordered_fids()[:2] == [2, 12]
 
 
 @pytest.mark.parametrize(
@@ -298,10 +241,14 @@ def test_the_second_operators_verdicts_stand_beside_the_first_s(judging: Judging
 
 # Blind
 
+OWN = frozenset(("window_id", "observer", "confidence", "remark"))
+
 
 def test_blind_hides_all_columns_that_tell(panel: WindowsPanel, session: WindowsSession) -> None:
     session.change(2, observer_2="visible", confidence=60)
-    panel.set_blind(frozenset(("window_id", "observer", "confidence", "remark")))
+    panel.table.sortByColumn(VERDICT, Qt.SortOrder.DescendingOrder)
+    panel.set_blind(OWN)
+    assert panel.ordered_fids() == [1, 2, 3, 4, 10, 12]  # nor does their order tell
     assert [column.title() for column in panel.table.visible_columns()] == ["id", "observer", "sure"]
     index = panel.table.model().index(1, 0)
     assert index.data(Qt.ItemDataRole.ToolTipRole) is None
@@ -310,15 +257,11 @@ def test_blind_hides_all_columns_that_tell(panel: WindowsPanel, session: Windows
     assert "verdict" in [column.title() for column in panel.table.visible_columns()]
 
 
-OWN = frozenset(("window_id", "observer", "confidence", "remark"))
-
-
 @pytest.mark.parametrize(
     ("text", "choice", "fids"),
     [
-        ("verdict = significant", "all", [2, 12]), ("kept < 0.95", "all", [1, 2]), ("significant", "all", [2, 12]),
-        ("kept from < 0.9", "all", [1, 2]),
-        ("observer_2 = visible", "all", [1]), ("west_12", "all", [4]), ("", "significant", [2, 12]),
+        ("verdict = 'significant'", "all", [2, 12]), ("kept < 0.95", "all", [1, 2]), ("significant", "all", [2, 12]),
+        ("observer_2 = 'visible'", "all", [1]), ("west_12", "all", [4]), ("", "significant", [2, 12]),
         ("", "operators differ", []),
     ],
 )
@@ -344,7 +287,7 @@ def test_a_filter_by_what_is_hidden_is_lifted_while_blind(
 @pytest.mark.parametrize(
     ("text", "fids"),
     [
-        ("2", [2]), ("visible", [2]), ("observer = visible", [2]), ("id > 3", [4, 10, 12]), ("sure > 50", [2]),
+        ("2", [2]), ("visible", [2]), ("observer = 'visible'", [2]), ("id > 3", [4, 10, 12]), ("sure > 50", [2]),
         ("attribute('verdict') = 'significant'", []),
     ],
 )
@@ -364,21 +307,13 @@ def test_while_blind_the_second_operator_filters_by_his_own_words(
     assert filter_to(panel, "visible") == [1]
 
 
-def test_no_order_tells_while_blind(judging: Judging) -> None:
-    for order in ORDERS:
-        judging.change(order=order.name, is_blind=True)
-        assert not judging.order.tells_verdict
-        judging.change(is_blind=False)
-        assert judging.order == order
-
-
 # The project
 
 
 def test_the_project_keeps_how_windows_are_judged_and_where_one_was(
     judging: Judging, session: WindowsSession, project: QgsProject, tmp_path: object
 ) -> None:
-    judging.change(order="worst", operator=2, search="kept < 0.7", shown="not_judged")
+    judging.change(operator=2, search="kept < 0.7", shown="not_judged")
     session.select([12])
     path = f"{tmp_path}/judged.qgs"
     assert project.write(path)
@@ -386,13 +321,13 @@ def test_the_project_keeps_how_windows_are_judged_and_where_one_was(
     project.clear()
     assert judging.settings == JudgingSettings()
     assert project.read(path)
-    assert judging.settings == JudgingSettings(2, False, "worst", "kept < 0.7", "not_judged", 12)
+    assert judging.settings == JudgingSettings(2, False, "kept < 0.7", "not_judged", 12)
     assert session.selected() == [12]
 
 
-@pytest.mark.parametrize("text", ["", "nothing", "[]", '{"operator": "two", "order": 7, "is_blind": 1}'])
+@pytest.mark.parametrize("text", ["", "nothing", "[]", '{"operator": "two", "search": 7, "is_blind": 1}'])
 def test_what_cant_be_understood_is_left_out(project: QgsProject, text: str) -> None:
     project.writeEntry("SeamInspector", "judging", text)
     assert load_judging(project) == JudgingSettings()
-    save_judging(project, JudgingSettings(order="worst"))
-    assert load_judging(project).order == "worst"
+    save_judging(project, JudgingSettings(shown="stale"))
+    assert load_judging(project).shown == "stale"

@@ -9,7 +9,7 @@ import pytest
 from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
@@ -114,7 +114,7 @@ def test_distance_and_place_are_each_others_inverse(panel: ProfilePanel) -> None
 
 def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -> None:
     told: list[object] = []
-    panel.pointed.connect(told.append)
+    panel.chart.pointed.connect(told.append)
     placed = panel.chart.painter()
     QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(12 * PIXEL)), 60))
     settle()
@@ -126,16 +126,7 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
     assert panel._status.text().startswith("Beside the seam 56 % kept (51 to 62 %)")
     panel.resize(180, 320)
     settle()
-    assert panel._status.shown_text() == "56 % kept (51 to 62 %) in 2.0 m"
-
-
-def test_the_maps_distance_is_marked(panel: ProfilePanel) -> None:
-    before = panel.chart.grab().toImage()
-    panel.mark(12 * PIXEL)
-    assert panel._status.text().startswith("0.80 to 1.60 m")
-    assert panel.chart.grab().toImage() != before
-    panel.mark(None)
-    assert panel.chart.grab().toImage() == before
+    assert panel._status.shown_text() == "56 % kept in 2.0 m"
 
 
 def test_levels_can_be_chosen(panel: ProfilePanel) -> None:
@@ -230,20 +221,3 @@ def test_its_picture_is_saved(panel: ProfilePanel, tmp_path: Path, monkeypatch: 
 def test_it_is_high_enough_on_a_small_screen(panel: ProfilePanel) -> None:
     assert panel.chart.minimumHeight() >= 150
     assert panel.focusPolicy() == Qt.FocusPolicy.NoFocus
-
-
-def test_the_title_is_whole_or_not_there(session: ProfileSession) -> None:
-    """Also where a theme pads the buttons beside it."""
-    window = QWidget()
-    panel = ProfilePanel(session, window)
-    panel.setStyleSheet("QToolButton { padding: 0 9px; }")
-    window.resize(700, 320)
-    window.show()
-    shown = set()
-    for width in range(160, 700, 27):
-        panel.resize(width, 320)
-        settle()
-        shown.add(panel._title.isVisible())
-        assert not panel._title.isVisible() or panel._title.width() >= panel._title.minimumSizeHint().width(), width
-    assert shown == {True, False}
-    window.deleteLater()
