@@ -79,7 +79,7 @@ def bytes_picture(bands: np.ndarray, in_colour: bool, valid: np.ndarray) -> np.n
 
 
 def _clips(request: WindowRequest) -> Iterator[tuple[OpenRaster, Clip]]:
-    """Those that have pixels in the window, be it a few."""
+    """Images that have pixels in the window, be it a few."""
     if request.window is None:
         return
     for ref in (request.mosaic.ref, *(source.ref for source in request.sources)):

@@ -92,7 +92,8 @@ _AHEAD = 2  # blocks under way per thread
 
 @dataclass(frozen=True)
 class ScanFiles:
-    """Where a scan leaves its results. The picture is there before the layers are, so a scan with layers is whole."""
+    """The files in which a scan leaves its results. The picture is there before the layers are, so a scan with layers
+    is whole."""
 
     picture: Path  # the picture of losses, a GeoTIFF; the journal lies beside it
     layers: Path  # a GeoPackage with the seams, the source cells and the worst windows

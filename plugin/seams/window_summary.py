@@ -227,7 +227,7 @@ def cause_numbers(found: Explanation) -> list[str]:
 
 
 def _by_ratio(row: WindowRecord, found: Explanation | None) -> str:
-    """Where the verdict was taken by whole windows."""
+    """The sentence where the verdict was taken by whole windows."""
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
     because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else cause_clause(row.cause, found)
     if ratio is None:
@@ -263,9 +263,9 @@ def _left_in_whole(row: WindowRecord) -> float:
 
 
 def _by_the_seam(row: WindowRecord, found: Explanation | None, width: str) -> list[str]:
-    """Where how much was lost and by what, and what to do about it: two lines at most, so of seam and whole window
-    only what took the more, or made the verdict, is told with its cause. What a seam did not take alone stands last,
-    away from the seam's causes."""
+    """Sentences of how much was lost and by what, and what to do about it: two lines at most, so of seam and whole
+    window only what took the more, or made the verdict, is told with its cause. What a seam did not take alone stands
+    last, away from the seam's causes."""
     if row.verdict not in LOSSES:
         return [_what_is_left(row, _done(row, found, width, along_the_seam=True))]
     is_along, whole = is_lost_along_the_seam(row), 1 - _left_in_whole(row)
@@ -344,7 +344,7 @@ def _has_no_kept(row: WindowRecord) -> bool:
 
 
 def _what_is_left(row: WindowRecord, clause: str) -> str:
-    """Where no loss is sure."""
+    """The sentence where no loss is sure."""
     if _has_no_kept(row):
         return row.reason or tr("No change from one source to another is found in the window.")
     text = tr("Along the seam as much of the finest detail is left as around it")

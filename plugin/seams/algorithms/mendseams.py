@@ -134,7 +134,7 @@ class MendSeams(SeamInspectorAlgorithm):
         }
 
     def _pieces(self, run: Run, crs: QgsCoordinateReferenceSystem, sources: list[Source]) -> list[SeamRun]:
-        """Those of a scan; with windows of one that is made now, of which only those in the windows are wanted."""
+        """Pieces of a scan; with windows of one that is made now, of which only those in the windows are wanted."""
         from ...imagery.records import GEOMETRY
         from ...toolkit import layers
         from ..measure.mending.failed_runs import FIELDS, given_pieces

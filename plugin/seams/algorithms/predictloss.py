@@ -145,7 +145,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         return ForecastSettings(*run.decomposition(), run.real(WIDTH), run.text(RAMP) or COSINE)
 
     def _seamlines(self, run: Run, crs: QgsCoordinateReferenceSystem) -> Seamlines | None:
-        """Those that are known, in the windows' reference system; None where the parameter is not given."""
+        """Seamlines that are known, in the windows' reference system; None where the parameter is not given."""
         from ...toolkit import layers
         from ..measure.judgement.feather_prediction import Seamlines
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 
 FARTHEST_PX = 400.0
-"""Where the last bin, which has no end, is drawn to."""
+"""The end that the last bin, which has none, is drawn with."""
 _LOWEST_TOP, _HIGHEST_TOP = 1.2, 2.0  # of the axis of shares, between which the values choose
 _HIGHEST_END = 1.45  # of an interval that is shown whole
 _LEAST_MIXTURE = 0.05  # of any bin: a cut mixes nothing, but for a pixel on a border that was found
@@ -48,7 +48,8 @@ class ShownProfile:
 
     @property
     def mixed(self) -> list[ProfileBin]:
-        """Where the images' mixture is drawn, from the seam outwards: beside level 1, where anything is mixed."""
+        """The part of the chart in which the images' mixture is drawn, from the seam outwards: beside level 1, where
+        anything is mixed."""
         known = [one for one in self.bins(1) if one.mixture is not None] if 1 in self.levels else []
         return known if any((one.mixture or 0) >= _LEAST_MIXTURE for one in known) else []
 
@@ -183,7 +184,7 @@ class ProfilePainter(ChartPainter):
         return ticks
 
     def _main_bins(self) -> list[ProfileBin]:
-        """Those whose interval is drawn and known."""
+        """Bins whose interval is drawn and known."""
         bins = self._shown.bins(self._shown.main_level)
         return [one for one in bins if isfinite(one.low) and isfinite(one.high)]
 

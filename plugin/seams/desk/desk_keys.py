@@ -120,7 +120,8 @@ class DeskKeys(QObject):
         return self._actions.get(name)
 
     def _place(self, focus: QWidget | None, window: QWidget | None) -> str:
-        """Where the focus is; empty where keys are somebody else's. Without one in a window of ours they are the map's.
+        """The place that has the focus; empty where keys are somebody else's. Without one in a window of ours they are
+        the map's.
         """
         if focus is None:
             return "map" if window in (self._main_window, self._desk.window()) else ""

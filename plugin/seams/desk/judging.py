@@ -186,7 +186,8 @@ class Judging(QObject):
             self._session.select([row.fid])
 
     def _save(self, *_: object) -> None:
-        """Where the operator is, with the project; alone it would be no reason to ask whether to save it."""
+        """Keep the place where the operator is, with the project; alone it would be no reason to ask whether to save
+        it."""
         row = self._selected_row()
         if row is not None:
             self._settings = replace(self._settings, window=row.window_id)
@@ -348,7 +349,8 @@ class Judging(QObject):
         return found
 
     def _after(self, row: WindowRecord) -> int | None:
-        """Where a verdict on the selected window leads; only in a review, of windows judged before, to a judged one."""
+        """The window that a verdict on the selected one leads to; only in a review, of windows judged before, to a
+        judged one."""
         found, below = self.next_to_judge(), self.neighbour(1)
         if found is not None or _kind(row, self.operator) == _LEFT:
             return found

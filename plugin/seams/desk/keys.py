@@ -9,7 +9,7 @@ from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 _SURE = {f"sure {10 * digit or 100}": (str(digit),) for digit in range(10)}
 MAP, MAP_AND_TABLE, DESK = "map", "map, table", "map, desk"
 JUDGING = "while judging: map, desk"
-"""Where the focus is for keys to work, and what is on: the words of the guide, by which ``DeskKeys`` goes."""
+"""The place of the focus for keys to work, and what is on: the words of the guide, by which ``DeskKeys`` goes."""
 
 
 class KeyLine(NamedTuple):

@@ -24,7 +24,7 @@ class Source:
     """An orthoimage that may take part, with its footprint; the file itself is opened when a window needs it."""
 
     ref: RasterRef
-    """Where it is."""
+    """Its place in files."""
     extent: Extent
     """Bounding box in the reference system of the windows, the mosaic's where there is one."""
     may_be_copy: bool = False

@@ -44,7 +44,7 @@ class WindowRecord(NumberedWindow):
     confidence_2: int | None = None
     remark_2: str = ""
     seam_id: int | None = None
-    """Which seam it was placed on."""
+    """The seam that it was placed on."""
     station: float | None = None
     """How far along that seam, m."""
     composite_ratios: tuple[float | None, ...] = ()

@@ -113,7 +113,7 @@ def _shown(request: ReportRequest) -> dict[str, object]:
 
 
 def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:
-    """Those with a significant loss, and those where the observer saw one."""
+    """Windows with a significant loss, and those where the observer saw one."""
     return [one for one in records if one.verdict == "significant" or one.observer == "visible"]
 
 

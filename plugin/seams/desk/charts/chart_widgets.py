@@ -128,7 +128,7 @@ class ProfileChart(ChartWidget):
             self.update()
 
     def show_levels(self, levels: frozenset[int]) -> None:
-        """Which levels are drawn from now on."""
+        """Draw these levels from now on."""
         self._levels = levels
         if self.shown is not None:
             self.shown = replace(self.shown, levels=levels)

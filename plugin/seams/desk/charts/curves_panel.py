@@ -217,14 +217,14 @@ def shown_window(session: Session) -> tuple[WindowCurves | None, str]:
 
 
 def _title(session: Session, result: WindowCurves) -> str:
-    """Which window is drawn."""
+    """The window that is drawn."""
     text = filled(tr("Window {number}"), number=result.window_id)
     row = session.row(session.selected()[0])
     return text + tr(", out of date: inspect it again") if row is not None and row.stale else text
 
 
 def _live_title(live: LiveWindow) -> str:
-    """Which window is drawn while it is being moved."""
+    """The window that is drawn while it is being moved."""
     template = tr("Live, {band}: {columns} x {rows} px under the mouse")
     band = band_title(next(iter(live.clips.clips[0].curves)))
     return filled(template, band=band, columns=live.window.width, rows=live.window.height)

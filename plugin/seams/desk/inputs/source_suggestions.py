@@ -1,4 +1,4 @@
-"""Which of the project's rasters are suggested as sources of the mosaic, and why the others are not."""
+"""The project's rasters that are suggested as sources of the mosaic, and why the others are not."""
 from __future__ import annotations
 
 import re
@@ -250,7 +250,7 @@ def _extent_on(layer: QgsRasterLayer, crs: QgsCoordinateReferenceSystem) -> Exte
 
 
 def _bands(layer: QgsRasterLayer) -> int:
-    """Those that hold measurements."""
+    """Rasters that hold measurements."""
     roles = band_roles(layer, _MOST_BANDS)
     if roles == [PALETTE] and layer.dataProvider().colorTable(1):
         return COLOURS

@@ -1,4 +1,4 @@
-"""Where detail was lost, on the map: the button and key that show it, its pictures, and the ground of the chart."""
+"""The detail that was lost, on the map: the button and key that show it, its pictures, and the ground of the chart."""
 from __future__ import annotations
 
 import time
@@ -152,7 +152,7 @@ class LossOverlay(QObject):
 
 
 def _picture(row: WindowRecord, result: WindowResult) -> _Picture:
-    """Where all is even, as in most windows of a sound mosaic, nothing is painted, and that costs no time."""
+    """Nothing is painted where all is even, as in most windows of a sound mosaic, and that costs no time."""
     loss = result.loss
     if loss is None:
         return _Picture(row.measured, None, None, 0)

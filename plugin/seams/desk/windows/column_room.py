@@ -1,4 +1,5 @@
-"""Which columns of the windows' table are seen: those the operator chose, or those there is room for, and how wide."""
+"""The columns of the windows' table that are seen: those the operator chose, or those there is room for, and how
+wide."""
 from __future__ import annotations
 
 import json

@@ -35,7 +35,7 @@ from .window_watch import WindowWatch
 
 _PLACING = "placing"
 DRAWN, PLACED, SCAN = "drawn", "placed", "scan"
-"""Where a window comes from: ``origin``."""
+"""The field ``origin`` of a window."""
 _SAME_PLACE = 0.5  # of the smaller of two windows: more of it was looked at than not when the other was judged
 _SAME = 0.999  # of it: coordinates are rounded where files and reference systems change
 _AT_ONCE = 50  # windows added, some 20 ms with all that follows them; then the interface has its turn
@@ -259,7 +259,7 @@ class NewWindows(QObject):
 
 
 def _in_pixels(extent: Extent, origin: Extent, pixel: float) -> tuple[int, ...]:
-    """Where a window lies from another one on the same grid, to the next pixel: files round coordinates."""
+    """Offset of a window from another one on the same grid, to the next pixel: files round coordinates."""
     return tuple(round((edge - start) / pixel) for edge, start in zip(extent, origin))
 
 

@@ -266,7 +266,7 @@ CHOSEN_COLUMNS = (_KEPT, *(_column(one) for one in _CHOSEN if one.heading and on
 
 
 def used_columns(rows: Iterable[WindowRecord]) -> frozenset[str]:
-    """Which of the judging columns hold something."""
+    """The judging columns that hold something."""
     names = [column.name for column in JUDGING_COLUMNS]
     said = set(map(attrgetter(*names), rows))
     return frozenset(name for values in said for name, value in zip(names, values) if value not in (None, ""))

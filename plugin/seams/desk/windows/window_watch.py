@@ -137,7 +137,7 @@ class WindowWatch(QObject):
         return self._rows
 
     def _read(self, layer: QgsVectorLayer) -> None:
-        """Those that changed."""
+        """Windows that changed."""
         unread, self._unread = self._unread, set()
         fresh = window_layer.read_layer(layer, unread)
         if unread is not None and self._took_in_place(unread, fresh):
@@ -190,7 +190,7 @@ class WindowWatch(QObject):
         self._mark(marks)
 
     def _mark(self, numbers: Iterable[int]) -> None:
-        """Those of them that are there."""
+        """Windows of them that are there."""
         rows = [self._rows[self._fids[number]] for number in numbers if number in self._fids]
         changed = {row.fid: marked for row in rows if (marked := self._marked(row)) is not row}
         self._rows.update(changed)

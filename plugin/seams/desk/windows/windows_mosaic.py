@@ -1,4 +1,4 @@
-"""Which mosaic the windows of a layer are of: another one would take over what was judged and measured there."""
+"""The mosaic that the windows of a layer are of: another one would take over what was judged and measured there."""
 from __future__ import annotations
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal

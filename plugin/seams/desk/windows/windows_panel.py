@@ -90,7 +90,7 @@ class WindowsPanel(QWidget):
         self._take_windows()
 
     def sort_by_number(self) -> None:
-        """As it was before the operator sorted otherwise."""
+        """The order before the operator sorted otherwise."""
         self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
 
     def set_blind(self, own: frozenset[str] | None) -> None:

@@ -81,7 +81,7 @@ class WindowsTable(QTableView):
         return rect.top() >= 0 and rect.bottom() < max(self.viewport().height(), rect.height())
 
     def visible_columns(self) -> list[TableColumn]:
-        """Those that are seen, from left to right."""
+        """Columns that are seen, from left to right."""
         columns = enumerate(self._windows.columns)
         return [column for section, column in columns if not self.isColumnHidden(section)]
 
@@ -192,7 +192,7 @@ class WindowsTable(QTableView):
             self.columns_menu().popup(self.horizontalHeader().mapToGlobal(place))
 
     def columns_menu(self) -> QMenu:
-        """Which columns are seen."""
+        """The columns that are seen."""
         visible = [column.field for column in self.visible_columns()]
         menu = columns_menu(self._windows.columns, visible, self._choose, self)
         menu.aboutToHide.connect(menu.deleteLater)

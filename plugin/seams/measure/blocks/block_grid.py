@@ -29,7 +29,7 @@ BlockKey = tuple[int, int]
 
 @dataclass(frozen=True)
 class BlockGrid:
-    """Which blocks a mosaic has."""
+    """The blocks that a mosaic has."""
 
     grid: Grid
 

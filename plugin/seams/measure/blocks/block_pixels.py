@@ -37,7 +37,7 @@ class Planes:
     mosaic_valid: np.ndarray | None
     """(rows, columns) bool; None: everywhere."""
     sources: dict[int, ComparedImage]
-    """By number, of one plane each."""
+    """Sources by number, of one plane each."""
     resampled: frozenset[int]
     """Sources that had to be warped to the mosaic's grid."""
 

@@ -35,7 +35,7 @@ from .block_pixels import MOST_HELD, BlockPixels, Planes
 PATCH_PX = 40
 """Side of a patch."""
 PATCH_START_PX = 36
-"""Where it begins in its square: its middle cell of 16 px is one of the block's."""
+"""Its first pixel in its square: its middle cell of 16 px is one of the block's."""
 
 MIN_QUARTER_FIT = 0.15  # of a quarter's: strangers reach 0.1 there by chance
 MIN_STRANGE = 0.6  # of the way from what true sources leave over to all: surely another image
@@ -158,7 +158,7 @@ class _Told:
         return textured & (strange > MIN_STRANGE), textured & alike
 
     def without(self, strangers: np.ndarray) -> _Told:
-        """Where those follow none."""
+        """Patches that follow none."""
         source = np.where(strangers, np.uint8(UNKNOWN), self.source)
         return replace(self, source=source, doubtful=self.doubtful & ~strangers, sampled=self.sampled & ~strangers)
 

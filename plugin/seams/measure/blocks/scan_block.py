@@ -46,7 +46,7 @@ class BlockRequest:
 
     mosaic: Raster
     sources: tuple[Source, ...]
-    """Those that meet the block."""
+    """Sources that meet the block."""
     key: BlockKey
     window: PixelWindow
     """Its pixels, on the mosaic's grid."""
@@ -313,7 +313,7 @@ class _Block:
         self._mixtures.append(part.beside)
 
     def leave_out(self, valid: np.ndarray | None) -> None:
-        """Where the mosaic has no pixels nothing is followed."""
+        """Nothing is followed where the mosaic has no pixels."""
         window, half = self._request.window, LABEL_PX // 2
         rows, columns = -(-(window.height - half) // LABEL_PX), -(-(window.width - half) // LABEL_PX)
         self._valid[rows:], self._valid[:, columns:] = False, False

@@ -17,7 +17,7 @@ class Agreement:
     both_visible: int
     both_invisible: int
     first_alone: int
-    """Where the first one alone saw a loss."""
+    """Windows where the first one alone saw a loss."""
     second_alone: int
     kappa: Interval | None
     """1: always agreed, 0: as often as by chance. None where one of them said one word only."""

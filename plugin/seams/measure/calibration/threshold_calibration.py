@@ -39,9 +39,9 @@ class Verdicts:
     measure: str
     """Name of the field it comes from."""
     visible: tuple[float, ...]
-    """Where a loss was seen."""
+    """Windows where a loss was seen."""
     invisible: tuple[float, ...]
-    """Where none was seen."""
+    """Windows where none was seen."""
     visible_places: tuple[int, ...] = ()
     """The neighbourhood of each visible verdict; without these every window stands for itself."""
     invisible_places: tuple[int, ...] = ()
@@ -107,7 +107,7 @@ class ThresholdCalibration:
     best: Step | None = None
     """The threshold with the largest Youden index of the smoothed verdicts; None where none is better than a guess."""
     best_range: tuple[float, float] | None = None
-    """Where the best threshold of all windows like these lies, by 95 %."""
+    """The interval of the best threshold of all windows like these, 95 %."""
     wanted: tuple[int, int] | None = None
     """How many visible and invisible verdicts would be enough; None with too few to say."""
     neighbourhoods: int | None = None

@@ -206,7 +206,7 @@ def _smoothed_shares(
 
 
 def _parabola(heights: np.ndarray) -> np.ndarray:
-    """Where rows of evenly spaced heights are largest, in steps from their start; of a plateau the middle."""
+    """Places where rows of evenly spaced heights are largest, in steps from their start; of a plateau the middle."""
     rows, last = np.arange(len(heights)), heights.shape[1] - 1
     peaks = (heights.argmax(axis=1) + last - heights[:, ::-1].argmax(axis=1)) // 2
     left, top, right = (heights[rows, np.clip(peaks + step, 0, last)] for step in (-1, 0, 1))

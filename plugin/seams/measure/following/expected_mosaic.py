@@ -96,7 +96,7 @@ class Closeness:
     sampling: Sampling = FINE
     """How closely sources are told from each other."""
     patch_px: int = 0
-    """As for ``mosaic_of``, whose ground this is compared with."""
+    """Side of patches as for ``mosaic_of``, whose ground this is compared with."""
     has_warped: bool = False
     """Whether a source was warped to the mosaic's grid, which explains it no better than another image."""
 
@@ -145,7 +145,7 @@ def expected_mosaic(
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Which plane every pixel follows, and what came over them."""
+    """The plane that every pixel follows, and what came over them."""
 
     labels: np.ndarray
     in_tone: Mapping[int, Levelled]

@@ -1,4 +1,4 @@
-"""Which source a mosaic follows, pixel by pixel, and where it mixes two of them.
+"""The source that a mosaic follows, pixel by pixel, and where it mixes two of them.
 
 The fingerprint is the fine detail: a mosaic carries the very noise of the source that its pixels were taken from, so
 the local correlation of the high-passed mosaic with that source's is near 1, whatever gain, bias or gamma was
@@ -155,8 +155,8 @@ def high_pass(band: np.ndarray) -> np.ndarray:
 
 
 def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
-    """Which source a mosaic follows; ``fine``: its fine detail (``high_pass``), then that of the sources, each (rows,
-    columns), on one grid."""
+    """The source that a mosaic follows; ``fine``: its fine detail (``high_pass``), then that of the sources, each
+    (rows, columns), on one grid."""
     mosaic, *sources = fine
     mosaic_energy = square_sums(mosaic, mosaic, CELL_PX)
     energies = [square_sums(source, source, CELL_PX) for source in sources]

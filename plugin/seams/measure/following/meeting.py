@@ -25,7 +25,7 @@ _RIDGE, _LEAST_ENERGY = 1e-3, 1e-6  # so that weights are known of what has no d
 def where_several_meet(
     labels: np.ndarray, numbers: Sequence[int], valid: Mapping[int, np.ndarray]
 ) -> np.ndarray | None:
-    """Which sources ``numbers`` may be mixed in whole squares of 8 px, (sources, rows, columns) bool; more than two
+    """Sources of ``numbers`` that may be mixed in whole squares of 8 px, (sources, rows, columns) bool; more than two
     somewhere, else None. ``valid``: pixels that a source has, of those that don't have all."""
     rows, columns = (length // SQUARE_PX for length in labels.shape)
     middles = np.s_[SQUARE_PX // 2 :: SQUARE_PX, SQUARE_PX // 2 :: SQUARE_PX]

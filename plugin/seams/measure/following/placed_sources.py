@@ -1,4 +1,4 @@
-"""Which of its sources a mosaic follows, though they may not lie where it does.
+"""The sources that a mosaic follows, though they may not lie where it does.
 
 Where the sources as they are given explain it badly, they are tried once more where the mosaic lies on them.
 """
@@ -37,7 +37,7 @@ class PlacedSources:
     images: tuple[ComparedImage, ...]
     """The sources as they are given."""
     following: FollowedSource
-    """Which plane the mosaic follows, by a first estimate."""
+    """The plane that the mosaic follows, by a first estimate."""
     planes: tuple[np.ndarray, ...]
     fine: tuple[np.ndarray, ...]
     """The fine detail of the mosaic, then of the planes."""

@@ -125,7 +125,7 @@ class _Patch:
         return _Patch(in_squares(values, side).mean(axis=(1, 3)), in_squares(valid, side).all(axis=(1, 3)))
 
     def differences(self, where: np.ndarray) -> np.ndarray:
-        """Those between neighbours that both lie in (rows, columns) bool."""
+        """Differences between neighbours that both lie in (rows, columns) bool."""
         with np.errstate(invalid="ignore", over="ignore"):  # of infinite values, which are like nothing
             across, down = np.diff(self.values, axis=1), np.diff(self.values, axis=0)
         return np.concatenate([across[where[:, 1:] & where[:, :-1]], down[where[1:] & where[:-1]]])

@@ -1,4 +1,4 @@
-"""Which rasters of a project may be sources, by their headers."""
+"""Rasters of a project that may be sources, by their headers."""
 from __future__ import annotations
 
 from collections.abc import Sequence

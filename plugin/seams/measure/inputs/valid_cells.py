@@ -1,4 +1,4 @@
-"""Where rasters have pixels, on cells of the mosaic's grid: what can take part in a window before it is read."""
+"""Cells where rasters have pixels, on cells of the mosaic's grid: what can take part in a window before it is read."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -80,7 +80,7 @@ class CellGrid:
 
 
 def valid_cells(source: OpenRaster, extent: Extent, mosaic: Raster) -> ValidCells:
-    """Where a raster, the mosaic or one with that footprint, has pixels: by nodata, alpha and masks.
+    """Cells where a raster, the mosaic or one with that footprint, has pixels: by nodata, alpha and masks.
 
     Raises RasterError when it can't be read, or does not lie on the mosaic's map.
     """

@@ -77,7 +77,7 @@ class Explanation:
     visibility: float | None = None
     """The loss beside the seam in just noticeable differences of contrast; None where no profile is."""
     loss: LossPicture | None = field(default=None, compare=False, repr=False)
-    """Where detail was lost; None where that can't be told."""
+    """Picture of where detail was lost; None where that can't be told."""
 
     @property
     def cause(self) -> Cause:

@@ -67,7 +67,7 @@ def expected_ratios(found: Sequence[Feather], levels: int) -> tuple[float | None
 
 
 def _smallest(values: Iterable[Sequence[float | None]]) -> tuple[float | None, ...]:
-    """Of several, level by level."""
+    """Mean of several, level by level."""
     return tuple(min((one for one in level if one is not None), default=None) for level in zip(*values))
 
 
@@ -165,7 +165,7 @@ class Seamlines:
         self._xmin, self._xmax, self._ymin, self._ymax = np.array(boxes, float).reshape(-1, 4).T
 
     def over(self, extent: Extent) -> tuple[bytes, ...]:
-        """Those whose bounding box meets a rectangle."""
+        """Lines whose bounding box meets a rectangle."""
         xmin, ymin, xmax, ymax = extent
         meets = (self._xmin <= xmax) & (self._xmax >= xmin) & (self._ymin <= ymax) & (self._ymax >= ymin)
         return tuple(self._geometries[number] for number in np.flatnonzero(meets))

@@ -69,7 +69,7 @@ def dress(ground: JudgedGround, source: int, bands: np.ndarray, mosaic: np.ndarr
 
 
 def _plane(ground: JudgedGround, source: int) -> int:
-    """Which of a source's planes the mosaic follows most: as it is, or moved to where it lies in the mosaic."""
+    """The one of a source's planes that the mosaic follows most: as it is, or moved to where it lies in the mosaic."""
     planes = [plane for plane, of in enumerate(ground.followed.source_of) if of == source]
     return max(planes, key=lambda plane: ground.followed.following.shares[plane])
 

@@ -1,4 +1,4 @@
-"""Which seams are cut anew: pieces of a scan, those that follow each other as one run."""
+"""Seams that are cut anew: pieces of a scan, those that follow each other as one run."""
 from __future__ import annotations
 
 import math
@@ -28,7 +28,7 @@ class SeamRun:
     """A piece of seam as a scan tells of it, or several that follow each other and are cut anew as one."""
 
     piece: SeamPiece
-    """Where it runs, and what lies beside it by the names of the orthoimages."""
+    """Its course, and what lies beside it by the names of the orthoimages."""
     kept: float | None
     """kept_1, the mean by length; None where it was not measured."""
     is_wanted: bool

@@ -82,7 +82,7 @@ class RunRequest:
     grey_factor: float
     """What its values are multiplied by to be judged."""
     sources: tuple[Source, ...]
-    """Those beside the run, the left one first, then others that are near."""
+    """Sources beside the run, the left one first, then others that are near."""
     run: SeamRun
     index: PieceIndex
     """All pieces of seam near by."""
@@ -136,7 +136,7 @@ def mend_run(request: RunRequest) -> MendedRun:
 
 
 def not_mended(request: RunRequest, notices: tuple[Message, ...]) -> MendedRun:
-    """Where something happened that nobody foresaw."""
+    """A run that stays as it was where something happened that nobody foresaw."""
     return MendedRun(request.key, notices[0], notices=notices)
 
 
@@ -380,7 +380,7 @@ def _around(points: np.ndarray, margin: float) -> PixelWindow:
 
 
 def _beside(index: PieceIndex, window: PixelWindow) -> NearestPieces:
-    """Where the middles of its cells lie beside the pieces, (rows, columns) each: near by exactly, farther off as the
+    """Places of the middles of its cells beside the pieces, (rows, columns) each: near by exactly, farther off as the
     nearest cell of those, which takes a tenth of the time."""
     columns, rows = (
         first + np.arange(CELL_PX / 2, length, CELL_PX)

@@ -89,7 +89,7 @@ class MendRequest:
         return PieceIndex([one.piece for one in self.pieces], self.mosaic.grid)
 
     def near(self, run: SeamRun, reach_px: float) -> PieceIndex:
-        """Those near a run."""
+        """Sources near a run."""
         there = around_pieces([run.piece], self.mosaic.grid, 0.0).cut_to(self.mosaic.columns, self.mosaic.rows)
         return self.index.near(there, reach_px)
 

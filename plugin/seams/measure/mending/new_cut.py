@@ -1,4 +1,4 @@
-"""Where two images are cut best: the way along which they agree, from one end of a seam that stays to the other.
+"""The best cut between two images: the way along which they agree, from one end of a seam that stays to the other.
 
 A mixture of two images p and q that are alike in tone loses |p - q|^2 / 4 of their detail (``feather_prediction``). So
 the difference of the levelled images says what a seam costs at any place: it is large at roofs, cars and trees, which

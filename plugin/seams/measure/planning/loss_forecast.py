@@ -68,7 +68,7 @@ class ForecastRequest:
 
     window_id: int
     sources: tuple[Source, ...]
-    """Those whose footprint covers the window, in the order they were named."""
+    """Sources whose footprint covers the window, in the order they were named."""
     extent: Extent | None
     """The window; None when what was drawn can't be measured."""
     wkt: str
@@ -178,7 +178,7 @@ def not_foretold(request: ForecastRequest, reason: Message | None) -> Forecast:
 
 @dataclass(frozen=True, eq=False)
 class _ForecastPlace:
-    """Where the window lies: on the pixels of one source."""
+    """The window's place: on the pixels of one source."""
 
     mosaic: Raster
     """That source, which stands in for the mosaic."""

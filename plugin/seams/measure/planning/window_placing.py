@@ -52,7 +52,7 @@ PLACED_COLUMNS: tuple[Column[PlacedWindow], ...] = (
 
 @dataclass(frozen=True)
 class Placement:
-    """Where to measure, and where not."""
+    """Places to measure, and places not to."""
 
     windows: tuple[PlacedWindow, ...]
     dropped: tuple[Message, ...]
@@ -68,7 +68,7 @@ class PlacingSettings:
     spacing_m: float = limits.STANDARD_SPACING_M
     """Metres along the seam between windows."""
     levels: int = imagery_limits.DEFAULT_LEVELS
-    """Of the decomposition, 1..8."""
+    """Levels of the decomposition, 1..8."""
 
 
 def place_windows(

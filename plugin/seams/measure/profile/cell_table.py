@@ -15,7 +15,7 @@ import numpy as np
 CELL_PX = 16
 """Side of a cell."""
 EDGES_PX = (0, 2, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256)
-"""Where the bins of distance from the seam begin; the last one has no end."""
+"""Begins of the bins of distance from the seam, px; the last one has no end."""
 FARTHEST = len(EDGES_PX) - 1
 """The last bin: no seam is near."""
 MIXED_BINS = EDGES_PX.index(128)
@@ -74,7 +74,7 @@ class Rows:
         return self.chosen(self.are_within(place))
 
     def are_within(self, place: tuple[slice, slice]) -> np.ndarray:
-        """Which rows are of some rows and columns of cells, (n,) bool."""
+        """Rows of the table that are of some rows and columns of cells, (n,) bool."""
         rows, columns = place
         inside = (self.row >= rows.start) & (self.row < rows.stop)
         return np.asarray(inside & (self.column >= columns.start) & (self.column < columns.stop))

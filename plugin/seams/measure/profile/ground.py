@@ -14,8 +14,8 @@ from .cell_table import CELL_PX, EDGES_PX, CellTable
 FAR_PX = 32
 """Ground beyond this distance is what the strip is compared with."""
 FARTHER_PX = (128, 96, 64, 48)
-"""Where there is enough of it, ground so far off: wide feathers reach beyond ``FAR_PX``. Without it a feather of 256 px
-that kept 0.87 read 0.92 and was preserved."""
+"""Distances of ground, px, the first that has enough of it: wide feathers reach beyond ``FAR_PX``. Without it a feather
+of 256 px that kept 0.87 read 0.92 and was preserved."""
 ENOUGH_FAR_CELLS = 300
 FEWEST_FAR_CELLS = 24
 REACH_ERROR = 0.8
@@ -44,7 +44,7 @@ class LevelGround:
     """How far from any seam it begins."""
 
     def is_far(self, cells: CellTable) -> np.ndarray:
-        """Which whole cells it consists of, (n,) bool."""
+        """The whole cells that it consists of, (n,) bool."""
         return _is_whole(cells) & (cells.bin >= EDGES_PX.index(self.far_px))
 
 

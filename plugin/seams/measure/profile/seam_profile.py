@@ -43,7 +43,7 @@ class ProfileBin:
     level: int
     """1 is the finest."""
     near_px: float
-    """Where it begins, pixels of the mosaic from the seam."""
+    """Its begin, pixels of the mosaic from the seam."""
     far_px: float
     """Infinite in the last bin."""
     kept: float

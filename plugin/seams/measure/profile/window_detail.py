@@ -107,7 +107,7 @@ SAMPLE_PX = 2
 """A coefficient of the finest level stands for so many pixels either way."""
 _SMOOTH_CELLS = 1.0  # standard deviation: with less, sound ground shows spots; with more, a narrow feather fades
 _SMOOTH_ROUGH_CELLS = 2.5
-"""Where the ground itself is rough, as compression leaves it."""
+"""Standard deviation where the ground itself is rough, as compression leaves it."""
 _ROUGH = 0.04  # scatter of log kept over the ground: 0.00 as cut, 0.02 with noise of 5 DN, 0.1 and more after JPEG
 _SURE = 2.5  # standard deviations of that scatter: less far below 1, a cell may have kept all
 _LEAST_EXPLAINED = 0.5  # of a cell, for it to be told

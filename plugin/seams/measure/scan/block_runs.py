@@ -177,7 +177,7 @@ def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
 
 
 def _failed(look: BlockLook, files: RecordFiles, requests: Sequence[Request], reason: Message) -> list[ScanStep]:
-    """Where who was to measure them failed in a way that nobody foresaw."""
+    """Steps of blocks of which the measuring failed in a way that nobody foresaw."""
     return [_kept(look, files, look.nothing(request, (reason.as_warning(),))) for request in requests]
 
 

@@ -147,7 +147,7 @@ class FollowedGround:
 
     @cached_property
     def hidden(self) -> list[GroundPlace]:
-        """Those of them that ground hides which no source explains."""
+        """Borders that ground hides which no source explains."""
         return self._border_places(hidden=True)
 
     @cached_property
@@ -163,8 +163,8 @@ class FollowedGround:
 
     @property
     def _around_lacking_m(self) -> float:
-        """Where it meets what follows a source: as much seam may be there. By the sides of units, whose staircases are
-        4 / pi times as long as lines of any direction (Cauchy)."""
+        """Length of its border with what follows a source: as much seam may be there. By the sides of units, whose
+        staircases are 4 / pi times as long as lines of any direction (Cauchy)."""
         lacks, followed = self._lacking, self._units >= 0
         sides = sum(
             np.count_nonzero(one[:-1] & other[1:]) for one, other in

@@ -234,7 +234,7 @@ class Gathering:
 
 
 def _more_than_outlines(request: ScanRequest, pieces: Sequence[SeamPiece]) -> Iterator[Message]:
-    """Where labels change so often that their borders can't be seams: an image has a seam around it at most."""
+    """Places where labels change so often that their borders can't be seams: an image has a seam around it at most."""
     grid = request.mosaic.grid
     shared = [shared_extent(one.extent, grid.extent) for one in request.sources]
     around = sum(2 * ((e[2] - e[0]) * grid.metres_x + (e[3] - e[1]) * grid.metres_y) for e in shared if e is not None)
@@ -260,7 +260,7 @@ NOTHING = StripProfile(None, 0.0, 0.0, 0.0)
 
 
 class _Crew:
-    """Those who measure, and the one who is told how far they are."""
+    """The executor that measures, and who is told how far it is."""
 
     def __init__(self, executor: Executor, ahead: int, goes_on: Callable[[float], bool]) -> None:
         self._executor, self._ahead, self._goes_on = executor, ahead, goes_on

@@ -68,7 +68,7 @@ class LoneTable:
 
     @classmethod
     def joined(cls, tables: Sequence[LoneTable]) -> LoneTable:
-        """Those of several windows that share no cell; at least one table, all of one mosaic."""
+        """Cells of several windows that share no cell; at least one table, all of one mosaic."""
         some = [one for one in tables if len(one)] or list(tables[:1])
         firsts = np.cumsum([0, *(len(one) for one in some[:-1])])
         cells = [one.cell + np.int32(first) for one, first in zip(some, firsts)]

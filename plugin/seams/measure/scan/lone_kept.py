@@ -29,7 +29,7 @@ SELECTION = 0.75
 """Seams are led through smooth ground. Of what the look of the ground explains of the difference between strip and
 ground, over all seams, so much again may be there that it does not see."""
 COLOURLESS = 0.17
-"""Where there is one band only, so much is added to the upper end of log kept: brightness alone can't tell meadow from
+"""What is added to the upper end of log kept where there is one band only: brightness alone can't tell meadow from
 bitumen, and seams are led along the smoother one."""
 LEAST_ERROR = 0.03
 """Least error of the logarithm of kept, however long the seam."""
@@ -125,7 +125,7 @@ class LoneSeams:
         )
 
     def _prepare(self) -> None:
-        """Which stretches take part, and what the intervals of all pieces follow from."""
+        """The stretches that take part, and what the intervals of all pieces follow from."""
         s = self._stretches
         self._usable = (s.area[0] >= _LEAST_AREA * 2 * STRIP_PX * s.length_px) & self._has_ground(self.range)
         self._selection, self._scatter = 0.0, None

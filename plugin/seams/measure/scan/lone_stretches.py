@@ -70,7 +70,7 @@ class LoneStretches:
         return cls(*(np.concatenate([getattr(one, f.name) for one in parts], axis=-1) for f in fields(cls)))
 
     def chosen(self, where: np.ndarray) -> LoneStretches:
-        """Those that a mask or an index names."""
+        """Stretches that a mask or an index names."""
         return LoneStretches(*(getattr(self, f.name)[..., where] for f in fields(self)))
 
 
@@ -162,7 +162,7 @@ def _expected(table: LoneTable) -> np.ndarray:
 
 
 def _near(places: np.ndarray, tile: int) -> np.ndarray:
-    """Which cells lie in a row (column) of tiles or beside it."""
+    """Cells that lie in a row (column) of tiles or beside it."""
     first = tile * _TILE_CELLS
     return (places >= first - _BESIDE_CELLS) & (places < first + _TILE_CELLS + _BESIDE_CELLS)
 

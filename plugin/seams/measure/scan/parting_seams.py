@@ -1,4 +1,4 @@
-"""Which of the given seams can be some: those between two orthoimages, away from the border of the mosaic's pixels."""
+"""The given seams that can be some: those between two orthoimages, away from the border of the mosaic's pixels."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping

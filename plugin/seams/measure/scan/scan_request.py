@@ -59,7 +59,7 @@ class ScanRequest:
 
     @property
     def seams(self) -> tuple[SidedSeam, ...]:
-        """Those that are given."""
+        """Seams that are given."""
         return self.given.seams if self.given else ()
 
     @cached_property

@@ -38,7 +38,7 @@ class JudgedPiece:
     """One feature of SEAMS."""
 
     piece: SeamPiece
-    """Where it runs."""
+    """Its course."""
     left: str | None
     """Name of the source on the left hand; None where nothing says."""
     right: str | None
@@ -84,11 +84,11 @@ class PieceFigures:
     piece: SeamPiece
     strip: StripProfile
     visibility: float | None = None
-    """Of its loss, JND."""
+    """Visibility of its loss, JND."""
     grain: float | None = None
     """Largest rms of its sources' finest detail, as a share of white; None where that is not known."""
     profile: str = ""
-    """As ``JudgedPiece`` has it."""
+    """State as ``JudgedPiece`` has it."""
 
 
 def judge_piece(
@@ -223,7 +223,7 @@ class ScanResult:
     pieces: tuple[JudgedPiece, ...]
     """All seams, piece by piece."""
     polygons: tuple[SourcePolygon, ...]
-    """Which source each part came from; numbers of the request's sources."""
+    """The source that each part came from; numbers of the request's sources."""
     worst: tuple[PlacedWindow, ...]
     """The least kept places, the least first."""
     stretches: tuple[JudgedPiece, ...] = ()

@@ -135,7 +135,7 @@ class ScanRun:
     """Who scans, and who is told how far it is."""
 
     executor: Executor | None = None
-    """Where blocks are measured; a thread per core where None."""
+    """The executor that measures blocks; a thread per core where None."""
     ahead: int = 0
     """Blocks that the executor should have under way; twice this machine's cores where 0."""
     progress: Callable[[float], object] = lambda share: None

@@ -1,4 +1,4 @@
-"""Which piece of a seam lies nearest to a place, for millions of places."""
+"""The piece of a seam that lies nearest to a place, for millions of places."""
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -26,7 +26,7 @@ ground where it starts along the seam and how long it is (m)."""
 
 @dataclass(frozen=True, eq=False)
 class NearestPieces:
-    """Where places lie along and beside the pieces nearest to them; all arrays of one shape."""
+    """Places along and beside the pieces nearest to them; all arrays of one shape."""
 
     number: np.ndarray
     """int: of the piece, -1 where none is in reach; the rest is then of no meaning."""
@@ -121,7 +121,7 @@ class PieceIndex:
         )
 
     def _nearest_of(self, places: np.ndarray, reach_px: float) -> tuple[np.ndarray, np.ndarray]:
-        """Which of some places that lie together have a stretch about in reach, and those stretches."""
+        """The places, of some that lie together, that have a stretch about in reach, and those stretches."""
         column, row = int(np.floor(places.real.min())), int(np.floor(places.imag.min()))
         width, height = int(np.ceil(places.real.max())) - column, int(np.ceil(places.imag.max())) - row
         stretches = self.near(PixelWindow(column, row, width, height), reach_px)._stretches
@@ -150,7 +150,7 @@ class PieceIndex:
 
 
 def _along(stretches: np.ndarray, places: complex | np.ndarray) -> np.ndarray:
-    """Where a place is beside each stretch: 0 at its start, 1 at its end, less or more beyond them."""
+    """A place along each stretch: 0 at its start, 1 at its end, less or more beyond them."""
     step = stretches["step"]
     away = (places - stretches["start"]) * step.conj()
     return np.asarray(away.real / np.maximum(abs(step) ** 2, np.finfo(float).tiny))

@@ -43,7 +43,7 @@ Attributes = Mapping[str, object]
 
 @dataclass(frozen=True)
 class SeamFields:
-    """Which fields of a layer say what lies where; empty where none does."""
+    """The fields of a layer that say what lies where; empty where none does."""
 
     source: str = ""
     """Field of a polygon: what its part of the mosaic was made from."""
@@ -65,7 +65,7 @@ class SeamFields:
 
     @property
     def naming(self) -> tuple[str, ...]:
-        """Those that name orthoimages."""
+        """Fields that name orthoimages."""
         return tuple(filter(None, (self.source, self.left, self.right)))
 
 

@@ -46,7 +46,7 @@ class SeamPiece:
     seam_id: int
     """1..n, in the order of the seams."""
     station_m: float
-    """Where it starts, metres along the seam as it was given."""
+    """Its start, metres along the seam as it was given."""
     length_m: float
     """Metres on the ground."""
     vertices: np.ndarray

@@ -73,7 +73,7 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
 
 @measuring()
 def window_lost(measured: MeasuredWindow) -> LossPicture | None:
-    """Where a window lost its sources' detail, as its explanation has it; None where that can't be told."""
+    """Picture of where a window lost its sources' detail, as its explanation has it; None where that can't be told."""
     if not measured.is_explicable:
         return None
     settings, judged = measured.request.settings, measured.judged

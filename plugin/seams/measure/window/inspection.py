@@ -41,7 +41,7 @@ class Block:
     sources: tuple[Source, ...]
     """Each once, with its footprint in the mosaic's reference system."""
     cells: tuple[Cell, ...] = ()
-    """Which source each part of the mosaic was cut from, where that is known."""
+    """The source that each part of the mosaic was cut from, where that is known."""
     paths: tuple[str, ...] = ()
     """All files that ``open_block`` was given, those left out too: no result takes their place."""
 
@@ -51,7 +51,7 @@ class Block:
         return tuple(path for ref in (self.mosaic.ref, *(one.ref for one in self.sources)) for path in ref.paths)
 
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
-        """Those whose footprint meets the window, wholly or in part."""
+        """Sources whose footprint meets the window, wholly or in part."""
         return sources_in(self.sources, self.mosaic.grid.window_extent(window))
 
     def window(

@@ -19,7 +19,7 @@ class SourceUse:
     """What one window says of its sources, by their file names."""
 
     judged: tuple[str, ...]
-    """Those that took part, in their order."""
+    """Sources that took part, in their order."""
     only_shown: tuple[str, ...]
     """The others."""
     shares: tuple[float, ...] | None

@@ -115,7 +115,7 @@ class WindowRequest:
     mosaic: Raster
     """Whose grid the window lies on."""
     sources: tuple[Source, ...]
-    """Those that may cover the window."""
+    """Sources that may cover the window."""
     window: PixelWindow | None
     """On the mosaic's grid; None when the drawn rectangle can't be measured."""
     settings: InspectionSettings

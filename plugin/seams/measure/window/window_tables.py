@@ -299,7 +299,7 @@ PLACED = (
         help=QT_TR_NOOP("Whether the window was drawn, placed along the seams, or is a worst place of a scan."),
     ),
 )  # fmt: skip
-"""Where a window comes from: of one that was placed, where; ``drawn``, ``placed`` or ``scan``."""
+"""Origin of a window: of one that was placed, where; ``drawn``, ``placed`` or ``scan``."""
 
 WINDOW_FIELDS: tuple[WindowField, ...] = (*MEASURED, *SAID, *PLACED)
 _ROW_COLUMNS = tuple(one for one in MEASURED if one.name != "observer")
