@@ -44,6 +44,9 @@ _EITHER, _FOLLOWED = 0.4, 0.6
 """Shares of a source in a mixture: what has surely more than half of it follows it; of halves nobody knows which is
 followed."""
 _FAR = EDGES_PX.index(FAR_PX)
+MOST_UNEVEN = 2.0
+"""What codecs and noise leave over at most, as a multiple of what they do on the ground in the mean. With 1.0 two of 17
+hard cuts whose orthoimages were compressed since read 0.64 and 0.65 for 0.84 and 0.76; 3.0 changed none of 107 mosaics."""
 MOST_EVERYWHERE = 0.25
 """Share of the other source far off, from which on a mixture has no end; a width is taken above one that is less."""
 
@@ -116,7 +119,7 @@ def _rounded(products: np.ndarray, left_over: np.ndarray) -> np.ndarray:
     followed, around = (
         values.reshape(*values.shape[:-1], 2, MIXED_BINS)[..., _FAR:].sum(axis=-1) for values in (ss, left_over)
     )
-    beside = left_over - np.repeat(around / np.maximum(followed, 1e-12), MIXED_BINS, axis=-1) * ss
+    beside = left_over - MOST_UNEVEN * np.repeat(around / np.maximum(followed, 1e-12), MIXED_BINS, axis=-1) * ss
     strip = np.stack([np.arange(SLOTS) % MIXED_BINS < strip_bins(level).stop for level in range(mm.shape[1])])
     share = np.maximum((beside * strip).sum(axis=-1), 0) / np.maximum((mm * strip).sum(axis=-1), 1e-12)
     more = share - np.concatenate([share[:, 1:], share[:, -1:]], axis=1)
