@@ -26,7 +26,7 @@ PIECES, WINDOWS = "pieces", "windows"
 
 
 class PlanInspection(SeamInspectorAlgorithm):
-    """Which pieces of seam to look at when not all are."""
+    """Draws the pieces of seam to look at when not all are."""
 
     ID = "planinspection"
     NAME = QT_TR_NOOP("Plan an inspection")

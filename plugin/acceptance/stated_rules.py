@@ -50,7 +50,7 @@ _ORIGINS = {
     MAX_RUN: QT_TR_NOOP("half a standard window of 100 m"),
     MIN_MEASURED: QT_TR_NOOP("nothing is accepted on a guess"),
 }
-"""Where the defaults come from: docs/acceptance/rules.md."""
+"""Origins of the defaults: docs/acceptance/rules.md."""
 
 
 def stated_rules(run: Run) -> AcceptanceRules:

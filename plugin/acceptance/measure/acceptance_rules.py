@@ -67,7 +67,7 @@ class AcceptanceRules:
     least_kept: float
     """A piece fails when its ``kept_1`` is smaller; one that keeps exactly as much passes."""
     kept_source: str
-    """Where that limit comes from."""
+    """The origin of that limit."""
     rules: tuple[AcceptanceRule, ...]
     """What decides beside the sampling."""
     sampling: SamplingRule | None = None

@@ -342,7 +342,7 @@ def _why(
 
 
 def _limits(rules: AcceptanceRules) -> Iterator[Message]:
-    """Which limits there are, and which are missing."""
+    """The limits that there are, and those that are missing."""
     yield messages.LIMIT_OF_KEPT(limit=Stated(rules.least_kept))
     share, run = rules.limit(FAILED_SHARE), rules.limit(LONGEST_FAILURE)
     yield messages.NO_LIMIT_OF_SHARE() if share is None else messages.LIMIT_OF_SHARE(limit=Stated(share))
@@ -456,7 +456,7 @@ def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
 
 
 def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:
-    """Where the first of them lie."""
+    """The first rows with the places where they lie, and how many more there are."""
     for run in rows[:_NAMED]:
         x, y = run.place
         yield messages.ROW_NOT_MEASURED(metres=run.length_m, x=x, y=y, sheets=", ".join(run.sheets))

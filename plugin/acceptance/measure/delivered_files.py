@@ -95,7 +95,7 @@ def _part_done(tell: Callable[[float], None], before: float, part: float, share:
 
 
 def fitting(sheets: Sequence[CheckedSheet]) -> list[CheckedSheet]:
-    """Those that one mosaic can be made of: the ordered ones of most sheets' system, pixels, bands and type."""
+    """The sheets that one mosaic can be made of: the ordered ones of most sheets' system, pixels, bands and type."""
     groups: list[list[CheckedSheet]] = []
     for sheet in sheets:
         if sheet.raster is None or not sheet.raster.is_north_up or not sheet.sheet.is_ordered:

@@ -134,7 +134,7 @@ class SheetState(Enum):
 
 @dataclass(frozen=True, eq=False)
 class SheetOutline:
-    """Where a sheet lies, of which there may be no seam."""
+    """The outline of a sheet, of which there may be no seam."""
 
     name: str
     rings: tuple[np.ndarray, ...]  # (n, 2) x and y each, in the delivery's reference system

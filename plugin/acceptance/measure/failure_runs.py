@@ -85,8 +85,8 @@ def _near(lengths: Mapping[tuple[int, int], float], wanted: set[int], limit: flo
     if not lengths:
         return
     places, ends = np.unique(np.array(list(lengths)), return_inverse=True)
-    one, other = ends.reshape(-1, 2).T
-    graph = csr_matrix((list(lengths.values()), (one, other)), shape=(len(places), len(places)))
+    start, stop = ends.reshape(-1, 2).T
+    graph = csr_matrix((list(lengths.values()), (start, stop)), shape=(len(places), len(places)))
     starts = np.flatnonzero([place in wanted for place in places.tolist()])
     for first in range(0, len(starts), _STARTS_AT_ONCE):
         some = starts[first : first + _STARTS_AT_ONCE]

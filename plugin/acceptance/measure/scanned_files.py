@@ -23,12 +23,12 @@ def file_doubts(
 ) -> FileDoubts:
     """``mosaics`` and ``sources``: the rasters that are given; ``folders``: of the layers, beside which a project that
     was moved has its files."""
-    scans = {layer.name: layer.settings for layer in layers if MOSAIC_FILES in layer.settings}
+    scans = [(layer.name, layer.settings) for layer in layers if MOSAIC_FILES in layer.settings]
     if not scans:
         return FileDoubts()
-    by_layer = {name: states_in(settings[MOSAIC_FILES]) for name, settings in scans.items()}
+    by_layer = {name: states_in(settings[MOSAIC_FILES]) for name, settings in scans}
     of_mosaic, of_sources = (
-        _Scanned([file for settings in scans.values() for file in states_in(settings.get(role, ""))], folders)
+        _Scanned([file for _, settings in scans for file in states_in(settings.get(role, ""))], folders)
         for role in (MOSAIC_FILES, SOURCE_FILES)
     )
     not_scanned: list[str] = []
@@ -116,7 +116,7 @@ class _Scanned:
         return gone, changed
 
     def _moved(self, path: str) -> Iterator[str]:
-        """Where a file may lie in a project that was moved, its folders kept."""
+        """The paths at which a file may lie in a project that was moved, its folders kept."""
         parts = Path(path).parts[1:]
         for folder in filter(None, dict.fromkeys(self._folders)):
             for above in [Path(folder), *Path(folder).parents][:_MOST_FOLDERS]:
