@@ -121,9 +121,7 @@ def planned(run: Run, size: int) -> tuple[SamplingPlan, Message]:
     if run.word(stated.PLAN) == stated.ISOLATED:
         plan = isolated_lot_plan(size, stated.standard_quality(run, stated.LQ))
     else:
-        plan = single_sampling_plan(
-            size, stated.standard_quality(run, stated.AQL), run.word(stated.INSPECTION_LEVEL)
-        )
+        plan = single_sampling_plan(size, stated.standard_quality(run, stated.AQL), run.word(stated.INSPECTION_LEVEL))
     return plan, messages.PLANNED_BY_STANDARD(
         size=plan.sample_size, lot=size, acceptance=plan.acceptance_number,
         plan=plan_sentence(plan, operating_characteristic(plan)),

@@ -7,13 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from qgis.core import (
-    QgsCsException,
-    QgsGeometry,
-    QgsPoint,
-    QgsRectangle,
-    QgsSpatialIndex,
-)
+from qgis.core import QgsCsException, QgsGeometry, QgsPoint, QgsRectangle, QgsSpatialIndex
 
 from ..imagery.errors import SettingsError
 from ..imagery.gdal_paths import path_from

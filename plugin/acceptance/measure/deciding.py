@@ -181,9 +181,7 @@ def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) ->
         yield reason, messages.WOULD_GIVE_SEAMS()
 
 
-def _unseen(
-    delivery: Delivery, sheets: Sequence[MetreFigures], rules: AcceptanceRules
-) -> Iterator[Doubt]:
+def _unseen(delivery: Delivery, sheets: Sequence[MetreFigures], rules: AcceptanceRules) -> Iterator[Doubt]:
     """What of the delivery nobody has looked at, so that it can't be accepted; ``sheets``: that were to be measured."""
     for layer in delivery.layers:
         if layer.unread:

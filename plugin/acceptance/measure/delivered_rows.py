@@ -15,12 +15,7 @@ from ...imagery.file_identity import states_in, states_text
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.grids import Extent
 from ...imagery.lines import points_at, vertex_stations
-from ...imagery.reference_systems import (
-    is_geographic,
-    same_coordinates,
-    transform_points,
-    utm_wkt,
-)
+from ...imagery.reference_systems import is_geographic, same_coordinates, transform_points, utm_wkt
 from ...imagery.seam_totals import (
     METRES,
     MOSAIC_FILES,
@@ -239,9 +234,7 @@ def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> tuple[floa
     return float(too_many.sum()), tuple(sheets)
 
 
-def _points_of(
-    lines: Sequence[np.ndarray],
-) -> Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]:
+def _points_of(lines: Sequence[np.ndarray]) -> Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]:
     """From numbers of lines, (n, 2) each, and shares of their lengths to the points there; with all lengths."""
     vertices, last = np.concatenate(lines), np.cumsum([len(line) for line in lines]) - 1
     steps = np.hypot(*np.diff(vertices, axis=0).T)

@@ -122,9 +122,7 @@ def unbroken_lines(
 _End = tuple[int, int]  # a piece, and 0 for its first place, 1 for its second
 
 
-def _next_ends(
-    ends: Mapping[int, tuple[int, int]], seams: Mapping[int, tuple[str, str] | None]
-) -> dict[_End, _End]:
+def _next_ends(ends: Mapping[int, tuple[int, int]], seams: Mapping[int, tuple[str, str] | None]) -> dict[_End, _End]:
     """Ends of pieces, each with the end of the one that follows there."""
     meeting: dict[int, list[_End]] = defaultdict(list)
     for piece, places in ends.items():
@@ -141,7 +139,6 @@ def _next_ends(
             if len(pair) == 2:
                 following[pair[0]], following[pair[1]] = pair[1], pair[0]
     return following
-
 
 
 def failure_runs(

@@ -112,9 +112,7 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
 
 
-def _notices(
-    plan: SamplingPlan, seed: int | None, measured: int, given: Sequence[int] | None
-) -> Iterator[Message]:
+def _notices(plan: SamplingPlan, seed: int | None, measured: int, given: Sequence[int] | None) -> Iterator[Message]:
     if seed is not None:
         yield messages.DRAWN(size=plan.sample_size, given=measured, seed=seed)
     if given is None and plan.is_whole_lot:

@@ -195,9 +195,7 @@ def _backdrop(mosaics: Sequence[Raster], bounds: Extent, wkt: str) -> Iterator[t
                 yield np.repeat(shown.astype(np.uint8)[..., np.newaxis], 3, axis=2), extent
 
 
-def _draw_sheets(
-    axes: Axes, scale: np.ndarray, decision: Decision, outlines: Mapping[str, list[np.ndarray]]
-) -> None:
+def _draw_sheets(axes: Axes, scale: np.ndarray, decision: Decision, outlines: Mapping[str, list[np.ndarray]]) -> None:
     """Outlines in the colours of the verdicts, and as many names as have room."""
     states = {sheet.name: outcome for sheet, outcome in zip(decision.sheets, decision.sheet_outcomes)}
     named: list[np.ndarray] = []

@@ -179,9 +179,7 @@ def _each_said(said: Sequence[tuple[str, str]]) -> str:
     return " ".join(f"{name}: {words}." for name, words in said)
 
 
-def _by_sheet(
-    decision: Decision, unit: str, figure: Callable[[MetreFigures], float | None]
-) -> tuple[Quantity, ...]:
+def _by_sheet(decision: Decision, unit: str, figure: Callable[[MetreFigures], float | None]) -> tuple[Quantity, ...]:
     """A figure of all sheets together, then that of each sheet that has one."""
     values = ((figures.name, figure(figures)) for figures in (decision.whole, *decision.sheets))
     return tuple(Quantity((value,), unit, sheet=name) for name, value in values if value is not None)
