@@ -114,12 +114,12 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         from .delivery_layers import seam_layers
 
         needed = "" if self._by_observer(run) else "kept_1"
-        self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context, needed)
+        self._seams, self._notices = seam_layers(run.raster_values(SEAMS), run.context, needed)
         windows = run.vector_layer(WINDOWS) if run.parameters.get(WINDOWS) else None
         self._windows = "" if windows is None else layer_address(windows)
-        found = [run.raster_refs(name) for name in (common.MOSAIC, LOSS, common.SOURCES)]
-        (self._mosaics, self._losses, self._images), told = zip(*found)
-        run.tell(*chain(*told))
+        rasters = [run.raster_refs(name) for name in (common.MOSAIC, LOSS, common.SOURCES)]
+        (self._mosaics, self._losses, self._images), notices = zip(*rasters)
+        run.tell(*chain(*notices))
 
     def orthoimages(self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]) -> tuple[RasterRef, ...]:
         from ..imagery.rasters import RasterRef
@@ -160,9 +160,9 @@ class AcceptMosaic(SeamInspectorAlgorithm):
 
         rules = stated.stated_rules(run)
         run.check_chart()
-        run.tell(*self._told)
-        delivery, told = read_delivery(self._seams, run.context.transformContext())
-        run.tell(*told)
+        run.tell(*self._notices)
+        delivery, notices = read_delivery(self._seams, run.context.transformContext())
+        run.tell(*notices)
         self._scans = scanned_losses(run, self._losses)
         delivery = with_sheets(with_settings(delivery, [settings for _, settings in self._scans]), run)
         delivery = replace(delivery, files=file_doubts(

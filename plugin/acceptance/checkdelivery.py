@@ -98,16 +98,16 @@ class CheckDelivery(SeamInspectorAlgorithm):
         from .measure.delivered_files import build_mosaic, checked_sheets, fitting
 
         sheets = self._sheets(run)
-        found = checked_sheets(sheets, _form(run), run.goes_on)
-        if found is None:
+        checked = checked_sheets(sheets, _form(run), run.goes_on)
+        if checked is None:
             raise CancelledError(messages.CHECK_STOPPED())
-        faulty = [one for one in found if one.findings]
-        for one in faulty:
-            run.tell(*(messages.SHEET_FINDING(sheet=one.sheet.name, finding=finding) for finding in one.findings))
-        missing = sum(not one.sheet.path for one in found)
-        run.tell(messages.DELIVERY_CHECKED(count=len(found), faulty=len(faulty), missing=missing))
-        results: dict[str, Any] = {OUTPUT: write_checked(run, OUTPUT, found)}
-        path, whole = run.file_path(VRT), fitting(found)
+        faulty = [sheet for sheet in checked if sheet.findings]
+        for sheet in faulty:
+            run.tell(*(messages.SHEET_FINDING(sheet=sheet.sheet.name, finding=finding) for finding in sheet.findings))
+        missing = sum(not sheet.sheet.path for sheet in checked)
+        run.tell(messages.DELIVERY_CHECKED(count=len(checked), faulty=len(faulty), missing=missing))
+        results: dict[str, Any] = {OUTPUT: write_checked(run, OUTPUT, checked)}
+        path, whole = run.file_path(VRT), fitting(checked)
         if path is not None and whole:
             try:
                 build_mosaic(str(path), whole)
@@ -115,7 +115,7 @@ class CheckDelivery(SeamInspectorAlgorithm):
             except RasterError as error:
                 run.tell(error.message)
         return {
-            **results, SHEET_COUNT: len(found), MISSING_COUNT: missing, FAULTY_COUNT: len(faulty),
+            **results, SHEET_COUNT: len(checked), MISSING_COUNT: missing, FAULTY_COUNT: len(faulty),
             IS_COMPLETE: int(not faulty),
         }
 
@@ -127,19 +127,19 @@ class CheckDelivery(SeamInspectorAlgorithm):
         folder, is_ordered = run.path(FOLDER), bool(run.parameters.get(SHEETS))
         folder = folder and os.path.abspath(folder)  # what is written names the files from anywhere
         files = _rasters(Path(folder), with_folders=is_ordered) if folder else []
-        found, homes = [], {Path(folder)}
+        sheets, homes = [], {Path(folder)}
         for name, path, outline, wkt in index_rows(run, SHEETS, self._index) if is_ordered else ():
-            own = _of_stem(files, Path(path or name).stem) if folder else None
-            place = str(own or path) if own is not None or not folder else ""
-            found.append(OrderedSheet(name, place if is_there(place) else "", outline, wkt))
-            if own is not None:
-                files.remove(own)
-                homes.add(own.parent)
+            file = _of_stem(files, Path(path or name).stem) if folder else None
+            place = str(file or path) if file is not None or not folder else ""
+            sheets.append(OrderedSheet(name, place if is_there(place) else "", outline, wkt))
+            if file is not None:
+                files.remove(file)
+                homes.add(file.parent)
         beside = (path for path in files if path.parent in homes)
-        found += [OrderedSheet(path.stem, str(path), None, "", not is_ordered) for path in beside]
-        if not found:
+        sheets += [OrderedSheet(path.stem, str(path), None, "", not is_ordered) for path in beside]
+        if not sheets:
             raise SettingsError(messages.NO_SHEETS(folder=folder))
-        return sorted(found, key=lambda one: in_words(one.name))
+        return sorted(sheets, key=lambda sheet: in_words(sheet.name))
 
 
 def _rasters(folder: Path, with_folders: bool) -> list[Path]:

@@ -16,39 +16,39 @@ from .measure.delivered_files import CheckedSheet
 from .sheet_index import COMPLETE, FINDINGS, LOCATION, STATE
 
 _COLUMNS: tuple[Column[CheckedSheet], ...] = (
-    Column("sheet", "text", lambda one: one.sheet.name),
-    Column(LOCATION, "text", lambda one: one.sheet.path or None),
-    Column(COMPLETE, "integer", lambda one: int(not one.findings)),
-    Column(FINDINGS, "text", lambda one: "; ".join(map(sentence, one.findings)) or None),
-    Column(STATE, "text", lambda one: one.state.value),
-    Column("missing", "real", lambda one: None if one.missing is None else round(100 * one.missing, 4)),
-    Column("pixel", "real", lambda one: None if one.raster is None else one.raster.ground_sample_distance),
-    Column("bands", "integer", lambda one: None if one.raster is None else len(one.raster.band_names)),
-    Column("type", "text", lambda one: None if one.raster is None else one.raster.data_type),
+    Column("sheet", "text", lambda checked: checked.sheet.name),
+    Column(LOCATION, "text", lambda checked: checked.sheet.path or None),
+    Column(COMPLETE, "integer", lambda checked: int(not checked.findings)),
+    Column(FINDINGS, "text", lambda checked: "; ".join(map(sentence, checked.findings)) or None),
+    Column(STATE, "text", lambda checked: checked.state.value),
+    Column("missing", "real", lambda checked: None if checked.missing is None else round(100 * checked.missing, 4)),
+    Column("pixel", "real", lambda checked: None if checked.raster is None else checked.raster.ground_sample_distance),
+    Column("bands", "integer", lambda checked: None if checked.raster is None else len(checked.raster.band_names)),
+    Column("type", "text", lambda checked: None if checked.raster is None else checked.raster.data_type),
 )
 
 
-def write_checked(run: Run, output: str, found: Sequence[CheckedSheet]) -> str | None:
+def write_checked(run: Run, output: str, sheets: Sequence[CheckedSheet]) -> str | None:
     """One polygon for each sheet, in the outlines' reference system, else in the first file's; its destination."""
-    systems = (one.sheet.wkt or (one.raster.wkt if one.raster else "") for one in found)
-    wkt = next((one for one in systems if one), "")
+    systems = (checked.sheet.wkt or (checked.raster.wkt if checked.raster else "") for checked in sheets)
+    wkt = next((system for system in systems if system), "")
     layout = column_fields(_COLUMNS), QgsWkbTypes.Type.MultiPolygon, reference_system(wkt)
     sink, destination = run.sink(output, *layout)
 
     def rows() -> Iterator[QgsFeature]:
-        for one, row in zip(found, column_features(_COLUMNS, found)):
-            row.setGeometry(_outline(one, wkt))
+        for checked, row in zip(sheets, column_features(_COLUMNS, sheets)):
+            row.setGeometry(_outline(checked, wkt))
             yield row
 
     run.write(sink, rows())
     return destination
 
 
-def _outline(one: CheckedSheet, wkt: str) -> QgsGeometry:
+def _outline(checked: CheckedSheet, wkt: str) -> QgsGeometry:
     shape = QgsGeometry()
-    if one.sheet.outline is not None:
-        shape.fromWkb(one.sheet.outline)
-    elif one.raster is not None:
-        shape = rectangle(extent_on(one.raster.extent, one.raster.wkt, wkt))
+    if checked.sheet.outline is not None:
+        shape.fromWkb(checked.sheet.outline)
+    elif checked.raster is not None:
+        shape = rectangle(extent_on(checked.raster.extent, checked.raster.wkt, wkt))
     shape.convertToMultiType()
     return shape

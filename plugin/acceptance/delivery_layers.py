@@ -43,14 +43,14 @@ from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, SeenWind
 def judged_windows(
     source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, run: Run
 ) -> tuple[SeenWindow, ...]:
-    """Those that have an outline, in a reference system; what is wrong with others is told.
+    """The windows that have an outline, in a reference system; what is wrong with others is told.
 
     Raises SettingsError for a layer without polygons.
     """
     if QgsWkbTypes.geometryType(source.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
         raise SettingsError(messages.WINDOWS_NO_POLYGONS(name=source.sourceName()))
     transform = run.transform(source, crs) if crs.isValid() else None
-    found = []
+    windows = []
     for row in attributes(layers.features(source), source.fields().names()):
         try:
             extent = layers.outline_extent(row.feature, transform)
@@ -58,16 +58,18 @@ def judged_windows(
             run.tell(error.message.as_warning())
             continue
         if extent is not None:
-            found.append(
+            windows.append(
                 SeenWindow(
                     text(row["window_id"]) or text(row.feature.id()), extent, text(row["cause"]), text(row["causes"]),
                     text(row["verdict"]), possible_kept(number(row["kept_1"])), text(row["observer"]),
                     text(row["observer_2"]), text(row["remark"]), text(row["remark_2"]),
                 )
             )
-    if not any(one.cause or one.verdict or one.observer or one.observer_2 or one.remark for one in found):
+    if not any(
+        window.cause or window.verdict or window.observer or window.observer_2 or window.remark for window in windows
+    ):
         run.tell(messages.WINDOWS_SAY_NOTHING(name=source.sourceName()))
-    return tuple(found)
+    return tuple(windows)
 
 
 _OF_SCAN_FILE = "seams"  # the table of a scan's file with several
@@ -97,32 +99,32 @@ def seam_layers(
 
     ``needed``: a field that each must have. Raises SettingsError where one is no layer of lines, or is filtered.
     """
-    found: list[QgsVectorLayer] = []
-    told: list[Message] = []
+    given: list[QgsVectorLayer] = []
+    notices: list[Message] = []
     for value in values:
         layer = _line_layer(value, context)
-        if any(_is_same(layer, other) for other in found):
-            told.append(messages.LAYER_TWICE(name=layer.name()))
+        if any(_is_same(layer, other) for other in given):
+            notices.append(messages.LAYER_TWICE(name=layer.name()))
             continue
         if layer.subsetString():
             raise SettingsError(messages.LAYER_FILTERED(name=layer.name(), filter=layer.subsetString()))
         if needed and needed not in layer.fields().names():
             raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=layer.name()))
-        found.append(layer)
-    if not found:
+        given.append(layer)
+    if not given:
         raise SettingsError(messages.NO_LAYERS())
-    systems = [known_system(layer.crs()) for layer in found]
+    systems = [known_system(layer.crs()) for layer in given]
     are_known = [crs.isValid() for crs in systems]
     if any(are_known) and not all(are_known):
-        raise SettingsError(messages.LAYER_WITHOUT_CRS(name=found[are_known.index(False)].name()))
+        raise SettingsError(messages.LAYER_WITHOUT_CRS(name=given[are_known.index(False)].name()))
     made = [
         SeamLayer(
             name, layers.layer_address(layer), QgsVectorLayerFeatureSource(layer), crs,
             tuple(layer.fields().names()), layers.layer_notes(layer, TOTALS_DOMAIN), _folder(layer),
         )
-        for name, layer, crs in zip(_names(found), found, systems)
+        for name, layer, crs in zip(_names(given), given, systems)
     ]
-    return made, told
+    return made, notices
 
 
 def read_delivery(
@@ -136,7 +138,7 @@ def read_delivery(
     """
     crs = crs or common_system(seams, transforms)
     pieces: list[DeliveredPiece] = []
-    told: list[Message] = []
+    notices: list[Message] = []
     lots: set[int] = set()
     read: list[DeliveredLayer] = []
     for layer in seams:
@@ -145,14 +147,14 @@ def read_delivery(
             drawn = whole_number(row["sample"])
             pieces.append(piece if drawn is None else replace(piece, sample_number=drawn))
             lots.add(whole_number(row["lot_size"]) or 0)
-        told += doubts.told()
+        notices += doubts.told()
         read.append(doubts.layer(layer.scan, layers.system_wkt(layer.crs), "kept_1" in layer.fields))
     size = max(lots, default=0) or None if any(piece.sample_number for piece in pieces) else None
     delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), size, read)
-    told += doubled
+    notices += doubled
     if all(layer.crs.isGeographic() for layer in seams) and not crs.isGeographic():
-        told.append(messages.PLACES_IN(system=crs.description()))
-    return delivery, told
+        notices.append(messages.PLACES_IN(system=crs.description()))
+    return delivery, notices
 
 
 def _line_layer(value: object, context: QgsProcessingContext) -> QgsVectorLayer:
@@ -193,11 +195,11 @@ def _folder(layer: QgsVectorLayer) -> str:
     return os.path.dirname(os.path.abspath(path)) if path else ""
 
 
-def _names(found: Sequence[QgsVectorLayer]) -> list[str]:
+def _names(seams: Sequence[QgsVectorLayer]) -> list[str]:
     """Names of layers; those of one name are told apart by their folder, else by a number."""
-    names = [_name(layer) for layer in found]
+    names = [_name(layer) for layer in seams]
     counts = Counter(names)
-    folders = [Path(layers.layer_path(layer)).parent.name if layers.layer_path(layer) else "" for layer in found]
+    folders = [Path(layers.layer_path(layer)).parent.name if layers.layer_path(layer) else "" for layer in seams]
     names = [f"{folder}/{name}" if counts[name] > 1 and folder else name for name, folder in zip(names, folders)]
     seen: Counter[str] = Counter()
     unique = []
@@ -253,9 +255,8 @@ def _pieces(
                 raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
             placed = _vertices(line)
         sheet = next((name for name in (text(row[field]) for field in sheet_fields) if name), layer.sheet)
-        known = {
-            name: one if isinstance(one, (int, float)) else text(one) for name in layer.fields for one in [row[name]]
-        }
+        values = {name: row[name] for name in layer.fields}
+        known = {name: value if isinstance(value, (int, float)) else text(value) for name, value in values.items()}
         piece = doubts.piece(sheet, known, placed, drawn, scanned)
         if piece is not None:
             yield row, piece

@@ -26,7 +26,7 @@ PIECES, WINDOWS = "pieces", "windows"
 
 
 class PlanInspection(SeamInspectorAlgorithm):
-    """Which pieces of seam to look at when not all are."""
+    """Draws the pieces of seam to look at when not all are."""
 
     ID = "planinspection"
     NAME = QT_TR_NOOP("Plan an inspection")
@@ -85,7 +85,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         from .delivery_layers import seam_layers
 
         self.check(run)
-        self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context)
+        self._seams, self._notices = seam_layers(run.raster_values(SEAMS), run.context)
         field = run.text(SHEET_FIELD)
         if field and not any(field in layer.fields for layer in self._seams):
             raise SettingsError(messages.SHEET_FIELD_MISSING(field=field))
@@ -95,7 +95,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         from .measure.inspection_plan import drawn_sample
         from .planned_sample import delivered_lot, planned, write_sample
 
-        run.tell(*self._told)
+        run.tell(*self._notices)
         delivery, lot = delivered_lot(run, self._seams, self._mosaic, run.text(SHEET_FIELD), run.real(PIECE))
         size = run.whole(LOT_SIZE) or len(lot)
         if size < len(lot):

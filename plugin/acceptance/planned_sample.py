@@ -51,21 +51,21 @@ def with_cut_seamlines(
     crs = common_system(seams, transforms)
     scanned = [layer for layer in seams if _OF_SCAN in layer.fields]
     pieces: list[DeliveredPiece] = []
-    told: list[Message] = []
+    notices: list[Message] = []
     lot_size = None
     held: tuple[DeliveredLayer, ...] = ()
     if scanned:
-        read, told = read_delivery(scanned, transforms, sheet_field, crs)
+        read, notices = read_delivery(scanned, transforms, sheet_field, crs)
         pieces, lot_size, held = list(read.pieces), read.lot_size, read.layers
     for layer in seams:
         if layer not in scanned:
             cut = _cut(layer, crs, transforms, piece_m, step_m or _STEP * piece_m)
             if not cut:
-                told.append(messages.LAYER_EMPTY(name=layer.sheet))
+                notices.append(messages.LAYER_EMPTY(name=layer.sheet))
             pieces += cut
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
-    return Delivery(in_order(pieces), layers.system_wkt(crs), lot_size=lot_size, layers=held), told
+    return Delivery(in_order(pieces), layers.system_wkt(crs), lot_size=lot_size, layers=held), notices
 
 
 def _cut(
@@ -103,17 +103,17 @@ def delivered_lot(
     """The pieces of the scans, and those that plain seamlines are cut into; of these the lot: all, or those that
     windows can be placed on."""
     step = None if mosaic is None else mosaic.grid.ground_sample_distance
-    delivery, told = with_cut_seamlines(seams, run.context.transformContext(), sheet_field, piece_m, step)
-    run.tell(*told)
+    delivery, notices = with_cut_seamlines(seams, run.context.transformContext(), sheet_field, piece_m, step)
+    run.tell(*notices)
     delivery = with_sheets(delivery, run)
     if mosaic is None:
         return delivery, delivery.pieces
-    found = [piece for piece in delivery.pieces if middle_on(mosaic, piece, delivery.wkt) is not None]
-    if not found:
+    placed = [piece for piece in delivery.pieces if middle_on(mosaic, piece, delivery.wkt) is not None]
+    if not placed:
         raise SettingsError(messages.ALL_OFF_MOSAIC())
-    if len(found) < len(delivery.pieces):
-        run.tell(messages.PIECES_OFF_MOSAIC(count=len(delivery.pieces) - len(found)))
-    return delivery, found
+    if len(placed) < len(delivery.pieces):
+        run.tell(messages.PIECES_OFF_MOSAIC(count=len(delivery.pieces) - len(placed)))
+    return delivery, placed
 
 
 def planned(run: Run, size: int) -> tuple[SamplingPlan, Message]:
@@ -121,9 +121,7 @@ def planned(run: Run, size: int) -> tuple[SamplingPlan, Message]:
     if run.word(stated.PLAN) == stated.ISOLATED:
         plan = isolated_lot_plan(size, stated.standard_quality(run, stated.LQ))
     else:
-        plan = single_sampling_plan(
-            size, stated.standard_quality(run, stated.AQL), run.word(stated.INSPECTION_LEVEL)
-        )
+        plan = single_sampling_plan(size, stated.standard_quality(run, stated.AQL), run.word(stated.INSPECTION_LEVEL))
     return plan, messages.PLANNED_BY_STANDARD(
         size=plan.sample_size, lot=size, acceptance=plan.acceptance_number,
         plan=plan_sentence(plan, operating_characteristic(plan)),
@@ -154,39 +152,39 @@ class SampledItem:
 
 
 _DRAWN: tuple[Column[SampledItem], ...] = (
-    Column("sample", "integer", lambda one: one.order),
-    Column("lot_size", "integer", lambda one: one.lot_size),
+    Column("sample", "integer", lambda item: item.order),
+    Column("lot_size", "integer", lambda item: item.lot_size),
 )
-_SEAM: Column[SampledItem] = Column("seam_id", "integer", lambda one: whole_number(one.piece.seam_id, LARGEST_WHOLE))
+_SEAM: Column[SampledItem] = Column("seam_id", "integer", lambda item: whole_number(item.piece.seam_id, LARGEST_WHOLE))
 
 PIECE_COLUMNS: tuple[Column[SampledItem], ...] = (
-    Column("sheet", "text", lambda one: one.piece.sheet),
-    Column("seam_id", "text", lambda one: one.piece.seam_id),
-    Column("station", "real", lambda one: one.piece.station_m),
+    Column("sheet", "text", lambda item: item.piece.sheet),
+    Column("seam_id", "text", lambda item: item.piece.seam_id),
+    Column("station", "real", lambda item: item.piece.station_m),
     *_DRAWN,
-    Column("left_source", "text", lambda one: one.piece.left_source or None),
-    Column("right_source", "text", lambda one: one.piece.right_source or None),
-    Column("left_date", "text", lambda one: one.piece.left_date or None),
-    Column("right_date", "text", lambda one: one.piece.right_date or None),
-    Column("length", "real", lambda one: one.piece.length_m),
-    Column("kept_1", "real", lambda one: one.piece.kept_1),
-    Column("kept_low", "real", lambda one: one.piece.kept_low),
-    Column("kept_high", "real", lambda one: one.piece.kept_high),
-    Column("band_width", "real", lambda one: one.piece.band_width_m),
-    Column("visibility", "real", lambda one: one.piece.visibility),
-    Column("profile", "text", lambda one: profile_text(one.piece.profile) or None),
-    Column("verdict", "text", lambda one: one.piece.verdict or None),
-    Column("reason", "text", lambda one: one.piece.reason or None),
+    Column("left_source", "text", lambda item: item.piece.left_source or None),
+    Column("right_source", "text", lambda item: item.piece.right_source or None),
+    Column("left_date", "text", lambda item: item.piece.left_date or None),
+    Column("right_date", "text", lambda item: item.piece.right_date or None),
+    Column("length", "real", lambda item: item.piece.length_m),
+    Column("kept_1", "real", lambda item: item.piece.kept_1),
+    Column("kept_low", "real", lambda item: item.piece.kept_low),
+    Column("kept_high", "real", lambda item: item.piece.kept_high),
+    Column("band_width", "real", lambda item: item.piece.band_width_m),
+    Column("visibility", "real", lambda item: item.piece.visibility),
+    Column("profile", "text", lambda item: profile_text(item.piece.profile) or None),
+    Column("verdict", "text", lambda item: item.piece.verdict or None),
+    Column("reason", "text", lambda item: item.piece.reason or None),
 )
 """Columns of a sample, like those of the scan's SEAMS, so that acceptmosaic takes it."""
 
 WINDOW_COLUMNS: tuple[Column[SampledItem], ...] = (
-    Column("window_id", "integer", lambda one: one.order),
+    Column("window_id", "integer", lambda item: item.order),
     _SEAM,
-    Column("station", "real", lambda one: None if one.piece.station_m is None else (
-        one.piece.station_m + one.piece.length_m / 2
+    Column("station", "real", lambda item: None if item.piece.station_m is None else (
+        item.piece.station_m + item.piece.length_m / 2
     )),
-    Column("sheet", "text", lambda one: one.piece.sheet),
+    Column("sheet", "text", lambda item: item.piece.sheet),
     *_DRAWN,
 )
 """Columns of a sample's windows, as ``placewindows`` writes them, with the sheet."""
@@ -218,7 +216,7 @@ def write_sample(
     ))  # fmt: skip
     run.title(destination, tr("Sample (pieces)") if on is None else tr("Sample (windows)"))
     run.style(destination, "" if on is None else "placed_windows")
-    if on is None and all(one.seal is Seal.WHOLE for one in delivery.layers):
+    if on is None and all(layer.seal is Seal.WHOLE for layer in delivery.layers):
         names = [column.name for column in columns]
         rows = [dict(zip(names, column_values(columns, item))) for item in items]
         run.close()

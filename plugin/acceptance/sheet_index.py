@@ -7,13 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from qgis.core import (
-    QgsCsException,
-    QgsGeometry,
-    QgsPoint,
-    QgsRectangle,
-    QgsSpatialIndex,
-)
+from qgis.core import QgsCsException, QgsGeometry, QgsPoint, QgsRectangle, QgsSpatialIndex
 
 from ..imagery.errors import SettingsError
 from ..imagery.gdal_paths import path_from
@@ -69,19 +63,19 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
             findings[name] = (*findings.get(name, ()), words)
             if states.get(name) in (None, SheetState.NOT_ORDERED.value):  # a file more of that name
                 states[name] = text(row[STATE])
-    found = _names_at(outlines, [piece.middle for piece in delivery.pieces])
-    outside = sum(sheet is None for sheet in found)
-    if outside == len(found):
+    sheets = _names_at(outlines, [piece.middle for piece in delivery.pieces])
+    outside = sum(sheet is None for sheet in sheets)
+    if outside == len(sheets):
         raise SettingsError(messages.SHEETS_ELSEWHERE())
     if outside:
         run.tell(messages.PIECES_OFF_SHEETS(count=outside))
     pieces = tuple(
         replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0])
-        for piece, sheet in zip(delivery.pieces, found)
+        for piece, sheet in zip(delivery.pieces, sheets)
     )
     made = tuple(
-        replace(one, findings=findings.get(one.name, ()), state=SheetState.of_word(states.get(one.name, "")))
-        for one in _sheet_outlines(outlines)
+        replace(sheet, findings=findings.get(sheet.name, ()), state=SheetState.of_word(states.get(sheet.name, "")))
+        for sheet in _sheet_outlines(outlines)
     )
     return replace(delivery, pieces=pieces, outlines=made, is_checked=is_checked)
 
@@ -144,9 +138,9 @@ def _sheet_outlines(outlines: list[tuple[str, QgsGeometry]]) -> tuple[SheetOutli
 
     rings: dict[str, list[np.ndarray]] = {}
     for name, outline in outlines:
-        own = rings.setdefault(name, [])
+        parts = rings.setdefault(name, [])
         if outline.isEmpty():
             continue
         polygons = outline.asMultiPolygon() if outline.isMultipart() else [outline.asPolygon()]
-        own += [np.array([(point.x(), point.y()) for point in ring]) for polygon in polygons for ring in polygon]
-    return tuple(SheetOutline(name, tuple(own)) for name, own in rings.items())
+        parts += [np.array([(point.x(), point.y()) for point in ring]) for polygon in polygons for ring in polygon]
+    return tuple(SheetOutline(name, tuple(parts)) for name, parts in rings.items())

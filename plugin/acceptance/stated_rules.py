@@ -50,24 +50,24 @@ _ORIGINS = {
     MAX_RUN: QT_TR_NOOP("half a standard window of 100 m"),
     MIN_MEASURED: QT_TR_NOOP("nothing is accepted on a guess"),
 }
-"""Where the defaults come from: docs/acceptance/rules.md."""
+"""Origins of the defaults: docs/acceptance/rules.md."""
 
 
 def stated_rules(run: Run) -> AcceptanceRules:
     """Raises SettingsError for limits that can't be, and for a parameter that says something else than the file."""
     given = _given(run)
-    own, ready = (run.text(RULES) if run.parameters.get(RULES) else ""), run.word(READY_RULES)
-    if own and ready:
-        raise SettingsError(messages.TWO_RULES(ready=ready, name=Path(own).name))
-    if not own and not ready:
+    path, ready = (run.text(RULES) if run.parameters.get(RULES) else ""), run.word(READY_RULES)
+    if path and ready:
+        raise SettingsError(messages.TWO_RULES(ready=ready, name=Path(path).name))
+    if not path and not ready:
         return _of_parameters(given)
-    rules = in_users_language(load_acceptance_rules(Path(own) if own else ready_files()[ready]))
+    rules = in_users_language(load_acceptance_rules(Path(path) if path else ready_files()[ready]))
     said = _as_parameters(rules)
     for name, value in given.items():
         if value not in (DEFAULTS[name], said.get(name)):
             ruled = messages.RULES_SAY_NOTHING() if said.get(name) is None else said[name]
             raise SettingsError(
-                messages.RULES_AND_PARAMETER(parameter=name, value=value, name=Path(own).name or ready, ruled=ruled)
+                messages.RULES_AND_PARAMETER(parameter=name, value=value, name=Path(path).name or ready, ruled=ruled)
             )
     return rules
 
@@ -112,7 +112,7 @@ def _of_parameters(given: dict[str, Any]) -> AcceptanceRules:
 
     plan, shown = given[PLAN], {**given, MIN_KEPT: 100 * given[MIN_KEPT]}
     numbers = {name: float(value) if name in (AQL, LQ) else value for name, value in shown.items()}
-    words = {name: formatted(one, "g") if isinstance(one, float) else one for name, one in numbers.items()}
+    words = {name: formatted(number, "g") if isinstance(number, float) else number for name, number in numbers.items()}
     sampling = None
     if plan == ISO2859:
         sampling = SamplingRule(given[AQL], given[INSPECTION_LEVEL], source(PLAN))

@@ -67,7 +67,7 @@ class AcceptanceRules:
     least_kept: float
     """A piece fails when its ``kept_1`` is smaller; one that keeps exactly as much passes."""
     kept_source: str
-    """Where that limit comes from."""
+    """The origin of that limit."""
     rules: tuple[AcceptanceRule, ...]
     """What decides beside the sampling."""
     sampling: SamplingRule | None = None
@@ -143,16 +143,16 @@ def load_acceptance_rules(path: Path | str) -> AcceptanceRules:
 def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> AcceptanceRules:
     whole.allow(("name", "rules"))
     by_check: dict[str, RuleObject] = {}
-    for one in objects:
-        check = one.word("check", CHECKS)
+    for rule in objects:
+        check = rule.word("check", CHECKS)
         if check in by_check:
-            raise SettingsError(messages.TWO_RULES_FOR_CHECK(place=one.place, name=one.file, check=check))
-        by_check[check] = one
+            raise SettingsError(messages.TWO_RULES_FOR_CHECK(place=rule.place, name=rule.file, check=check))
+        by_check[check] = rule
     if KEPT not in by_check:
         raise SettingsError(messages.RULES_WITHOUT_KEPT(name=whole.file))
     if not by_check.keys() & {FAILED_SHARE, LONGEST_FAILURE, SAMPLING}:
         raise SettingsError(messages.RULES_DECIDE_NOTHING(name=whole.file))
-    limits = {check: _limit(one, check) for check, one in by_check.items() if check != SAMPLING}
+    limits = {check: _limit(rule, check) for check, rule in by_check.items() if check != SAMPLING}
     rules = [AcceptanceRule(check, limits[check], by_check[check].source()) for check in limits if check != KEPT]
     if MEASURED_SHARE not in limits:
         rules.append(AcceptanceRule(MEASURED_SHARE, STANDARD_MEASURED_SHARE, OWN_LIMIT))
@@ -161,28 +161,28 @@ def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> Accep
     return AcceptanceRules(name, limits[KEPT], by_check[KEPT].source(), tuple(rules), sampling, is_of_file=True)
 
 
-def _limit(one: RuleObject, check: str) -> float:
+def _limit(rule: RuleObject, check: str) -> float:
     key = KEY_OF_LIMIT[check]
-    one.allow(("check", key, "source"))
-    limit = one.number(key)
+    rule.allow(("check", key, "source"))
+    limit = rule.number(key)
     if limit is None:
-        raise SettingsError(messages.RULES_LIMIT_MISSING(place=one.place, name=one.file, key=key, check=check))
+        raise SettingsError(messages.RULES_LIMIT_MISSING(place=rule.place, name=rule.file, key=key, check=check))
     if check in _OF_SHARE and limit > 1:
-        raise SettingsError(messages.RULES_NO_SHARE(place=one.place, name=one.file, key=key, limit=limit))
+        raise SettingsError(messages.RULES_NO_SHARE(place=rule.place, name=rule.file, key=key, limit=limit))
     return limit
 
 
-def _sampling(one: RuleObject) -> SamplingRule:
-    is_isolated = "lq" in one.content
-    one.allow(("check", "lq", "source") if is_isolated else ("check", "aql", "level", "source"))
+def _sampling(rule: RuleObject) -> SamplingRule:
+    is_isolated = "lq" in rule.content
+    rule.allow(("check", "lq", "source") if is_isolated else ("check", "aql", "level", "source"))
     key, known = ("lq", LIMITING_QUALITIES) if is_isolated else ("aql", AQLS)
-    word = word_of(one.content.get(key), known)
+    word = word_of(rule.content.get(key), known)
     if word is None:
-        given = one.content.get(key)
+        given = rule.content.get(key)
         raise SettingsError(messages.RULES_QUALITY_UNKNOWN(
-            place=one.place, name=one.file, key=key.upper(), value=given, known=", ".join(known)
+            place=rule.place, name=rule.file, key=key.upper(), value=given, known=", ".join(known)
         ))  # fmt: skip
     if is_isolated:
-        return SamplingRule("", "", one.source(), word)
-    level = one.word("level", INSPECTION_LEVELS) if "level" in one.content else DEFAULT_LEVEL
-    return SamplingRule(word, level, one.source())
+        return SamplingRule("", "", rule.source(), word)
+    level = rule.word("level", INSPECTION_LEVELS) if "level" in rule.content else DEFAULT_LEVEL
+    return SamplingRule(word, level, rule.source())

@@ -83,7 +83,7 @@ def decide(
         sheet_outcomes = [*_sheet_outcomes(sheets, pieces, rules, delivery)]
     if delivery.is_part:
         outcomes = [_of_sample(outcome) for outcome in outcomes]
-        whole, *sheets = (replace(one, longest_failure_m=None) for one in (whole, *sheets))
+        whole, *sheets = (replace(figures, longest_failure_m=None) for figures in (whole, *sheets))
     longest_rule = None if delivery.is_part else rules.rule(LONGEST_FAILURE)
     unknown = () if longest_rule is None else tuple(run for run in unknown if not longest_rule.passes(run.length_m))
     if lot is not None:
@@ -127,7 +127,7 @@ Doubt = tuple[Message, Message]  # why a delivery can't be accepted as it is giv
 
 def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
     """A broken rule rejects, whatever else is unknown; one that can't be told leaves the decision open."""
-    passed = [one.passed for one in outcomes]
+    passed = [outcome.passed for outcome in outcomes]
     if False in passed:
         return AcceptanceOutcome.REJECTED
     return AcceptanceOutcome.UNDECIDED if None in passed else AcceptanceOutcome.ACCEPTED
@@ -149,7 +149,7 @@ def _against_any(delivery: Delivery) -> Iterator[Doubt]:
 
 
 def _unsealed(delivery: Delivery) -> Iterator[Doubt]:
-    names = {seal: [one.name for one in delivery.layers if one.seal is seal] for seal in Seal}
+    names = {seal: [layer.name for layer in delivery.layers if layer.seal is seal] for seal in Seal}
     advice = messages.WOULD_GIVE_LAYER()
     if changed := names[Seal.BROKEN]:
         yield messages.LAYERS_WERE_CHANGED(count=len(changed), names=_first_names(changed)), advice
@@ -181,9 +181,7 @@ def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) ->
         yield reason, messages.WOULD_GIVE_SEAMS()
 
 
-def _unseen(
-    delivery: Delivery, sheets: Sequence[MetreFigures], rules: AcceptanceRules
-) -> Iterator[Doubt]:
+def _unseen(delivery: Delivery, sheets: Sequence[MetreFigures], rules: AcceptanceRules) -> Iterator[Doubt]:
     """What of the delivery nobody has looked at, so that it can't be accepted; ``sheets``: that were to be measured."""
     for layer in delivery.layers:
         if layer.unread:
@@ -193,9 +191,9 @@ def _unseen(
     # One scan of many sheets may leave a corner of one: what may be lost without a break.
     most = (rules.limit(LONGEST_FAILURE) or 0.0) if delivery.outlines else 0.0
     blank = [layer.name for layer in delivery.layers if layer.is_blank]
-    if not delivery.is_part and any(one.measured_m for one in sheets):
-        blank += [one.name for one in sheets if one.judged_m > most and not one.measured_m]
-    of_state = {state: [one.name for one in delivery.outlines if one.state is state] for state in SheetState}
+    if not delivery.is_part and any(sheet.measured_m for sheet in sheets):
+        blank += [sheet.name for sheet in sheets if sheet.judged_m > most and not sheet.measured_m]
+    of_state = {state: [sheet.name for sheet in delivery.outlines if sheet.state is state] for state in SheetState}
     advice = messages.WOULD_SEE_SHEETS()
     if blank:
         yield messages.SHEETS_NOT_MEASURED(count=len(blank), names=_first_names(blank)), advice
@@ -214,16 +212,17 @@ def _sheet_outcomes(
 
     None is accepted on a layer that is not as its scan left it, none decided on where files are not those of the scan.
     """
-    trusted = {one.name for one in delivery.layers if one.seal in (Seal.WHOLE, Seal.NOT_ASKED)}
+    trusted = {layer.name for layer in delivery.layers if layer.seal in (Seal.WHOLE, Seal.NOT_ASKED)}
     all_trusted, strange = len(trusted) == len(delivery.layers), any(_against_any(delivery))
     of_sheet: dict[str, list[DecidedPiece]] = {}
-    for one in pieces:
-        of_sheet.setdefault(one.piece.sheet, []).append(one)
+    for decided in pieces:
+        of_sheet.setdefault(decided.piece.sheet, []).append(decided)
     for sheet in sheets:
-        own = of_sheet.get(sheet.name, [])
-        outcome = outcome_of(_Ruling(sheet, own, own, rules).outcomes()) if own else None
-        is_doubtful = bool(delivery.files.gone) or not (all_trusted or {one.piece.seam[0] for one in own} <= trusted)
-        if own and (strange or (is_doubtful and outcome is AcceptanceOutcome.ACCEPTED)):
+        sheet_pieces = of_sheet.get(sheet.name, [])
+        outcome = outcome_of(_Ruling(sheet, sheet_pieces, sheet_pieces, rules).outcomes()) if sheet_pieces else None
+        layers = {decided.piece.seam[0] for decided in sheet_pieces}
+        is_doubtful = bool(delivery.files.gone) or not (all_trusted or layers <= trusted)
+        if sheet_pieces and (strange or (is_doubtful and outcome is AcceptanceOutcome.ACCEPTED)):
             outcome = AcceptanceOutcome.UNDECIDED
         yield outcome
 
@@ -280,7 +279,7 @@ class _Ruling:
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
         longest = self.figures.longest_failure_m or 0.0
-        failed = [one for one in self.longest if one.state is PieceState.FAILED]
+        failed = [decided for decided in self.longest if decided.state is PieceState.FAILED]
         return longest, max(longest - known_within(failed, self.rules.least_kept), 0.0), max(
             longest, self.figures.longest_unknown_m, _hiding_m(self.pieces, self.rules.rule(LONGEST_FAILURE))
         )
@@ -288,7 +287,7 @@ class _Ruling:
 
 def _hiding_m(pieces: Sequence[DecidedPiece], rule: AcceptanceRule | None) -> float:
     """Length of the longest piece that passed, where it can hide a failure longer than one may be, else 0; m."""
-    longest = max((one.piece.length_m for one in pieces if one.state is PieceState.PASSED), default=0.0)
+    longest = max((decided.piece.length_m for decided in pieces if decided.state is PieceState.PASSED), default=0.0)
     return longest if rule is not None and 0 < MOST_OF_RUN * rule.limit < longest else 0.0
 
 
@@ -331,7 +330,7 @@ def _why(
 ) -> Message:
     """All rules that were kept, those that were broken, or what is open; at the end which layers are unsealed."""
     wanted = {AcceptanceOutcome.ACCEPTED: True, AcceptanceOutcome.REJECTED: False}.get(outcome)
-    reasons = [reason for reason, _ in doubts] + [one.sentence for one in outcomes if one.passed is wanted]
+    reasons = [reason for reason, _ in doubts] + [rule.sentence for rule in outcomes if rule.passed is wanted]
     reasons += [reason for reason, _ in unsealed]
     if rules.is_of_file:
         listed = reduce(lambda first, also: messages.WITH(first=first, also=also), _limits(rules))
@@ -341,7 +340,7 @@ def _why(
 
 
 def _limits(rules: AcceptanceRules) -> Iterator[Message]:
-    """Which limits there are, and which are missing."""
+    """The limits that there are, and those that are missing."""
     yield messages.LIMIT_OF_KEPT(limit=Stated(rules.least_kept))
     share, run = rules.limit(FAILED_SHARE), rules.limit(LONGEST_FAILURE)
     yield messages.NO_LIMIT_OF_SHARE() if share is None else messages.LIMIT_OF_SHARE(limit=Stated(share))
@@ -354,14 +353,14 @@ def _advice_by_rules(
     rules: AcceptanceRules,
 ) -> Iterator[Message]:
     """What would decide the rules that are open, what decides most of them first."""
-    is_open = {one.check: one for one in outcomes if one.passed is None}
+    is_open = {outcome.check: outcome for outcome in outcomes if outcome.passed is None}
     if delivery.is_part and LONGEST_FAILURE in is_open:
         yield messages.WOULD_GIVE_SCAN()
     if not whole.judged_m:
         yield messages.WOULD_LOOK()
     if (lacking := whole.not_measured_m) and (MEASURED_SHARE in is_open or not whole.measured_m):
         wanted = max((rules.limit(MEASURED_SHARE) or 0.0) * whole.judged_m - whole.measured_m, 0.0)
-        has_sources = any(states_in(one.settings.get(SOURCE_FILES, "")) for one in delivery.layers)
+        has_sources = any(states_in(layer.settings.get(SOURCE_FILES, "")) for layer in delivery.layers)
         yield messages.WOULD_MEASURE(wanted=wanted, lacking=lacking) if has_sources else (
             messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
         )
@@ -372,44 +371,44 @@ def _advice_by_rules(
         yield messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
     within = _open_ends(pieces, rules, whole)
     if FAILED_SHARE in is_open and within > known_within(pieces, rules.least_kept):
-        piece = float(np.median([one.piece.length_m for one in pieces]))
+        piece = float(np.median([decided.piece.length_m for decided in pieces]))
         allowed = (rules.limit(FAILED_SHARE) or 0.0) * whole.measured_m
         yield messages.WOULD_SHORTEN(piece=piece, within=within, allowed=allowed)
-    if (count := sum(one.is_unclear for one in pieces)) and is_open:
+    if (count := sum(decided.is_unclear for decided in pieces)) and is_open:
         yield messages.WOULD_TELL_APART(count=count, metres=whole.unclear_m)
 
 
 def _layers(delivery: Delivery) -> Iterator[Message]:
     """Whether layers are as their scan left them, what they are of, and whether they were measured alike."""
     layers = delivery.layers
-    if layers and all(one.seal is Seal.WHOLE for one in layers):
+    if layers and all(layer.seal is Seal.WHOLE for layer in layers):
         yield messages.LAYERS_SEALED(count=len(layers))
     yield from _files(delivery)
-    if names := [one.name for one in layers if not SeenGround.of_settings(one.settings).is_known]:
+    if names := [layer.name for layer in layers if not SeenGround.of_settings(layer.settings).is_known]:
         yield messages.SEAMS_ELSEWHERE_UNKNOWN(names=_first_names(names))
-    for one in layers:
-        yield from ground_sentences(one.name, one.settings)
-    if names := [one.name for one in layers if one.settings.get("seams") == "found"]:
+    for layer in layers:
+        yield from ground_sentences(layer.name, layer.settings)
+    if names := [layer.name for layer in layers if layer.settings.get("seams") == "found"]:
         yield messages.SEAMS_FOUND(name=_first_names(names))
-    if names := [one.name for one in layers if one.settings.get("seams") == "given"]:
+    if names := [layer.name for layer in layers if layer.settings.get("seams") == "given"]:
         yield messages.SEAMS_GIVEN(name=_first_names(names))
-    for name in dict.fromkeys(name for one in layers for name in one.settings):
-        values = list(dict.fromkeys(one.settings[name] for one in layers if name in one.settings))
+    for name in dict.fromkeys(name for layer in layers for name in layer.settings):
+        values = list(dict.fromkeys(layer.settings[name] for layer in layers if name in layer.settings))
         if len(values) > 1 and name in COMPARED_SETTINGS:
             yield messages.SETTINGS_DIFFER(setting=name, values=_first_names(values))
 
 
 def _files(delivery: Delivery) -> Iterator[Message]:
-    files, settings = delivery.files, [one.settings for one in delivery.layers]
+    files, settings = delivery.files, [layer.settings for layer in delivery.layers]
     if files.same:
         yield messages.FILES_AS_SCANNED(count=files.same)
     if files.mosaics > 1:
         yield messages.OF_MOSAICS(count=files.mosaics)
-    if (apart := len({one[MOSAIC_FILES] for one in settings if MOSAIC_FILES in one})) > 1:
+    if (apart := len({scan[MOSAIC_FILES] for scan in settings if MOSAIC_FILES in scan})) > 1:
         yield messages.SCANNED_APART(count=apart)
     if files.gone_sources:
         yield messages.SOURCES_GONE(count=len(files.gone_sources), names=_first_names(files.gone_sources))
-    if any(states_in(one.get(SOURCE_FILES, "")) for one in settings):
+    if any(states_in(scan.get(SOURCE_FILES, "")) for scan in settings):
         yield messages.SOURCES_BELIEVED()
 
 
@@ -455,7 +454,7 @@ def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
 
 
 def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:
-    """Where the first of them lie."""
+    """The first rows with the places where they lie, and how many more there are."""
     for run in rows[:_NAMED]:
         x, y = run.place
         yield messages.ROW_NOT_MEASURED(metres=run.length_m, x=x, y=y, sheets=", ".join(run.sheets))

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
+from math import inf
 from typing import Any
 
 from ...imagery.errors import Message
@@ -153,13 +154,13 @@ class Decision:
 
     def _rows(self) -> TableRows:
         rows = TableRows(wkt=self.delivery.wkt)
-        for one in self.pieces:
-            piece = one.piece
+        for decided in self.pieces:
+            piece = decided.piece
             rows.append({
                 "sheet": piece.sheet, "seam_id": piece.seam_id, "station": piece.station_m, "length": piece.length_m,
                 "kept_1": piece.kept_1, "kept_low": piece.kept_low, "kept_high": piece.kept_high,
-                "left_source": piece.left_source, "right_source": piece.right_source, "state": one.state.value,
-                "is_unclear": one.is_unclear, "failure": one.run, GEOMETRY: line_wkt(piece.vertices),
+                "left_source": piece.left_source, "right_source": piece.right_source, "state": decided.state.value,
+                "is_unclear": decided.is_unclear, "failure": decided.run, GEOMETRY: line_wkt(piece.vertices),
             })
         return rows
 
@@ -171,7 +172,7 @@ class Decision:
     @property
     def failed(self) -> tuple[DecidedPiece, ...]:
         """The pieces to send back."""
-        return tuple(one for one in self.pieces if one.state is PieceState.FAILED)
+        return tuple(decided for decided in self.pieces if decided.state is PieceState.FAILED)
 
     @property
     def longest_failure_m(self) -> float | None:
@@ -188,30 +189,33 @@ class Defect:
 
     @property
     def worst(self) -> DecidedPiece:
-        return min(self.pieces, key=lambda one: float("inf") if one.piece.kept_1 is None else one.piece.kept_1)
+        return min(self.pieces, key=lambda decided: inf if decided.piece.kept_1 is None else decided.piece.kept_1)
 
     @property
     def unclear_m(self) -> float:
         """Metres of it in pieces whose interval holds the limit."""
-        return sum(one.piece.length_m for one in self.pieces if one.is_unclear)
+        return sum(decided.piece.length_m for decided in self.pieces if decided.is_unclear)
 
     @property
     def band_width_m(self) -> float | None:
         """Width of its widest band; None where none is known."""
-        return max((one.piece.band_width_m for one in self.pieces if one.piece.band_width_m is not None), default=None)
+        widths = [decided.piece.band_width_m for decided in self.pieces]
+        return max((width for width in widths if width is not None), default=None)
 
     @property
     def cause(self) -> str:
         """Cause of the inspected window nearest to the worst piece, else of another one on it; empty without any."""
-        return next((one.cause for one in self._windows() if one.cause), "")
+        return next((window.cause for window in self._windows() if window.cause), "")
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        return tuple(dict.fromkeys(words for one in self._windows() for words in (one.remark, one.remark_2) if words))
+        remarks = (remark for window in self._windows() for remark in (window.remark, window.remark_2))
+        return tuple(dict.fromkeys(filter(None, remarks)))
 
     def _windows(self) -> list[SeenWindow]:
-        """Those that lie on any of the pieces, each once, those of the worst one in front."""
-        return list({one.window_id: one for piece in (self.worst, *self.pieces) for one in piece.windows}.values())
+        """Windows that lie on any of the pieces, each once, those of the worst one in front."""
+        windows = (window for piece in (self.worst, *self.pieces) for window in piece.windows)
+        return list({window.window_id: window for window in windows}.values())
 
 
 def defects_of(decision: Decision) -> tuple[Defect, ...]:

@@ -74,7 +74,7 @@ def checked_sheets(
     opened = [_opened(sheet) for sheet in sheets]
     ordered = [raster for (raster, _), sheet in zip(opened, sheets) if raster is not None and sheet.is_ordered]
     form = _as_most(ordered or [raster for raster, _ in opened if raster is not None], form)
-    found = []
+    checked = []
 
     def tell(share: float) -> None:
         if not goes_on(share):
@@ -84,8 +84,8 @@ def checked_sheets(
         for done, (sheet, (raster, trouble)) in enumerate(zip(sheets, opened)):
             tell(_READ * done / len(sheets))
             part = partial(_part_done, tell, _READ * done / len(sheets), _READ / len(sheets))
-            found.append(_checked(sheet, raster, trouble, form, part))
-        return with_states(found, partial(_part_done, tell, _READ, 1 - _READ))
+            checked.append(_checked(sheet, raster, trouble, form, part))
+        return with_states(checked, partial(_part_done, tell, _READ, 1 - _READ))
     except CancelledError:
         return None
 
@@ -95,16 +95,16 @@ def _part_done(tell: Callable[[float], None], before: float, part: float, share:
 
 
 def fitting(sheets: Sequence[CheckedSheet]) -> list[CheckedSheet]:
-    """Those that one mosaic can be made of: the ordered ones of most sheets' system, pixels, bands and type."""
+    """The sheets that one mosaic can be made of: the ordered ones of most sheets' system, pixels, bands and type."""
     groups: list[list[CheckedSheet]] = []
-    for one in sheets:
-        if one.raster is None or not one.raster.is_north_up or not one.sheet.is_ordered:
+    for sheet in sheets:
+        if sheet.raster is None or not sheet.raster.is_north_up or not sheet.sheet.is_ordered:
             continue
-        alike = next((group for group in groups if _is_like(one.raster, group[0].raster)), None)
+        alike = next((group for group in groups if _is_like(sheet.raster, group[0].raster)), None)
         if alike is None:
-            groups.append([one])
+            groups.append([sheet])
         else:
-            alike.append(one)
+            alike.append(sheet)
     return max(groups, key=len, default=[])
 
 
@@ -114,26 +114,26 @@ def with_states(sheets: Sequence[CheckedSheet], tell: Callable[[float], None]) -
     ``tell``: is told the share that is done; what it raises ends the look.
     """
     shown = fitting(sheets)
-    others = otherwise([one.raster for one in shown if one.raster is not None], tell)
-    names = {id(one): [shown[other].sheet.name for other in others[number]] for number, one in enumerate(shown)}
-    found = []
-    for one in sheets:
-        if not one.sheet.is_ordered:
-            one = replace(one, state=SheetState.NOT_ORDERED)
-        elif id(one) not in names:
-            findings = one.findings or (messages.NOT_IN_MOSAIC(),)
-            one = replace(one, findings=findings, state=SheetState.LEFT_OUT)
-        elif hidden := names[id(one)]:
+    others = otherwise([sheet.raster for sheet in shown if sheet.raster is not None], tell)
+    names = {id(sheet): [shown[other].sheet.name for other in others[number]] for number, sheet in enumerate(shown)}
+    checked = []
+    for sheet in sheets:
+        if not sheet.sheet.is_ordered:
+            sheet = replace(sheet, state=SheetState.NOT_ORDERED)
+        elif id(sheet) not in names:
+            findings = sheet.findings or (messages.NOT_IN_MOSAIC(),)
+            sheet = replace(sheet, findings=findings, state=SheetState.LEFT_OUT)
+        elif hidden := names[id(sheet)]:
             finding = messages.SHOWS_OTHERWISE(names=", ".join(hidden))
-            one = replace(one, findings=(*one.findings, finding), state=SheetState.OVERLAPS)
-        found.append(one)
-    return found
+            sheet = replace(sheet, findings=(*sheet.findings, finding), state=SheetState.OVERLAPS)
+        checked.append(sheet)
+    return checked
 
 
 def build_mosaic(path: str, sheets: Sequence[CheckedSheet]) -> None:
     """A VRT over the files of ``fitting`` sheets. Raises RasterError when it can't be written."""
     with gdal_writing(messages.MOSAIC_NOT_WRITTEN(path=path)):
-        made = gdal.BuildVRT(path, [one.sheet.path for one in sheets], allowProjectionDifference=True)
+        made = gdal.BuildVRT(path, [sheet.sheet.path for sheet in sheets], allowProjectionDifference=True)
         made.FlushCache()
 
 
@@ -151,12 +151,12 @@ def _as_most(rasters: Sequence[Raster], form: OrderedForm) -> OrderedForm:
     """The form with what it leaves open filled in by what most files have."""
     if not rasters:
         return form
-    most_wkt = _most([one.wkt for one in rasters])
+    most_wkt = _most([raster.wkt for raster in rasters])
     return OrderedForm(
-        form.pixel_m or _most([round(one.ground_sample_distance, 6) for one in rasters]),
+        form.pixel_m or _most([round(raster.ground_sample_distance, 6) for raster in rasters]),
         form.wkt or most_wkt,
-        form.bands or _most([len(one.band_names) for one in rasters]),
-        form.data_type or _most([one.data_type for one in rasters]),
+        form.bands or _most([len(raster.band_names) for raster in rasters]),
+        form.data_type or _most([raster.data_type for raster in rasters]),
         form.pattern, form.most_missing,
     )  # fmt: skip
 
@@ -267,10 +267,10 @@ def _invalid_pixels(
         tell((window.row * whole.width + window.column) / (whole.width * whole.height))
         absent = _absent(opened, window)
         invalid = absent if absent is not None and absent.all() else opened.read(window).invalid
-        found = [one for one in (absent, invalid) if one is not None]
-        if not found:
+        masks = [mask for mask in (absent, invalid) if mask is not None]
+        if not masks:
             continue
-        invalid = np.logical_or.reduce(found)
+        invalid = np.logical_or.reduce(masks)
         if outline is not None and invalid.any():
             invalid = invalid & (burnt([(outline, 1)], raster.grid, window, 0) == 1)
         count += int(np.count_nonzero(invalid))
@@ -316,34 +316,34 @@ def otherwise(rasters: Sequence[Raster], tell: Callable[[float], None]) -> list[
     Files compressed with loss may differ by that. ``tell``: is told the share that is done; what it raises ends the
     look.
     """
-    found: list[list[int]] = [[] for _ in rasters]
-    edges = np.array([one.extent for one in rasters]).reshape(-1, 4)
-    least = np.array([_LEAST_PX * one.grid.pixel_width for one in rasters])
+    others: list[list[int]] = [[] for _ in rasters]
+    edges = np.array([raster.extent for raster in rasters]).reshape(-1, 4)
+    least = np.array([_LEAST_PX * raster.grid.pixel_width for raster in rasters])
     with RasterPool() as pool:
-        for number, one in enumerate(rasters):
+        for number, raster in enumerate(rasters):
             tell(number / len(rasters))
             left, bottom, right, top = edges[number]
             width = np.minimum(edges[:, 2], right) - np.maximum(edges[:, 0], left)
             height = np.minimum(edges[:, 3], top) - np.maximum(edges[:, 1], bottom)
             for other in np.flatnonzero((width > least) & (height > least)).tolist():
-                if other > number and _differ(one, rasters[other], pool):
-                    found[number].append(other)
-                    found[other].append(number)
-    return found
+                if other > number and _differ(raster, rasters[other], pool):
+                    others[number].append(other)
+                    others[other].append(number)
+    return others
 
 
-def _differ(one: Raster, other: Raster, pool: RasterPool) -> bool:
+def _differ(raster: Raster, other: Raster, pool: RasterPool) -> bool:
     """Whether two rasters show different things; not where one of them can't be read, which is told elsewhere."""
-    grid, (left, bottom, right, top) = one.grid, other.extent
+    grid, (left, bottom, right, top) = raster.grid, other.extent
     aside = [grid.column_at(left), grid.column_at(right) - other.columns]
     aside += [grid.row_at(top), grid.row_at(bottom) - other.rows]
     columns, rows = round(aside[0]), round(aside[2])
-    if max(abs(found - whole) for found, whole in zip(aside, (columns, columns, rows, rows))) > _MOST_ASIDE:
+    if max(abs(place - whole) for place, whole in zip(aside, (columns, columns, rows, rows))) > _MOST_ASIDE:
         return True
-    shared = PixelWindow(columns, rows, other.columns, other.rows).cut_to(one.columns, one.rows)
-    is_lossy = one.is_lossy or other.is_lossy
+    shared = PixelWindow(columns, rows, other.columns, other.rows).cut_to(raster.columns, raster.rows)
+    is_lossy = raster.is_lossy or other.is_lossy
     try:
-        first, second = pool.open(one.ref), pool.open(other.ref)
+        first, second = pool.open(raster.ref), pool.open(other.ref)
 
         def has_any(window: PixelWindow) -> bool:
             return bool(first.stored_share(window) or second.stored_share(window.moved_by(-columns, -rows)))
@@ -359,13 +359,13 @@ def _differ(one: Raster, other: Raster, pool: RasterPool) -> bool:
     return False
 
 
-def _differ_at_all(one: np.ndarray, other: np.ndarray, valid: np.ndarray) -> bool:
-    return bool(((one != other).any(axis=0) & valid).any())
+def _differ_at_all(mine: np.ndarray, theirs: np.ndarray, valid: np.ndarray) -> bool:
+    return bool(((mine != theirs).any(axis=0) & valid).any())
 
 
-def _differ_much(one: np.ndarray, other: np.ndarray, valid: np.ndarray) -> bool:
+def _differ_much(mine: np.ndarray, theirs: np.ndarray, valid: np.ndarray) -> bool:
     """Whether any cell differs by more than compression does: what it shows, or how much detail it has."""
-    images = [np.where(valid, found, 0).astype(np.float32) for found in (one, other)]
+    images = [np.where(valid, image, 0).astype(np.float32) for image in (mine, theirs)]
     white = max(float(image.max(initial=0)) for image in images)
     coarse, their_coarse = (_means(image, _COARSE_PX) for image in images)
     cell = _CELL_PX // _COARSE_PX
@@ -388,7 +388,7 @@ def _means(values: np.ndarray, side: int) -> np.ndarray:
 def _detail(image: np.ndarray) -> np.ndarray:
     """Squares of the steps from pixel to pixel, of the mean of all bands."""
     grey = image.mean(axis=0)
-    found = np.zeros_like(grey)
-    found[:, :-1] += np.diff(grey, axis=1) ** 2
-    found[:-1] += np.diff(grey, axis=0) ** 2
-    return found
+    squares = np.zeros_like(grey)
+    squares[:, :-1] += np.diff(grey, axis=1) ** 2
+    squares[:-1] += np.diff(grey, axis=0) ** 2
+    return squares

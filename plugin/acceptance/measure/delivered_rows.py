@@ -15,12 +15,7 @@ from ...imagery.file_identity import states_in, states_text
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.grids import Extent
 from ...imagery.lines import points_at, vertex_stations
-from ...imagery.reference_systems import (
-    is_geographic,
-    same_coordinates,
-    transform_points,
-    utm_wkt,
-)
+from ...imagery.reference_systems import is_geographic, same_coordinates, transform_points, utm_wkt
 from ...imagery.seam_totals import (
     METRES,
     MOSAIC_FILES,
@@ -118,28 +113,28 @@ class LayerDoubts:
         kept = self.see_kept(_text(row.get("kept_1")), _number(row.get("kept_1")), verdict)
         low, high, width = (_number(row.get(name)) for name in _NUMBERS)
         left, right, left_date, right_date = (_text(row.get(name)) for name in _SIDES)
-        found = DeliveredPiece(
+        piece = DeliveredPiece(
             0, sheet, seam_id, station, length, kept, low, high, width, verdict, _text(row.get("reason")), line, left,
             right, left_date, right_date, has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
             visibility=_number(row.get("visibility")), profile=profile_of(_text(row.get("profile"))),
         )  # fmt: skip
         self.pieces += 1
         self.metres += length
-        self.failed_m += length * (state_of(found, STANDARD_LEAST_KEPT) is PieceState.FAILED)
-        return found
+        self.failed_m += length * (state_of(piece, STANDARD_LEAST_KEPT) is PieceState.FAILED)
+        return piece
 
     def layer(self, notes: Mapping[str, str], wkt: str = "", is_asked: bool = True) -> DeliveredLayer:
         """What it is, by what stands beside its rows; ``wkt``: its reference system; ``is_asked``: whether it has to be
         sealed."""
-        own, scanned = self.totals.totals, SeamTotals.of_notes(notes)
+        totals, scanned = self.totals.totals, SeamTotals.of_notes(notes)
         settings = {} if scanned is None else {**notes}
         total = _number(notes.get(METRES))
         lacking = self.without_line_m + sum(self._gaps()) if total is None else total - self.metres
         lacking = lacking if lacking > _LACKING_M else 0.0
         hidden = 0.0 if scanned is None else scanned.failed_metres - self.failed_m - lacking
-        seal = self._seal(own, notes, wkt) if scanned is not None else Seal.MISSING if is_asked else Seal.NOT_ASKED
+        seal = self._seal(totals, notes, wkt) if scanned is not None else Seal.MISSING if is_asked else Seal.NOT_ASKED
         return DeliveredLayer(
-            self.sheet, seal, lacking, settings, own.digest, hidden if hidden > _LACKING_M else 0.0,
+            self.sheet, seal, lacking, settings, totals.digest, hidden if hidden > _LACKING_M else 0.0,
             not self.pieces and seal is not Seal.WHOLE,
         )  # fmt: skip
 
@@ -221,16 +216,16 @@ def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> tuple[floa
     counts = np.clip(np.ceil(drawn_m / step) + 1, 2, _MOST_POINTS).astype(int)
     others = np.zeros(len(asked), int)
     for first in range(0, len(pieces), _PIECES_AT_ONCE):
-        own = counts[first : first + _PIECES_AT_ONCE]
-        number = np.repeat(np.arange(len(own)), own)
-        place = np.arange(own.sum()) - np.repeat(np.cumsum(own) - own, own)
-        tree = cKDTree(point_of(first + number, place / (own - 1)[number])[0])
+        point_counts = counts[first : first + _PIECES_AT_ONCE]
+        number = np.repeat(np.arange(len(point_counts)), point_counts)
+        place = np.arange(point_counts.sum()) - np.repeat(np.cumsum(point_counts) - point_counts, point_counts)
+        tree = cKDTree(point_of(first + number, place / (point_counts - 1)[number])[0])
         within = ((asked > tree.mins - _NEAR * step) & (asked < tree.maxes + _NEAR * step)).all(axis=1)
         _, near = tree.query(asked[within], _NEIGHBOURS, distance_upper_bound=_NEAR * step)
         owner = np.append(first + number, -1)
-        found = np.sort(owner[near])
-        is_first = np.diff(found, prepend=-2) != 0
-        others[within] += (is_first & (found != -1) & (found != asker[within, np.newaxis])).sum(axis=1)
+        nearest = np.sort(owner[near])
+        is_first = np.diff(nearest, prepend=-2) != 0
+        others[within] += (is_first & (nearest != -1) & (nearest != asker[within, np.newaxis])).sum(axis=1)
     lengths = np.array([piece.length_m for piece in pieces])
     too_many = lengths[asker] / len(_PLACES) * others / (others + 1)
     if too_many.sum() < typical / 2:
@@ -239,9 +234,7 @@ def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> tuple[floa
     return float(too_many.sum()), tuple(sheets)
 
 
-def _points_of(
-    lines: Sequence[np.ndarray],
-) -> Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]:
+def _points_of(lines: Sequence[np.ndarray]) -> Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]:
     """From numbers of lines, (n, 2) each, and shares of their lengths to the points there; with all lengths."""
     vertices, last = np.concatenate(lines), np.cumsum([len(line) for line in lines]) - 1
     steps = np.hypot(*np.diff(vertices, axis=0).T)
@@ -312,16 +305,17 @@ def united_delivery(
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
     once, copies = without_copies(in_order(pieces))
-    told = [messages.PIECES_TWICE(count=copies)] if copies else []
+    notices = [messages.PIECES_TWICE(count=copies)] if copies else []
     if doubled := overlap(once, metres_in_unit((piece.vertices for piece in once), wkt)):
-        told.append(messages.SEAMS_OVERLAP(metres=doubled[0], sheets=", ".join(doubled[1])))
-    found = Delivery(
+        notices.append(messages.SEAMS_OVERLAP(metres=doubled[0], sheets=", ".join(doubled[1])))
+    delivery = Delivery(
         in_order(once) if copies else tuple(once), wkt, lot_size=lot_size, layers=tuple(layers),
         doubled_m=doubled[0] if doubled else 0.0,
     )  # fmt: skip
-    if found.lacking_m:
-        told += [messages.LAYER_LACKS_SEAMS(name=one.name, metres=one.lacking_m) for one in layers if one.lacking_m]
-    return found, told
+    if delivery.lacking_m:
+        lacking = [layer for layer in layers if layer.lacking_m]
+        notices += [messages.LAYER_LACKS_SEAMS(name=layer.name, metres=layer.lacking_m) for layer in lacking]
+    return delivery, notices
 
 
 _SUMMED = ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres")
@@ -330,15 +324,15 @@ _SUMMED = ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_me
 
 def united_settings(layers: Sequence[DeliveredLayer]) -> dict[str, str]:
     """What a layer of pieces of several says of how they were measured, and of which files."""
-    found: dict[str, str] = {}
-    for name in dict.fromkeys(name for one in layers for name in one.settings):
-        values = [one.settings[name] for one in layers if name in one.settings]
+    settings: dict[str, str] = {}
+    for name in dict.fromkeys(name for layer in layers for name in layer.settings):
+        values = [layer.settings[name] for layer in layers if name in layer.settings]
         if name not in _SUMMED:
             values = list(dict.fromkeys(values))
-        found[name] = ", ".join(values)
+        settings[name] = ", ".join(values)
         if name in (MOSAIC_FILES, SOURCE_FILES) and len(values) > 1:
-            found[name] = states_text([file for value in values for file in states_in(value)])
-    return found
+            settings[name] = states_text([file for value in values for file in states_in(value)])
+    return settings
 
 
 def with_settings(delivery: Delivery, scans: Sequence[Mapping[str, str]]) -> Delivery:
@@ -347,7 +341,7 @@ def with_settings(delivery: Delivery, scans: Sequence[Mapping[str, str]]) -> Del
     if not scans or len(scans) not in (1, len(delivery.layers)):
         return delivery
     every = [*scans] * len(delivery.layers) if len(scans) == 1 else scans
-    layers = (replace(one, settings={**said, **one.settings}) for one, said in zip(delivery.layers, every))
+    layers = (replace(layer, settings={**said, **layer.settings}) for layer, said in zip(delivery.layers, every))
     return replace(delivery, layers=tuple(layers))
 
 
@@ -365,10 +359,10 @@ def _vertices(row: SeamRow) -> np.ndarray:
 
 def _number(value: object) -> float | None:
     try:
-        found = float(str(value))
+        number = float(str(value))
     except ValueError:
         return None
-    return found if math.isfinite(found) else None
+    return number if math.isfinite(number) else None
 
 
 def _text(value: object) -> str:

@@ -71,10 +71,10 @@ def metres_in_unit(lines: Iterable[np.ndarray], wkt: str) -> float:
 
     Raises SettingsError where that is nowhere.
     """
-    found = math.sqrt(math.prod(metres_per_unit(wkt, middle_of(extent_of(lines)))))
-    if not 0 < found < math.inf:
+    metres = math.sqrt(math.prod(metres_per_unit(wkt, middle_of(extent_of(lines)))))
+    if not 0 < metres < math.inf:
         raise SettingsError(messages.SEAMS_NOT_ON_GROUND())
-    return found
+    return metres
 
 
 def in_order(pieces: Iterable[DeliveredPiece]) -> tuple[DeliveredPiece, ...]:
@@ -129,12 +129,12 @@ class SheetState(Enum):
     @classmethod
     def of_word(cls, word: str) -> SheetState:
         """State that a word stands for; layers without a word of ours say nothing against a sheet."""
-        return next((one for one in cls if one.value == word), cls.SHOWN)
+        return next((state for state in cls if state.value == word), cls.SHOWN)
 
 
 @dataclass(frozen=True, eq=False)
 class SheetOutline:
-    """Where a sheet lies, of which there may be no seam."""
+    """The outline of a sheet, of which there may be no seam."""
 
     name: str
     rings: tuple[np.ndarray, ...]  # (n, 2) x and y each, in the delivery's reference system
@@ -211,7 +211,7 @@ class Delivery:
     @property
     def lacking_m(self) -> float:
         """Metres that are known to be missing; a sample lacks what was not drawn."""
-        return 0.0 if self.is_part else sum(one.lacking_m for one in self.layers)
+        return 0.0 if self.is_part else sum(layer.lacking_m for layer in self.layers)
 
     @property
     def sampled_numbers(self) -> tuple[int, ...] | None:
@@ -228,12 +228,12 @@ class Delivery:
     @property
     def sheets(self) -> tuple[str, ...]:
         """Their names in order: those with seams, and those whose outlines were given."""
-        own = {one.sheet for one in self.pieces}
-        return tuple(sorted(own | {one.name for one in self.outlines}, key=in_words))
+        piece_sheets = {piece.sheet for piece in self.pieces}
+        return tuple(sorted(piece_sheets | {outline.name for outline in self.outlines}, key=in_words))
 
     def sheet_rings(self) -> dict[str, list[np.ndarray]]:
         """The closed rings of each sheet, (n, 2) x and y each: as given, or the box around its seams."""
-        rings = {one.name: [*one.rings] for one in self.outlines if one.rings}
+        rings = {outline.name: [*outline.rings] for outline in self.outlines if outline.rings}
         boxed: dict[str, list[np.ndarray]] = {}
         for piece in self.pieces:
             boxed.setdefault(piece.sheet, []).append(piece.vertices)

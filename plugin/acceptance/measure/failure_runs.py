@@ -33,7 +33,7 @@ class PiecePlaces:
         self._pieces, self._typical_m, self._tolerance_m = pieces, typical_m, TOUCHING * typical_m
         self._ends = np.array([[piece.vertices[0], piece.vertices[-1]] for piece in pieces]) * unit_m
         touching = cKDTree(self._ends.reshape(-1, 2)).query_pairs(self._tolerance_m)
-        joined = [(one, other) for one, other in touching if one // 2 != other // 2]
+        joined = [(end, other) for end, other in touching if end // 2 != other // 2]
         places = _united([*self._along_seams(), *joined], 2 * len(pieces)).reshape(-1, 2).tolist()
         self._places: list[tuple[int, int]] = [(start, stop) for start, stop in places]
 
@@ -46,10 +46,10 @@ class PiecePlaces:
         for number in unknown:
             way = min(self._places[number]), max(self._places[number])
             lengths[way] = min(self._pieces[number].length_m, lengths.get(way, np.inf))
-        own = {place for places in ends.values() for place in places}
-        bridged = list(_near(lengths, own, self._typical_m * (1 + 1e-9)))
+        failed_places = {place for places in ends.values() for place in places}
+        bridged = list(_near(lengths, failed_places, self._typical_m * (1 + 1e-9)))
         same = _united(bridged, 2 * len(self._pieces)).tolist()
-        return {number: (same[one], same[other]) for number, (one, other) in ends.items()}
+        return {number: (same[start], same[other]) for number, (start, other) in ends.items()}
 
     def _along_seams(self) -> Iterator[tuple[int, int]]:
         seams: dict[tuple[str, str], list[tuple[float, int]]] = {}
@@ -85,8 +85,8 @@ def _near(lengths: Mapping[tuple[int, int], float], wanted: set[int], limit: flo
     if not lengths:
         return
     places, ends = np.unique(np.array(list(lengths)), return_inverse=True)
-    one, other = ends.reshape(-1, 2).T
-    graph = csr_matrix((list(lengths.values()), (one, other)), shape=(len(places), len(places)))
+    start, stop = ends.reshape(-1, 2).T
+    graph = csr_matrix((list(lengths.values()), (start, stop)), shape=(len(places), len(places)))
     starts = np.flatnonzero([place in wanted for place in places.tolist()])
     for first in range(0, len(starts), _STARTS_AT_ONCE):
         some = starts[first : first + _STARTS_AT_ONCE]
@@ -108,7 +108,7 @@ def unbroken_lines(
     every = [(piece, end) for piece in ends for end in (0, 1)]
     seen: set[int] = set()
     lines = []
-    for piece, end in [*(one for one in every if one not in goes_on), *every]:  # what is left over are rings
+    for piece, end in [*(step for step in every if step not in goes_on), *every]:  # what is left over are rings
         steps: list[Step] = []
         while piece not in seen:
             seen.add(piece)
@@ -122,15 +122,13 @@ def unbroken_lines(
 _End = tuple[int, int]  # a piece, and 0 for its first place, 1 for its second
 
 
-def _next_ends(
-    ends: Mapping[int, tuple[int, int]], seams: Mapping[int, tuple[str, str] | None]
-) -> dict[_End, _End]:
+def _next_ends(ends: Mapping[int, tuple[int, int]], seams: Mapping[int, tuple[str, str] | None]) -> dict[_End, _End]:
     """Ends of pieces, each with the end of the one that follows there."""
     meeting: dict[int, list[_End]] = defaultdict(list)
     for piece, places in ends.items():
         for end, place in enumerate(places):
             meeting[place].append((piece, end))
-    found: dict[_End, _End] = {}
+    following: dict[_End, _End] = {}
     for there in meeting.values():
         by_seam: dict[tuple[str, str] | None, list[_End]] = defaultdict(list)
         for piece, end in there:
@@ -139,9 +137,8 @@ def _next_ends(
             by_seam.pop(None, None)  # of no seam that is known
         for pair in by_seam.values():
             if len(pair) == 2:
-                found[pair[0]], found[pair[1]] = pair[1], pair[0]
-    return found
-
+                following[pair[0]], following[pair[1]] = pair[1], pair[0]
+    return following
 
 
 def failure_runs(
@@ -174,11 +171,11 @@ def unknown_runs(
 def _run(steps: Sequence[Step], pieces: Sequence[DeliveredPiece]) -> FailureRun:
     if steps[0][0] > steps[-1][0]:
         steps = tuple((number, not forward) for number, forward in reversed(steps))  # in the order of the layer
-    own = [pieces[number] for number, _ in steps]
-    reached = np.cumsum([piece.length_m for piece in own])
+    run_pieces = [pieces[number] for number, _ in steps]
+    reached = np.cumsum([piece.length_m for piece in run_pieces])
     half = reached[-1] / 2
     at = int(np.searchsorted(reached, half))
-    share = 1 - float(reached[at] - half) / own[at].length_m
-    place = own[at].point(share if steps[at][1] else 1 - share)
-    sheets = tuple(dict.fromkeys(piece.sheet for piece in own))
-    return FailureRun(0, float(reached[-1]), tuple(piece.number for piece in own), sheets, place)
+    share = 1 - float(reached[at] - half) / run_pieces[at].length_m
+    place = run_pieces[at].point(share if steps[at][1] else 1 - share)
+    sheets = tuple(dict.fromkeys(piece.sheet for piece in run_pieces))
+    return FailureRun(0, float(reached[-1]), tuple(piece.number for piece in run_pieces), sheets, place)

@@ -24,7 +24,7 @@ def drawn_sample(pieces: Sequence[DeliveredPiece], count: int, seed: int) -> lis
 
 def cut_pieces(seams: Sequence[Seam], sheet: str, piece_m: float, unit_m: float) -> list[DeliveredPiece]:
     """Seams without a scan, cut evenly into pieces of about a length. ``unit_m``: metres in a unit of coordinates."""
-    found: list[DeliveredPiece] = []
+    pieces: list[DeliveredPiece] = []
     for seam in seams:
         along = vertex_stations(seam.vertices) * unit_m
         count = max(1, round(along[-1] / piece_m))
@@ -32,13 +32,13 @@ def cut_pieces(seams: Sequence[Seam], sheet: str, piece_m: float, unit_m: float)
         for start, stop in zip(cuts[:-1], cuts[1:]):
             between = along[(along > start) & (along < stop)]
             stations = np.concatenate([[start], between, [stop]])
-            found.append(
+            pieces.append(
                 DeliveredPiece(
-                    len(found), sheet, str(seam.seam_id), float(start), float(stop - start), None, None, None, None, "",
-                    "", points_at(seam.vertices, along, stations),
+                    len(pieces), sheet, str(seam.seam_id), float(start), float(stop - start), None, None, None, None,
+                    "", "", points_at(seam.vertices, along, stations),
                 )
             )
-    return found
+    return pieces
 
 
 def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
@@ -104,17 +104,15 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     if passed is None:
         sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)
     else:
-        told = plan_sentence(plan, outcome.characteristic)
+        words = plan_sentence(plan, outcome.characteristic)
         sentence = (
-            messages.PLAN_KEPT(nonconforming=failed, inspected=outcome.inspected, limit=most, plan=told) if passed
-            else messages.PLAN_EXCEEDED(nonconforming=failed, inspected=outcome.inspected, limit=most, plan=told)
+            messages.PLAN_KEPT(nonconforming=failed, inspected=outcome.inspected, limit=most, plan=words) if passed
+            else messages.PLAN_EXCEEDED(nonconforming=failed, inspected=outcome.inspected, limit=most, plan=words)
         )  # fmt: skip
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
 
 
-def _notices(
-    plan: SamplingPlan, seed: int | None, measured: int, given: Sequence[int] | None
-) -> Iterator[Message]:
+def _notices(plan: SamplingPlan, seed: int | None, measured: int, given: Sequence[int] | None) -> Iterator[Message]:
     if seed is not None:
         yield messages.DRAWN(size=plan.sample_size, given=measured, seed=seed)
     if given is None and plan.is_whole_lot:

@@ -41,9 +41,10 @@ def is_unclear(piece: DeliveredPiece, least_kept: float) -> bool:
 def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
     """Half the 95 % interval of the metres of some pieces that failed, as their intervals let pieces lie on the other
     side of the limit; m. Each is as likely to keep less than the least as its own interval says."""
+    unclear = (decided.piece for decided in pieces if decided.is_unclear)
     squares = (
-        one.piece.length_m**2 * chance * (1 - chance) for one in pieces if one.is_unclear
-        for chance in [failing_chance(one.piece.kept_1, one.piece.kept_low, one.piece.kept_high, least_kept)]
+        piece.length_m**2 * chance * (1 - chance) for piece in unclear
+        for chance in [failing_chance(piece.kept_1, piece.kept_low, piece.kept_high, least_kept)]
     )
     return NORMAL_95 * math.fsum(squares) ** 0.5
 
@@ -55,9 +56,10 @@ def ends_within(pieces: Sequence[DecidedPiece]) -> float:
     from there. Pieces in the delivery's order.
     """
     squares = (
-        (one.piece.length_m**2 + other.piece.length_m**2) / 24  # of an even spread over a piece: its square by 12
-        for one, other in zip(pieces, pieces[1:])
-        if (one.state is PieceState.FAILED) != (other.state is PieceState.FAILED) and _goes_on(one.piece, other.piece)
+        (first.piece.length_m**2 + other.piece.length_m**2) / 24  # of an even spread over a piece: its square by 12
+        for first, other in zip(pieces, pieces[1:])
+        if (first.state is PieceState.FAILED) != (other.state is PieceState.FAILED)
+        and _goes_on(first.piece, other.piece)
     )
     return NORMAL_95 * math.fsum(squares) ** 0.5
 
@@ -74,14 +76,16 @@ def metre_figures(
 ) -> MetreFigures:
     """Sums of whole pieces. ``runs`` and ``unknown``: rows of pieces that failed, or were not measured; what lies in
     other pieces than these does not count."""
-    metres = {state: math.fsum(one.piece.length_m for one in pieces if one.state is state) for state in PieceState}
-    failed, unclear = metres[PieceState.FAILED], [one for one in pieces if one.is_unclear]
-    own = {one.piece.number: one.piece.length_m for one in pieces}
+    metres = {
+        state: math.fsum(decided.piece.length_m for decided in pieces if decided.state is state) for state in PieceState
+    }
+    failed, failures = metres[PieceState.FAILED], [piece for piece in pieces if piece.state is PieceState.FAILED]
+    lengths = {decided.piece.number: decided.piece.length_m for decided in pieces}
     return MetreFigures(
-        name, len(pieces), sum(one.state is PieceState.FAILED for one in pieces), math.fsum(metres.values()),
+        name, len(pieces), len(failures), math.fsum(metres.values()),
         metres[PieceState.NO_DETAIL], metres[PieceState.PASSED] + failed, failed,
-        math.fsum(one.piece.length_m for one in unclear), _longest_m(runs, own),
-        math.fsum(one.piece.length_m for one in unclear if one.state is PieceState.FAILED), _longest_m(unknown, own),
+        math.fsum(decided.piece.length_m for decided in pieces if decided.is_unclear), _longest_m(runs, lengths),
+        math.fsum(decided.piece.length_m for decided in failures if decided.is_unclear), _longest_m(unknown, lengths),
     )  # fmt: skip
 
 
@@ -101,13 +105,13 @@ def sheet_figures(
 ) -> list[MetreFigures]:
     """Figures of each sheet by itself, of one without seams too. A piece counts in the sheet of its middle."""
     of_sheet: dict[str, list[DecidedPiece]] = {sheet: [] for sheet in delivery.sheets}
-    for one in pieces:
-        of_sheet[one.piece.sheet].append(one)
+    for decided in pieces:
+        of_sheet[decided.piece.sheet].append(decided)
     rows: dict[str, tuple[list[FailureRun], list[FailureRun]]] = {sheet: ([], []) for sheet in of_sheet}
     for kind, run in [*((0, run) for run in runs), *((1, run) for run in unknown)]:
         for sheet in run.sheets:
             rows[sheet][kind].append(run)
-    return [metre_figures(sheet, own, *rows[sheet]) for sheet, own in of_sheet.items()]
+    return [metre_figures(sheet, sheet_pieces, *rows[sheet]) for sheet, sheet_pieces in of_sheet.items()]
 
 
 def windows_over(delivery: Delivery) -> Iterator[tuple[SeenWindow, ...]]:

@@ -23,12 +23,12 @@ def file_doubts(
 ) -> FileDoubts:
     """``mosaics`` and ``sources``: the rasters that are given; ``folders``: of the layers, beside which a project that
     was moved has its files."""
-    scans = [one.settings for one in layers if MOSAIC_FILES in one.settings]
+    scans = [(layer.name, layer.settings) for layer in layers if MOSAIC_FILES in layer.settings]
     if not scans:
         return FileDoubts()
-    by_layer = {one.name: states_in(one.settings[MOSAIC_FILES]) for one in layers if MOSAIC_FILES in one.settings}
+    by_layer = {name: states_in(settings[MOSAIC_FILES]) for name, settings in scans}
     of_mosaic, of_sources = (
-        _Scanned([one for scan in scans for one in states_in(scan.get(role, ""))], folders)
+        _Scanned([file for _, settings in scans for file in states_in(settings.get(role, ""))], folders)
         for role in (MOSAIC_FILES, SOURCE_FILES)
     )
     not_scanned: list[str] = []
@@ -38,13 +38,13 @@ def file_doubts(
     for path in sources:
         names = of_sources.names
         not_scanned += [
-            os.path.basename(one) for one, state in of_sources.give(path).items()
-            if os.path.basename(one) in names and not of_sources.knows(one, state)
+            os.path.basename(part) for part, state in of_sources.give(path).items()
+            if os.path.basename(part) in names and not of_sources.knows(part, state)
         ]
     gone, changed = of_mosaic.lost()
     gone_sources, changed_sources = of_sources.lost()
     strange = dict.fromkeys(not_scanned)
-    changed = [one for one in dict.fromkeys([*changed, *changed_sources]) if one not in strange]
+    changed = [name for name in dict.fromkeys([*changed, *changed_sources]) if name not in strange]
     count = len(of_mosaic.files) + len(of_sources.files) - len(gone) - len(gone_sources) - len(changed)
     others = [
         name for name, files in by_layer.items() if mosaics and not (strange or changed or gone)
@@ -79,9 +79,9 @@ class _Scanned:
 
     def give(self, path: str) -> dict[str, FileState]:
         """What a raster that is given is read from."""
-        found = known_states([path], self._asks)
-        self._given.update(_known_by(file) for file in found.items() if self.knows(*file))
-        return found
+        files = known_states([path], self._asks)
+        self._given.update(_known_by(file) for file in files.items() if self.knows(*file))
+        return files
 
     def is_given(self, path: str, state: FileState) -> bool:
         """Whether a file that was scanned is given, wherever it lies now."""
@@ -92,11 +92,11 @@ class _Scanned:
 
         A VRT over sheets that were scanned one by one is theirs.
         """
-        found = self.give(path)
+        files = self.give(path)
         by_sheets = not any(state.is_vrt for _, state in self.files)
         strange = [
-            (state.is_vrt, os.path.basename(one)) for one, state in found.items()
-            if not (self.knows(one, state) or (by_sheets and state.is_vrt))
+            (state.is_vrt, os.path.basename(part)) for part, state in files.items()
+            if not (self.knows(part, state) or (by_sheets and state.is_vrt))
         ]
         return min(strange, default=(False, ""), key=itemgetter(0))[1]  # a part first
 
@@ -116,7 +116,7 @@ class _Scanned:
         return gone, changed
 
     def _moved(self, path: str) -> Iterator[str]:
-        """Where a file may lie in a project that was moved, its folders kept."""
+        """The paths at which a file may lie in a project that was moved, its folders kept."""
         parts = Path(path).parts[1:]
         for folder in filter(None, dict.fromkeys(self._folders)):
             for above in [Path(folder), *Path(folder).parents][:_MOST_FOLDERS]:

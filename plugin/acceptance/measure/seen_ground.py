@@ -64,7 +64,7 @@ class SeenGround:
 
         def places(name: str) -> tuple[SeenPlace, ...]:
             held = map(numbers_in, settings.get(name, "").replace(",", ";").split(";"))
-            return tuple(SeenPlace(*one) for one in held if len(one) in (2, 4))
+            return tuple(SeenPlace(*numbers) for numbers in held if len(numbers) in (2, 4))
 
         return cls(
             frozenset({"given", "found"}.intersection(settings.get("seams", "").split(", "))),
@@ -78,18 +78,18 @@ class SeenGround:
     @classmethod
     def of_delivery(cls, delivery: Delivery) -> SeenGround:
         """All scans together."""
-        every = [cls.of_settings(one.settings) for one in delivery.layers]
+        every = [cls.of_settings(layer.settings) for layer in delivery.layers]
         if not every:
             return cls(frozenset(), False)
-        longest, hidden = (max(every, key=lambda one: getattr(one, name)) for name in (
+        longest, hidden = (max(every, key=lambda scan: getattr(scan, name)) for name in (
             "longest_unseen_m", "longest_hidden_m"
         ))  # fmt: skip
-        poorest, emptiest = max(every, key=lambda one: one.unexplained), max(every, key=lambda one: one.nodata)
+        poorest, emptiest = max(every, key=lambda scan: scan.unexplained), max(every, key=lambda scan: scan.nodata)
         return cls(
-            frozenset().union(*(one.seams for one in every)), all(one.is_known for one in every),
-            sum(one.unchanged_m for one in every), sum(one.unseen_m for one in every), longest.longest_unseen_m,
-            sum(one.hidden_m for one in every), hidden.longest_hidden_m, poorest.unexplained, emptiest.nodata,
-            min(one.looked_at for one in every), longest.unseen_at, hidden.hidden_at, poorest.unexplained_at,
+            frozenset().union(*(scan.seams for scan in every)), all(scan.is_known for scan in every),
+            sum(scan.unchanged_m for scan in every), sum(scan.unseen_m for scan in every), longest.longest_unseen_m,
+            sum(scan.hidden_m for scan in every), hidden.longest_hidden_m, poorest.unexplained, emptiest.nodata,
+            min(scan.looked_at for scan in every), longest.unseen_at, hidden.hidden_at, poorest.unexplained_at,
             emptiest.nodata_at,
         )  # fmt: skip
 

@@ -61,10 +61,11 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
     """Write the page; ``pictures`` by the failures' numbers. Raises SettingsError where no file can be."""
     decision, defects = record.decision, record.defects
     kept = () if decision.by_observer else (decision.rules.kept_source,)
-    sources = list(dict.fromkeys([*kept, *(one.source for one in decision.outcomes)]))
+    sources = list(dict.fromkeys([*kept, *(outcome.source for outcome in decision.outcomes)]))
     figure = seams_figure(decision, defects[:MOST_ROWS], record.mosaics)
-    sheet_words = [sheet_word(outcome, one) for one, outcome in zip(decision.sheets, decision.sheet_outcomes)]
-    parts, texts = [*_parts(record)], [_defect_text(one, decision.rules.least_kept) for one in defects[:MOST_ROWS]]
+    sheet_words = [sheet_word(outcome, figures) for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)]
+    parts = [*_parts(record)]
+    texts = [_defect_text(defect, decision.rules.least_kept) for defect in defects[:MOST_ROWS]]
     is_undecided = decision.outcome is AcceptanceOutcome.UNDECIDED
     save_page(
         path,
@@ -79,13 +80,13 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         figures=_key_figures(decision),
         parts=parts,
         radiometry=[*_radiometry_rows(record)],
-        sentences=[sentence(one) for one in decision.sentences[1 + is_undecided :]],
+        sentences=[sentence(words) for words in decision.sentences[1 + is_undecided :]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
-        sheets=[_sheet_row(*one, decision.by_observer) for one in zip(decision.sheets, sheet_words)],
+        sheets=[_sheet_row(*row, decision.by_observer) for row in zip(decision.sheets, sheet_words)],
         sheets_sentence=_sheets_sentence(sheet_words),
         whole=_sheet_row(decision.whole, "", decision.by_observer) if len(decision.sheets) > 1 else None,
-        findings=[(one.name, "; ".join(one.findings)) for one in decision.delivery.outlines if one.findings],
+        findings=[(sheet.name, "; ".join(sheet.findings)) for sheet in decision.delivery.outlines if sheet.findings],
         map=None if figure is None else svg_text(figure),
         map_legend=_legend(decision),
         is_sample=decision.delivery.sampled_numbers is not None,
@@ -94,16 +95,17 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         defect_count=len(defects),
         unknown=[*_unknown_rows(decision)],
         unknown_count=len(decision.unknown_runs),
-        has={name for name in ("words", "images", "band", "visibility") if any(one[name] for one in texts)},
+        has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
         plan=None if decision.plan is None else _plan_facts(decision.plan),
         layers=_Listing.of(record.seams[:MOST_LAYERS], 1),
         layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
         images=_Listing.of(
-            (one.path or one.name, iso_date(one.date), _bytes(one.size)) for one in record.images[:MOST_IMAGES]
+            (image.path or image.name, iso_date(image.date), _bytes(image.size))
+            for image in record.images[:MOST_IMAGES]
         ),
         images_left_out=max(len(record.images) - MOST_IMAGES, 0),
-        digests=_Listing.of((one.path, _bytes(one.size), one.sha256) for one in record.digests),
+        digests=_Listing.of((digest.path, _bytes(digest.size), digest.sha256) for digest in record.digests),
         standards=[*_standards(decision, record)],
     )  # fmt: skip
 
@@ -140,7 +142,7 @@ def _how(record: InspectionRecord) -> HowMeasured:
         (tr("rules"), decision.rules.name),
         (tr("file of the rules"), record.rules),
         (tr("which pieces fail"), failing_sentence(decision)),
-        (tr("median length of the pieces"), metres(median(one.piece.length_m for one in decision.pieces))),
+        (tr("median length of the pieces"), metres(median(decided.piece.length_m for decided in decision.pieces))),
         *((title, record.scan[name]) for name, title in names.items() if name in record.scan),
         (tr("layer of windows"), record.windows),
         (tr("reference system"), system_name(decision.delivery.wkt)),
@@ -164,7 +166,7 @@ def _capital(words: str) -> str:
 
 
 def _judged_bands(mosaics: Sequence[Raster]) -> str:
-    """Which bands the detail was judged in, and which were not; empty where no mosaic is given."""
+    """The bands that the detail was judged in, and those that were not; empty where no mosaic is given."""
     if not mosaics:
         return ""
     names = mosaics[0].band_names
@@ -195,21 +197,21 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
     files and radiometry last."""
     decision, count = record.decision, len(record.decision.sheets)
     failures = filled(tr("failures: {count}, in sheets: {sheets} of {all}"),
-        count=len(decision.runs), sheets=sum(one.failed_count > 0 for one in decision.sheets), all=count)
+        count=len(decision.runs), sheets=sum(sheet.failed_count > 0 for sheet in decision.sheets), all=count)
     yield tr("seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
     if decision.whole.not_measured_m:
         yield tr("seams that were not measured"), metres(decision.whole.not_measured_m), _unmeasured(decision), False
     yield from _ground_parts(decision)
-    found = sum(bool(one.findings) for one in decision.delivery.outlines)
+    faulty = sum(bool(sheet.findings) for sheet in decision.delivery.outlines)
     name = tr("completeness and form of the files")
     if decision.delivery.is_checked:
-        words = filled(tr("sheets with findings: {count} of {all}"), count=found, all=count)
-        result = filled(tr("{count} {count:finding|findings}"), count=found) if found else tr("No findings")
-        yield name, result, words, found > 0
+        words = filled(tr("sheets with findings: {count} of {all}"), count=faulty, all=count)
+        result = filled(tr("{count} {count:finding|findings}"), count=faulty) if faulty else tr("No findings")
+        yield name, result, words, faulty > 0
     else:
         yield name, tr("Not checked"), tr("'Check a delivery' checks it"), False
-    outcomes = [one.outcome for one in record.radiometry]
-    worst = next((one for one in _WORST_FIRST if one in outcomes), None)
+    outcomes = [image.outcome for image in record.radiometry]
+    worst = next((outcome for outcome in _WORST_FIRST if outcome in outcomes), None)
     words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(outcomes),
         rejected=outcomes.count(AcceptanceOutcome.REJECTED), open=outcomes.count(AcceptanceOutcome.UNDECIDED))
     if worst is None:
@@ -221,11 +223,10 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
 def _unmeasured(decision: Decision) -> str:
     """Why pieces were not measured, in the scan's words, with the metres of each; those of most metres first."""
     metres_of: dict[str, tuple[str, float]] = {}
-    for one in decision.pieces:
-        if one.state is PieceState.NOT_MEASURED:
-            reason = tr("no reason is given") if decision.by_observer or not one.piece.reason else one.piece.reason
-            first, length = metres_of.get(alike := _NUMBER.sub("", reason), (reason, 0.0))
-            metres_of[alike] = first, length + one.piece.length_m
+    for piece in (decided.piece for decided in decision.pieces if decided.state is PieceState.NOT_MEASURED):
+        reason = tr("no reason is given") if decision.by_observer or not piece.reason else piece.reason
+        first, length = metres_of.get(alike := _NUMBER.sub("", reason), (reason, 0.0))
+        metres_of[alike] = first, length + piece.length_m
     most = sorted(metres_of.values(), key=lambda pair: -pair[1])[:_MOST_REASONS]
     return "; ".join(f"{metres(length)}: {reason.rstrip('.')}" for reason, length in most)
 
@@ -241,8 +242,8 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
             yield name, tr("Not checked"), tr("the layers of seams do not say it"), False
         return
     given = tr("given: {judged}, found: {seen}; found and not given: {unseen}, given and not found: {unchanged}")
-    found = tr("found: {judged}; borders that no seam tells of: {unseen}")
-    words = filled(given if "given" in ground.seams else found, judged=metres(judged),
+    without_given = tr("found: {judged}; borders that no seam tells of: {unseen}")
+    words = filled(given if "given" in ground.seams else without_given, judged=metres(judged),
         seen=metres(ground.seen_m(judged)), unseen=metres(ground.unseen_m), unchanged=metres(ground.unchanged_m))
     if ground.looked_at < 1:
         words += filled(tr("; looked at: {share} of the mosaic"), share=share(ground.looked_at, 0))
@@ -262,9 +263,9 @@ def _radiometry_rows(record: InspectionRecord) -> Iterator[list[str]]:
     """The images that are not accepted, those by the same limits together, the worst first."""
     for outcome in _WORST_FIRST[:2]:
         together: dict[tuple[str, ...], list[str]] = {}
-        for one in record.radiometry:
-            if one.outcome is outcome:
-                together.setdefault(one.failed_by, []).append(one.name)
+        for image in record.radiometry:
+            if image.outcome is outcome:
+                together.setdefault(image.failed_by, []).append(image.name)
         for failed_by, names in together.items():
             yield [outcome_title(outcome), "; ".join(failed_by) or NOTHING, ", ".join(names)]
 
@@ -277,7 +278,7 @@ def _sheets_sentence(verdicts: Sequence[str]) -> str:
 
 
 def _standards(decision: Decision, record: InspectionRecord) -> Iterator[str]:
-    """Those that the decision rests on, each with its edition."""
+    """The standards that the decision rests on, each with its edition."""
     if decision.plan is not None:
         yield decision.plan.plan.standard
     yield from QUALITY_STANDARDS
@@ -298,26 +299,26 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str,
         words = tr("what the operator saw"), "", tr("no loss in the window of a piece")
         source = 0
     else:
-        kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
+        kept = [piece.kept_1 for piece in decision.delivery.pieces if piece.kept_1 is not None]
         limit = decision.rules.least_kept
         least = filled(tr("at least {least} in each piece"), least=share_beside(limit, limit))
         words = check_word(KEPT), share_beside(min(kept, default=None), limit), least
         source = 1 + sources.index(decision.rules.kept_source)
     yield dict(zip(_RULE_KEYS, (*words, which, False, source)))
-    for one in decision.outcomes:
+    for outcome in decision.outcomes:
         yield dict(zip(_RULE_KEYS, (
-            check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one),
-            one.passed is not True, 1 + sources.index(one.source),
+            check_word(outcome.check), outcome_value(outcome), outcome_limit(outcome), outcome_word(outcome),
+            outcome.passed is not True, 1 + sources.index(outcome.source),
         )))  # fmt: skip
 
 
-def _sheet_row(one: MetreFigures, word: str, by_observer: bool) -> list[str]:
-    if not one.piece_count:
-        return [one.name, word, metres(0.0), *[NOTHING] * 5, "" if by_observer else NOTHING]
+def _sheet_row(figures: MetreFigures, word: str, by_observer: bool) -> list[str]:
+    if not figures.piece_count:
+        return [figures.name, word, metres(0.0), *[NOTHING] * 5, "" if by_observer else NOTHING]
     return [
-        one.name or tr("all"), word, metres(one.total_m), share(one.measured_share, 1), metres(one.failed_m),
-        share(one.failed_share), metres(one.longest_failure_m), f"{one.failed_count} / {one.piece_count}",
-        "" if by_observer else metres(one.unclear_m),
+        figures.name or tr("all"), word, metres(figures.total_m), share(figures.measured_share, 1),
+        metres(figures.failed_m), share(figures.failed_share), metres(figures.longest_failure_m),
+        f"{figures.failed_count} / {figures.piece_count}", "" if by_observer else metres(figures.unclear_m),
     ]  # fmt: skip
 
 
@@ -326,14 +327,14 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
         PieceState.FAILED: tr("pieces that failed"), PieceState.PASSED: tr("pieces that passed"),
         PieceState.NOT_MEASURED: tr("not measured"), PieceState.NO_DETAIL: tr("ground without detail"),
     }  # fmt: skip
-    present = {one.state for one in decision.pieces}
+    present = {decided.state for decided in decision.pieces}
     entries = [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]
     if len(decision.sheets) > 1:
-        found = decision.sheet_outcomes
+        outcomes = decision.sheet_outcomes
         shown: dict[AcceptanceOutcome | None, str] = {
-            outcome: outcome_title(outcome) for outcome in AcceptanceOutcome if outcome in found
+            outcome: outcome_title(outcome) for outcome in AcceptanceOutcome if outcome in outcomes
         }
-        if not all(one.piece_count for one in decision.sheets):
+        if not all(sheet.piece_count for sheet in decision.sheets):
             shown[None] = tr("No seams")
         entries += [
             (pale(SHEET_COLOURS[outcome]), filled(tr("sheet: {verdict}"), verdict=word))
@@ -342,32 +343,32 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
     return entries
 
 
-def _defect_text(one: Defect, least_kept: float) -> dict[str, Any]:
+def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
     """A failure in words: ``images`` are the two orthoimages, each with its date; ``pieces`` what each of its pieces
     kept, as the decision took it."""
-    piece = one.worst.piece
+    piece = defect.worst.piece
     kept = share_beside(piece.kept_1, least_kept)
     if piece.kept_low is not None and piece.kept_high is not None:
         kept += f" ({shown_number(100 * piece.kept_low, 0)} - {shown_number(100 * piece.kept_high, 0)})"
     sides = ((piece.left_source, iso_date(piece.left_date)), (piece.right_source, iso_date(piece.right_date)))
-    cause, remark = tr(one.cause) if one.cause else "", "; ".join(one.remarks)
+    cause, remark = tr(defect.cause) if defect.cause else "", "; ".join(defect.remarks)
     return {
-        "number": one.run.number,
-        "sheets": ", ".join(one.run.sheets),
-        "length": metres(one.run.length_m),
+        "number": defect.run.number,
+        "sheets": ", ".join(defect.run.sheets),
+        "length": metres(defect.run.length_m),
         "kept": kept,
-        "pieces": ", ".join(share_beside(own.piece.kept_1, least_kept) for own in one.pieces),
-        "unclear": filled(tr("{length} unclear"), length=metres(one.unclear_m)) if one.unclear_m else "",
-        "band": "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
+        "pieces": ", ".join(share_beside(decided.piece.kept_1, least_kept) for decided in defect.pieces),
+        "unclear": filled(tr("{length} unclear"), length=metres(defect.unclear_m)) if defect.unclear_m else "",
+        "band": "" if defect.band_width_m is None else f"{shown_number(defect.band_width_m, 1)}\u00a0m",
         "visibility": jnd_words(piece.visibility),
         "words": "; ".join(filter(None, (cause, remark))),
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
-        "place": [formatted(along, ".1f") for along in one.run.place],
+        "place": [formatted(along, ".1f") for along in defect.run.place],
     }
 
 
 def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
-    """Where rows of pieces lie that were not measured, the longest first."""
+    """Rows of pieces that were not measured, with the places where they lie, the longest first."""
     for run in decision.unknown_runs[:MOST_ROWS]:
         failed = sum(
             decision.pieces[number].piece.length_m for number in run.pieces
@@ -407,21 +408,21 @@ def _image_title(name: str, dates: Mapping[str, str]) -> str:
     return filled(tr("Orthoimage {name}"), name=f"{name} ({day})" if day else name)
 
 
-def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:
-    plan, risk = found.plan, found.characteristic
+def _plan_facts(outcome: PlanOutcome) -> list[tuple[str, str]]:
+    plan, risk = outcome.plan, outcome.characteristic
     facts = [
         (tr("plan"), plan_words(plan)),
         (tr("code letter"), plan.code_letter),
         (tr("lot"), filled(tr("{count} pieces of seam"), count=plan.lot_size)),
         (tr("sample"), filled(tr("{count} pieces of seam, of which {measured} were measured"),
-            count=plan.sample_size, measured=found.inspected)),
+            count=plan.sample_size, measured=outcome.inspected)),
         (tr("accepted up to"), filled(tr("{count} failed pieces in the sample"), count=plan.acceptance_number)),
-        (tr("found"), filled(tr("{count} failed pieces in the sample"), count=found.nonconforming)),
+        (tr("found"), filled(tr("{count} failed pieces in the sample"), count=outcome.nonconforming)),
         (tr("producer's risk"), filled(tr("{risk}: a delivery with {quality} of failed pieces is rejected"),
             risk=share(risk.producers_risk, 1), quality=share(risk.good_quality, 1))),
         (tr("consumer's risk"), filled(tr("{risk}: a delivery with {quality} of failed pieces is accepted"),
             risk=share(risk.consumers_risk, 1), quality=share(risk.limiting_quality, 1))),
     ]  # fmt: skip
-    if found.seed is not None:
-        facts.append((tr("seed of the drawing"), str(found.seed)))
+    if outcome.seed is not None:
+        facts.append((tr("seed of the drawing"), str(outcome.seed)))
     return facts

@@ -34,7 +34,8 @@ def kept_figure(decision: Decision) -> Figure:
     """The share of the metres that kept less than each value, with the limit."""
     figure = new_figure(*_SIZE)
     axes = figure.add_subplot()
-    known = [(one.piece.kept_1, one.piece.length_m) for one in decision.pieces if one.piece.kept_1 is not None]
+    pieces = [decided.piece for decided in decision.pieces]
+    known = [(piece.kept_1, piece.length_m) for piece in pieces if piece.kept_1 is not None]
     if known:
         kept, lengths = np.array(sorted(known)).T
         shares = 100 * np.cumsum(lengths) / lengths.sum()
@@ -65,16 +66,16 @@ def profile_figure(piece: DeliveredPiece, least_kept: float) -> Figure:
     axes = figure.add_subplot()
     axes.axvspan(0, strip.far_m, color=PAPER.grid, linewidth=0)
     axes.axhline(least_kept, color=PAPER.limit, linewidth=1)
-    axes.plot(*np.array([(x, one.kept) for one in steps for x in (one.near_m, one.far_m)]).reshape(-1, 2).T,
+    axes.plot(*np.array([(x, step.kept) for step in steps for x in (step.near_m, step.far_m)]).reshape(-1, 2).T,
               color=PAPER.sources[0], linewidth=1.2)
     axes.plot([0, strip.far_m], [strip.kept] * 2, color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
-    farthest = max((one.far_m for one in steps), default=strip.far_m)
+    farthest = max((step.far_m for step in steps), default=strip.far_m)
     axes.set_xscale("function", functions=(lambda x: np.sqrt(np.maximum(x, 0)), np.square))  # narrow steps matter most
     axes.set_xlim(0, farthest)
     axes.set_xticks([strip.far_m, farthest / 4, farthest])
     axes.xaxis.set_major_formatter(lambda x, _: formatted(x, ".2g"))
     axes.minorticks_off()
-    axes.set_ylim(0, max(_MOST_KEPT, *(one.kept for one in piece.profile)))
+    axes.set_ylim(0, max(_MOST_KEPT, *(step.kept for step in piece.profile)))
     axes.set_xlabel(tr("distance from the seam (m)"), fontsize=6.5)
     axes.tick_params(labelsize=6.5)
     axes.spines[["top", "right"]].set_visible(False)
@@ -103,7 +104,7 @@ _NAME_COLOUR, _LEAST_LETTERS = "#57606a", 12
 _CROWDED_NAMES_PT = (45.0, 9.0)  # likewise of sheets
 _CROWDED_PT = (18.0, 9.0)  # across and up: numbers of failures are not nearer to each other than that
 _BESIDE_PT = 11.0 * np.array([(1, 1), (-1, 1), (1, -1), (-1, -1)])
-"""Where a number may stand beside its place."""
+"""Offsets at which a number may stand beside its place."""
 
 
 def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequence[Raster] = ()) -> Figure | None:
@@ -112,8 +113,8 @@ def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
     if not decision.pieces:
         return None
     wkt, outlines = decision.delivery.wkt, decision.delivery.sheet_rings()
-    corners = np.reshape(extent_of([*(one.piece.vertices for one in decision.pieces), *chain(*outlines.values())]),
-                         (2, 2))
+    seams = [decided.piece.vertices for decided in decision.pieces]
+    corners = np.reshape(extent_of([*seams, *chain(*outlines.values())]), (2, 2))
     metres = np.array(metres_per_unit(wkt, middle_of((*corners[0], *corners[1]))))
     margin = max(*(np.diff(corners, axis=0)[0] * metres), 1.0) * _MARGIN / metres
     corners += np.outer((-1, 1), margin)
@@ -130,11 +131,11 @@ def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
         axes.imshow(pixels, extent=where, aspect=axes.get_aspect(), zorder=0, interpolation="bilinear")
     _draw_sheets(axes, scale, decision, outlines)
     for state, colour in STATE_COLOURS.items():
-        lines = [np.append(one.piece.vertices, [[np.nan, np.nan]], axis=0) for one in decision.pieces
-                 if one.state is state]
+        lines = [np.append(decided.piece.vertices, [[np.nan, np.nan]], axis=0) for decided in decision.pieces
+                 if decided.state is state]
         if lines:  # one path, which is small in the page's SVG
             axes.plot(*np.concatenate(lines).T, color=colour, linewidth=_WIDTHS[state], solid_capstyle="round")
-    _draw_numbers(axes, scale, {one.run.number: np.array(one.run.place) for one in defects})
+    _draw_numbers(axes, scale, {defect.run.number: np.array(defect.run.place) for defect in defects})
     axes.set(xlim=corners[:, 0], ylim=corners[:, 1])
     _draw_scale_bar(figure, float(scale[0] / metres[0]))
     return figure
@@ -182,9 +183,9 @@ def _backdrop(mosaics: Sequence[Raster], bounds: Extent, wkt: str) -> Iterator[t
             across = (mosaic.extent[2] - mosaic.extent[0]) / (bounds[2] - bounds[0])
             size = max(int(_BACKDROP_PX * min(across, 1.0)), _LEAST_BACKDROP_PX)
             is_same = np.allclose(extent_on(bounds, wkt, mosaic.wkt), bounds, atol=mosaic.grid.pixel_width)
-            found = read_overview(mosaic, bounds, size) if is_same else None
-            if found is not None:
-                block, extent = found
+            overview = read_overview(mosaic, bounds, size) if is_same else None
+            if overview is not None:
+                block, extent = overview
                 bands = block.bands[: 3 if mosaic.has_luminance else 1].astype(np.float32)
                 grey = bands.mean(axis=0)
                 low, high = cut_range([grey[block.valid]])
@@ -194,11 +195,9 @@ def _backdrop(mosaics: Sequence[Raster], bounds: Extent, wkt: str) -> Iterator[t
                 yield np.repeat(shown.astype(np.uint8)[..., np.newaxis], 3, axis=2), extent
 
 
-def _draw_sheets(
-    axes: Axes, scale: np.ndarray, decision: Decision, outlines: Mapping[str, list[np.ndarray]]
-) -> None:
+def _draw_sheets(axes: Axes, scale: np.ndarray, decision: Decision, outlines: Mapping[str, list[np.ndarray]]) -> None:
     """Outlines in the colours of the verdicts, and as many names as have room."""
-    states = {one.name: outcome for one, outcome in zip(decision.sheets, decision.sheet_outcomes)}
+    states = {sheet.name: outcome for sheet, outcome in zip(decision.sheets, decision.sheet_outcomes)}
     named: list[np.ndarray] = []
     for name, rings in outlines.items():
         colour = SHEET_COLOURS[states.get(name)] if len(outlines) > 1 else PAPER.quiet

@@ -114,10 +114,10 @@ class DefectPicture:
 
     def jpeg(self) -> bytes:
         """A JPEG of all: below the picture the panels at 2x in a row."""
-        panels = _beside([one.pixels.repeat(_PROOF_SCALE, 0).repeat(_PROOF_SCALE, 1) for one in self.panels])
+        panels = _beside([panel.pixels.repeat(_PROOF_SCALE, 0).repeat(_PROOF_SCALE, 1) for panel in self.panels])
         columns = max(self.around.shape[1], panels.shape[1])
-        rows = [np.pad(one, ((0, _GUTTER_PX), (0, columns - one.shape[1]), (0, 0)), constant_values=255)
-                for one in (self.around, panels)]
+        rows = [np.pad(picture, ((0, _GUTTER_PX), (0, columns - picture.shape[1]), (0, 0)), constant_values=255)
+                for picture in (self.around, panels)]
         return encoded(np.ascontiguousarray(np.concatenate(rows)[:-_GUTTER_PX]), "JPEG")
 
 
@@ -127,7 +127,7 @@ class DefectPictures:
     def __init__(self, mosaics: Sequence[Raster], decision: Decision, prover: Prover | None = None) -> None:
         self.paths = [path for mosaic in mosaics for path in mosaic.ref.paths]  # what the pictures are cut from
         self._mosaics, self._wkt, self._prover = mosaics, decision.delivery.wkt, prover
-        self._seams = [one.piece.vertices for one in decision.pieces]
+        self._seams = [decided.piece.vertices for decided in decision.pieces]
         self._boxes = np.array([[*line.min(axis=0), *line.max(axis=0)] for line in self._seams]).reshape(-1, 4)
         self._open = lru_cache(_HELD)(OpenRaster)
         self._ranges: GreyRanges = {}
@@ -143,7 +143,7 @@ class DefectPictures:
         return None
 
     def _picture(self, mosaic: Raster, defect: Defect, worst: np.ndarray) -> DefectPicture:
-        lines = [self._path(mosaic, one.piece.vertices) for one in defect.pieces]
+        lines = [self._path(mosaic, decided.piece.vertices) for decided in defect.pieces]
         window, is_whole = _window(np.concatenate(lines), worst)
         shown, part = _inside(window, mosaic), _inside(_square(worst, PROOF_PX), mosaic)
         around = self._pixels(mosaic, shown)
@@ -159,7 +159,7 @@ class DefectPictures:
         seams = [self._path(mosaic, line) - (part.column, part.row) for line in self._near(mosaic, part)]
         return DefectPicture(
             around, shown.width * mosaic.grid.pixel_width * mosaic.grid.metres_x, is_whole,
-            tuple(replace(one, pixels=_marked(one.pixels, seams)) for one in panels),
+            tuple(replace(panel, pixels=_marked(panel.pixels, seams)) for panel in panels),
         )
 
     def _path(self, mosaic: Raster, line: np.ndarray) -> np.ndarray:
@@ -200,8 +200,8 @@ def _marked(pixels: np.ndarray, seams: Sequence[np.ndarray]) -> np.ndarray:
 
 def _beside(panels: Sequence[np.ndarray]) -> np.ndarray:
     """Panels in a row, white between and below them."""
-    rows = max(len(one) for one in panels)
-    padded = [np.pad(one, ((0, rows - len(one)), (0, _GUTTER_PX), (0, 0)), constant_values=255) for one in panels]
+    rows = max(len(panel) for panel in panels)
+    padded = [np.pad(panel, ((0, rows - len(panel)), (0, _GUTTER_PX), (0, 0)), constant_values=255) for panel in panels]
     return np.ascontiguousarray(np.concatenate(padded, axis=1)[:, :-_GUTTER_PX])
 
 
@@ -250,7 +250,7 @@ def _draw_dashes(pixels: np.ndarray, path: np.ndarray, dash_and_gap: tuple[float
             np.floor(places[:, axis, np.newaxis, np.newaxis] + steps).astype(int)
             for axis, steps in ((1, offsets[:, np.newaxis]), (0, offsets[np.newaxis]))
         )
-        rows, columns = (one.ravel() for one in np.broadcast_arrays(rows, columns))
+        rows, columns = (indices.ravel() for indices in np.broadcast_arrays(rows, columns))
         seen = (rows >= 0) & (columns >= 0) & (rows < pixels.shape[0]) & (columns < pixels.shape[1])
         pixels[rows[seen], columns[seen]] = colour
 
@@ -261,22 +261,22 @@ def _coordinate(value: float) -> float:
 
 
 DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
-    Column("defect", "integer", lambda one: one.run.number),
-    Column("sheet", "text", lambda one: ", ".join(one.run.sheets)),
-    Column("length", "real", lambda one: rounded(one.run.length_m)),
-    Column("kept_1", "real", lambda one: rounded(one.worst.piece.kept_1)),
-    Column("kept_low", "real", lambda one: rounded(one.worst.piece.kept_low)),
-    Column("kept_high", "real", lambda one: rounded(one.worst.piece.kept_high)),
-    Column("band_width", "real", lambda one: rounded(one.band_width_m)),
-    Column("visibility", "real", lambda one: rounded(one.worst.piece.visibility)),
-    Column("cause", "text", lambda one: one.cause or None),
-    Column("left_source", "text", lambda one: one.worst.piece.left_source or None),
-    Column("right_source", "text", lambda one: one.worst.piece.right_source or None),
-    Column("left_date", "text", lambda one: one.worst.piece.left_date or None),
-    Column("right_date", "text", lambda one: one.worst.piece.right_date or None),
-    Column("x", "real", lambda one: _coordinate(one.run.place[0])),
-    Column("y", "real", lambda one: _coordinate(one.run.place[1])),
-    Column("remark", "text", lambda one: "; ".join(one.remarks) or None),
+    Column("defect", "integer", lambda defect: defect.run.number),
+    Column("sheet", "text", lambda defect: ", ".join(defect.run.sheets)),
+    Column("length", "real", lambda defect: rounded(defect.run.length_m)),
+    Column("kept_1", "real", lambda defect: rounded(defect.worst.piece.kept_1)),
+    Column("kept_low", "real", lambda defect: rounded(defect.worst.piece.kept_low)),
+    Column("kept_high", "real", lambda defect: rounded(defect.worst.piece.kept_high)),
+    Column("band_width", "real", lambda defect: rounded(defect.band_width_m)),
+    Column("visibility", "real", lambda defect: rounded(defect.worst.piece.visibility)),
+    Column("cause", "text", lambda defect: defect.cause or None),
+    Column("left_source", "text", lambda defect: defect.worst.piece.left_source or None),
+    Column("right_source", "text", lambda defect: defect.worst.piece.right_source or None),
+    Column("left_date", "text", lambda defect: defect.worst.piece.left_date or None),
+    Column("right_date", "text", lambda defect: defect.worst.piece.right_date or None),
+    Column("x", "real", lambda defect: _coordinate(defect.run.place[0])),
+    Column("y", "real", lambda defect: _coordinate(defect.run.place[1])),
+    Column("remark", "text", lambda defect: "; ".join(defect.remarks) or None),
     Column("picture", "text", lambda _: None),  # its path from the layer's folder, once there is one
 )
 
@@ -284,7 +284,7 @@ DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
 def defect_features(defects: Sequence[Defect], pictures: Mapping[int, str]) -> Iterator[QgsFeature]:
     """``pictures``: paths from the layer's folder, by the failures' numbers."""
     for defect, feature in zip(defects, column_features(DEFECT_COLUMNS, defects)):
-        lines = (QgsGeometry(QgsLineString(*one.piece.vertices.T.tolist())) for one in defect.pieces)
+        lines = (QgsGeometry(QgsLineString(*decided.piece.vertices.T.tolist())) for decided in defect.pieces)
         whole = QgsGeometry.collectGeometry(list(lines)).mergeLines()
         whole.convertToMultiType()
         feature.setGeometry(whole)

@@ -49,9 +49,9 @@ def listed_images(decision: Decision, paths: Iterable[str]) -> tuple[ListedImage
     given = [
         ListedImage(file_name(path), path, of_stem.get(_stem(path), ""), _size(path)) for path in dict.fromkeys(paths)
     ]
-    known = {_stem(one.name) for one in given}
+    known = {_stem(image.name) for image in given}
     named = [ListedImage(name, "", day, None) for name, day in dates.items() if _stem(name) not in known]
-    return tuple(sorted([*given, *named], key=lambda one: (in_words(one.name), one.path)))
+    return tuple(sorted([*given, *named], key=lambda image: (in_words(image.name), image.path)))
 
 
 def file_name(path: str) -> str:
@@ -98,8 +98,8 @@ def scan_settings(loss: RasterRef) -> dict[str, str]:
 
     Empty where it is another raster's. Raises RasterError when it can't be opened.
     """
-    found = OpenRaster(loss).dataset.GetMetadata(_SETTINGS_DOMAIN)
-    return {name: value for name, value in found.items() if name not in _LISTS}
+    settings = OpenRaster(loss).dataset.GetMetadata(_SETTINGS_DOMAIN)
+    return {name: value for name, value in settings.items() if name not in _LISTS}
 
 
 def scanned_sources(loss: RasterRef) -> list[str]:
@@ -109,10 +109,10 @@ def scanned_sources(loss: RasterRef) -> list[str]:
     """
     written = OpenRaster(loss).dataset.GetMetadata(_SETTINGS_DOMAIN).get("sources", "")
     try:
-        found = json_document(written or "[]")
+        paths = json_document(written or "[]")
     except ValueError:
         return []
-    return [one for one in found if isinstance(one, str)] if isinstance(found, list) else []
+    return [path for path in paths if isinstance(path, str)] if isinstance(paths, list) else []
 
 
 def described_bands(raster: RasterRef) -> tuple[str, ...]:
@@ -121,7 +121,8 @@ def described_bands(raster: RasterRef) -> tuple[str, ...]:
     Raises RasterError when it can't be opened.
     """
     dataset = OpenRaster(raster).dataset
-    return tuple(dataset.GetRasterBand(one).GetDescription() or str(one) for one in range(1, dataset.RasterCount + 1))
+    numbers = range(1, dataset.RasterCount + 1)
+    return tuple(dataset.GetRasterBand(number).GetDescription() or str(number) for number in numbers)
 
 
 _AT_ONCE = 1 << 22  # bytes
@@ -141,13 +142,13 @@ def mosaic_files(refs: Iterable[RasterRef]) -> list[str]:
 
     Statistics that GDAL writes beside a raster are no part of it.
     """
-    found: dict[str, None] = {}
+    paths: dict[str, None] = {}
     for ref in refs:
         names: Sequence[str] = ()
         with suppress(RasterError):
             names = OpenRaster(ref).dataset.GetFileList() or ()
-        found.update(dict.fromkeys(os.path.abspath(name) for name in names if not name.endswith(".aux.xml")))
-    return [path for path in found if os.path.isfile(path)]
+        paths.update(dict.fromkeys(os.path.abspath(name) for name in names if not name.endswith(".aux.xml")))
+    return [path for path in paths if os.path.isfile(path)]
 
 
 def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> list[Digest] | None:
@@ -157,7 +158,7 @@ def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> list
     """
     sizes = {path: os.path.getsize(path) for path in paths if os.path.isfile(path)}
     total, done = max(sum(sizes.values()), 1), 0
-    found = []
+    digests = []
     for path, size in sizes.items():
         digest = hashlib.sha256()
         with suppress(OSError):
@@ -167,8 +168,8 @@ def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> list
                         return None
                     digest.update(block)
                     done += len(block)
-            found.append(Digest(path, size, digest.hexdigest()))
-    return found
+            digests.append(Digest(path, size, digest.hexdigest()))
+    return digests
 
 
 def text_digest(name: str, lines: Iterable[str]) -> Digest:
@@ -194,16 +195,16 @@ def rated_images(run: Run) -> tuple[RatedImage, ...]:
     names = source.fields().names()
     if not {"raster", "window_id", "passed", "source", "decision"} <= set(names):
         raise SettingsError(messages.RADIOMETRY_NO_TABLE(name=source.sourceName()))
-    found: dict[str, tuple[str, dict[str, None]]] = {}
+    images: dict[str, tuple[str, dict[str, None]]] = {}
     for row in attributes(features(source), names):
         name, window = text(row["raster"]), whole_number(row["window_id"])
         if window is not None:
             name = filled(tr("{name}, window {window}"), name=name, window=window)
-        _, failed_by = found.setdefault(name, (text(row["decision"]), {}))
+        _, failed_by = images.setdefault(name, (text(row["decision"]), {}))
         if whole_number(row["passed"]) == 0:
             failed_by[text(row["source"])] = None
-    words = {one.value: one for one in AcceptanceOutcome}
+    words = {outcome.value: outcome for outcome in AcceptanceOutcome}
     return tuple(
         RatedImage(name, words.get(decision, AcceptanceOutcome.UNDECIDED), tuple(failed_by))
-        for name, (decision, failed_by) in found.items()
+        for name, (decision, failed_by) in images.items()
     )

@@ -65,16 +65,16 @@ class ReadFiles:
 def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> dict[str, Any]:
     """Write what is wanted; what can't be written is told, and does not cost the decision."""
     losses = read.losses
-    loss, settings = losses[0] if len(losses) == 1 else (None, next((one for _, one in losses), {}))
+    loss, settings = losses[0] if len(losses) == 1 else (None, next((scan for _, scan in losses), {}))
     bands = () if loss is None else described_bands(loss.ref)
-    scanned = [path for one, _ in losses for path in scanned_sources(one.ref)]
+    scanned = [path for raster, _ in losses for path in scanned_sources(raster.ref)]
     report = run.file_path(REPORT)
     mosaics = _mosaics(run, read.mosaics) if run.parameters.get(DEFECTS) or report else ()
     images = proving.orthoimages(run, scanned, mosaics)
     record = InspectionRecord(
         decision, tuple((sheet, whole_path(address)) for sheet, address in read.seams), whole_path(read.windows),
         whole_path(read.rules), mosaics, loss, settings, bands, stated_head(run),
-        listed_images(decision, (whole_path(one.path) for one in images)), radiometry=rated_images(run),
+        listed_images(decision, (whole_path(image.path) for image in images)), radiometry=rated_images(run),
         report=str(report or ""),
     )
     maker = DefectPictures(mosaics, decision, proving.prover()) if mosaics else None
@@ -101,9 +101,11 @@ def _digests(run: Run, record: InspectionRecord, read: ReadFiles) -> tuple[Diges
     if files is None:
         raise CancelledError(messages.DIGESTS_STOPPED())
     layers = record.decision.delivery.layers
-    lists = [Digest(filled(tr("rows of {layer}"), layer=one.name), None, one.digest) for one in layers if one.digest]
+    digested = [layer for layer in layers if layer.digest]
+    lists = [Digest(filled(tr("rows of {layer}"), layer=layer.name), None, layer.digest) for layer in digested]
     if record.images:
-        rows = (f"{one.name}\t{one.path}\t{one.date}\t{'' if one.size is None else one.size}" for one in record.images)
+        cells = ((image.name, image.path, image.date, image.size) for image in record.images)
+        rows = ("\t".join("" if cell is None else str(cell) for cell in row) for row in cells)
         lists.append(text_digest(tr("list of orthoimages"), rows))
     return (*lists, *files)
 
@@ -125,20 +127,20 @@ def _write_sheets(run: Run, decision: Decision) -> dict[str, Any]:
 
 def scanned_losses(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
     """The pictures of losses that a scan wrote, each with what it says of how it was measured; others are told."""
-    found: list[ScannedLoss] = []
+    losses: list[ScannedLoss] = []
     for ref in refs:
         try:
             if settings := scan_settings(ref):
-                found.append((describe_placed(ref), settings))
+                losses.append((describe_placed(ref), settings))
             else:
                 run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
         except RasterError as error:
             run.tell(error.message.as_warning())
-    return found
+    return losses
 
 
 def _mosaics(run: Run, refs: Sequence[RasterRef]) -> tuple[Raster, ...]:
-    """Those that pictures can be cut from."""
+    """The mosaics that pictures can be cut from."""
     mosaics = []
     for ref in refs:
         try:
@@ -215,36 +217,36 @@ class _DecidedSheet:
     findings: tuple[str, ...]  # what is wrong with its file; none where that was not looked at
 
 
-def _word(one: _DecidedSheet) -> str | None:
-    if not one.figures.piece_count:
+def _word(sheet: _DecidedSheet) -> str | None:
+    if not sheet.figures.piece_count:
         return _NO_SEAMS
-    return one.outcome.value if one.outcome else None
+    return sheet.outcome.value if sheet.outcome else None
 
 
 _NO_SEAMS = "no_seams"
 SHEET_COLUMNS: tuple[Column[_DecidedSheet], ...] = (
-    Column("sheet", "text", lambda one: one.figures.name),
+    Column("sheet", "text", lambda sheet: sheet.figures.name),
     Column("verdict", "text", _word),
-    Column("length", "real", lambda one: rounded(one.figures.total_m)),
-    Column("measured", "real", lambda one: rounded(one.figures.measured_m)),
-    Column("failed", "real", lambda one: rounded(one.figures.failed_m)),
-    Column("failed_share", "real", lambda one: (
-        None if one.figures.failed_share is None else rounded(100 * one.figures.failed_share)
+    Column("length", "real", lambda sheet: rounded(sheet.figures.total_m)),
+    Column("measured", "real", lambda sheet: rounded(sheet.figures.measured_m)),
+    Column("failed", "real", lambda sheet: rounded(sheet.figures.failed_m)),
+    Column("failed_share", "real", lambda sheet: (
+        None if sheet.figures.failed_share is None else rounded(100 * sheet.figures.failed_share)
     )),
-    Column("longest_failure", "real", lambda one: rounded(one.figures.longest_failure_m)),
-    Column("pieces", "integer", lambda one: one.figures.piece_count),
-    Column("failed_pieces", "integer", lambda one: one.figures.failed_count),
-    Column("findings", "text", lambda one: "; ".join(one.findings) or None),
+    Column("longest_failure", "real", lambda sheet: rounded(sheet.figures.longest_failure_m)),
+    Column("pieces", "integer", lambda sheet: sheet.figures.piece_count),
+    Column("failed_pieces", "integer", lambda sheet: sheet.figures.failed_count),
+    Column("findings", "text", lambda sheet: "; ".join(sheet.findings) or None),
 )
 
 
 def sheet_features(decision: Decision) -> Iterator[QgsFeature]:
     """In the order of ``decision.sheets``; a sheet of which no place is known has no outline."""
     rings = decision.delivery.sheet_rings()
-    findings = {one.name: one.findings for one in decision.delivery.outlines}
+    findings = {sheet.name: sheet.findings for sheet in decision.delivery.outlines}
     rows = [
-        _DecidedSheet(one, outcome, findings.get(one.name, ()))
-        for one, outcome in zip(decision.sheets, decision.sheet_outcomes)
+        _DecidedSheet(figures, outcome, findings.get(figures.name, ()))
+        for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)
     ]
     for row, feature in zip(rows, column_features(SHEET_COLUMNS, rows)):
         if outline := rings.get(row.figures.name):

@@ -89,7 +89,7 @@ class QualityElement:
 def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
     """The decision first, then the figures it rests on, then how sure they are."""
     decision = record.decision
-    outcomes = {one.check: one for one in decision.outcomes}
+    outcomes = {outcome.check: outcome for outcome in decision.outcomes}
     yield _acceptance(decision)
     yield from _figures(record, outcomes)
     if decision.plan is not None:
@@ -125,7 +125,7 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
             ACCURACY, rules.FAILED_SHARE, check_word(rules.FAILED_SHARE),
             tr("Length of the pieces of seam that failed, by the length that was measured."),
             full,
-            _by_sheet(decision, PER_CENT, lambda one: None if one.failed_share is None else 100 * one.failed_share),
+            _by_sheet(decision, PER_CENT, lambda row: None if row.failed_share is None else 100 * row.failed_share),
             _conformance(outcomes.get(rules.FAILED_SHARE)),
         )
     if decision.longest_failure_m is not None:
@@ -133,10 +133,10 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
             ACCURACY, rules.LONGEST_FAILURE, check_word(rules.LONGEST_FAILURE),
             tr("Length of the longest row of failed pieces that follow each other without a break, across sheets too."),
             full,
-            _by_sheet(decision, METRES, lambda one: one.longest_failure_m if one.piece_count else None),
+            _by_sheet(decision, METRES, lambda row: row.longest_failure_m if row.piece_count else None),
             _conformance(outcomes.get(rules.LONGEST_FAILURE)),
         )
-    kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
+    kept = [piece.kept_1 for piece in decision.delivery.pieces if piece.kept_1 is not None]
     if kept:
         yield QualityElement(
             ACCURACY, rules.KEPT, check_word(rules.KEPT),
@@ -150,19 +150,19 @@ def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
     """Files and radiometry, as far as they were checked: they do not change the decision."""
     delivery = record.decision.delivery
     if delivery.is_checked:
-        found = [(one.name, "; ".join(one.findings)) for one in delivery.outlines if one.findings]
+        faults = [(sheet.name, "; ".join(sheet.findings)) for sheet in delivery.outlines if sheet.findings]
         yield QualityElement(
             USABILITY, "files", tr("completeness and form of the files"),
             tr("Sheets that are missing, incomplete, or differ from most sheets or from the order."),
-            Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")), (Quantity((len(found),), ONE),),
-            Conformance(tr("form of the delivery"), _each_said(found) or tr("No findings"), not found),
+            Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")), (Quantity((len(faults),), ONE),),
+            Conformance(tr("form of the delivery"), _each_said(faults) or tr("No findings"), not faults),
         )
     if record.radiometry:
-        outcomes = [one.outcome for one in record.radiometry]
-        open_ = [one for one in record.radiometry if one.outcome is not AcceptanceOutcome.ACCEPTED]
-        failed_by = dict.fromkeys(source for one in open_ for source in one.failed_by)
-        counts = tuple(outcomes.count(one) for one in (AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED))
-        said = [(one.name, "; ".join((outcome_title(one.outcome), *one.failed_by))) for one in open_]
+        outcomes = [image.outcome for image in record.radiometry]
+        open_ = [image for image in record.radiometry if image.outcome is not AcceptanceOutcome.ACCEPTED]
+        failed_by = dict.fromkeys(source for image in open_ for source in image.failed_by)
+        counts = tuple(outcomes.count(outcome) for outcome in (AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED))
+        said = [(image.name, "; ".join((outcome_title(image.outcome), *image.failed_by))) for image in open_]
         yield QualityElement(
             ACCURACY, "radiometry", tr("radiometry"),
             tr("Images beyond the limits of radiometry, and those for which it is unknown."),
@@ -175,26 +175,24 @@ def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
         )
 
 
-def _each_said(found: Sequence[tuple[str, str]]) -> str:
-    return " ".join(f"{name}: {words}." for name, words in found)
+def _each_said(said: Sequence[tuple[str, str]]) -> str:
+    return " ".join(f"{name}: {words}." for name, words in said)
 
 
-def _by_sheet(
-    decision: Decision, unit: str, figure: Callable[[MetreFigures], float | None]
-) -> tuple[Quantity, ...]:
+def _by_sheet(decision: Decision, unit: str, figure: Callable[[MetreFigures], float | None]) -> tuple[Quantity, ...]:
     """A figure of all sheets together, then that of each sheet that has one."""
-    found = ((one.name, figure(one)) for one in (decision.whole, *decision.sheets))
-    return tuple(Quantity((value,), unit, sheet=name) for name, value in found if value is not None)
+    values = ((figures.name, figure(figures)) for figures in (decision.whole, *decision.sheets))
+    return tuple(Quantity((value,), unit, sheet=name) for name, value in values if value is not None)
 
 
-def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | None) -> Iterator[QualityElement]:
-    plan, characteristic = found.plan, found.characteristic
+def _sampling(decision: Decision, plan_outcome: PlanOutcome, outcome: RuleOutcome | None) -> Iterator[QualityElement]:
+    plan, characteristic = plan_outcome.plan, plan_outcome.characteristic
     scheme = plan_words(plan) + "; "
     if plan.code_letter:
         scheme += f"{tr('code letter')} {plan.code_letter}; "
     scheme += filled(tr("accepted up to {most} failed pieces."), most=plan.acceptance_number)
-    if found.seed is not None:
-        scheme += " " + filled(tr("Drawn at random with the seed {seed}."), seed=found.seed)
+    if plan_outcome.seed is not None:
+        scheme += " " + filled(tr("Drawn at random with the seed {seed}."), seed=plan_outcome.seed)
     words = (
         scheme,
         filled(tr("{count} pieces of seam of {sheets} sheets"), count=plan.lot_size, sheets=len(decision.sheets)),
@@ -204,7 +202,7 @@ def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | Non
     yield QualityElement(
         USABILITY, rules.SAMPLING, check_word(rules.SAMPLING),
         tr("Pieces of seam in the sample that failed."),
-        inspected, (Quantity((found.nonconforming,), ONE),), _conformance(outcome),
+        inspected, (Quantity((plan_outcome.nonconforming,), ONE),), _conformance(outcome),
     )
     yield QualityElement(
         CONFIDENCE, "sampling_risk", tr("risks of the plan of sampling"),
@@ -225,7 +223,7 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
     yield QualityElement(
         REPRESENTATIVITY, rules.MEASURED_SHARE, check_word(rules.MEASURED_SHARE),
         tr("Length of seam that could be measured, by the length of all seams on ground with detail."), derived,
-        _by_sheet(decision, PER_CENT, lambda one: 100 * one.measured_share if one.piece_count else None),
+        _by_sheet(decision, PER_CENT, lambda row: 100 * row.measured_share if row.piece_count else None),
         _conformance(outcomes.get(rules.MEASURED_SHARE)), about=all_pieces,
     )
 
@@ -277,8 +275,8 @@ def quality_document(record: InspectionRecord) -> str:
 
 def _in_degrees(decision: Decision) -> Extent | None:
     """The bounding box of all sheets and seams in longitude and latitude; None where that can't be told."""
-    vertices = [one.vertices for one in decision.delivery.pieces]
-    vertices += [ring for one in decision.delivery.outlines for ring in one.rings]
+    vertices = [piece.vertices for piece in decision.delivery.pieces]
+    vertices += [ring for outline in decision.delivery.outlines for ring in outline.rings]
     if not vertices or not decision.delivery.wkt:
         return None
     with suppress(RasterError):
@@ -296,11 +294,13 @@ def _steps(record: InspectionRecord) -> Iterator[str]:
 
 
 def _sources(record: InspectionRecord) -> list[str]:
-    found = [f"{sheet}: {path}" for sheet, path in record.seams]
-    found += [whole_path(one.ref.path) for one in record.mosaics]
-    found += [one for one in (record.windows, record.rules) if one]
-    digests = {one.path: one for one in record.digests}
-    found = [f"{one} (SHA-256 {digests.pop(one).sha256})" if one in digests else one for one in dict.fromkeys(found)]
-    found += [f"{one.path} (SHA-256 {one.sha256})" for one in digests.values()]
-    images = ((one.path or one.name, one.date) for one in record.images)
-    return found + [f"{path} ({date})" if date else path for path, date in images]
+    files = [f"{sheet}: {path}" for sheet, path in record.seams]
+    files += [whole_path(mosaic.ref.path) for mosaic in record.mosaics]
+    files += [path for path in (record.windows, record.rules) if path]
+    digests = {digest.path: digest for digest in record.digests}
+    files = [
+        f"{file} (SHA-256 {digests.pop(file).sha256})" if file in digests else file for file in dict.fromkeys(files)
+    ]
+    files += [f"{digest.path} (SHA-256 {digest.sha256})" for digest in digests.values()]
+    images = ((image.path or image.name, image.date) for image in record.images)
+    return files + [f"{path} ({date})" if date else path for path, date in images]
