@@ -27,7 +27,7 @@ from ..plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
 from ..plugin.acceptance.measure.delivered_rows import NoSeamsError
 from ..plugin.imagery.atomic_files import save_text
 from ..plugin.imagery.documents import plugin_version
-from ..plugin.imagery.errors import SeamInspectorError, SeamInspectorWarning
+from ..plugin.imagery.errors import SeamInspectorError, SeamInspectorWarning, SeamsElsewhereError
 from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
 from ..plugin.seams.measure.judgement.verdicts import Verdict
 from ..plugin.seams.measure.limits import DENSITIES, FAILED, MENDED_SEAMS, STANDARD_PIECE_M
@@ -41,9 +41,10 @@ from .measuring import inspect_windows, mend, scan
 from .outputs import GEOPACKAGE, GEOTIFF, PAGE, writing
 from .report_page import save_report
 from .scan_files import write_scan
+from .start import ERROR
 
-ACCEPTED, REJECTED, UNDECIDED, ERROR = 0, 1, 2, 3
-"""Exit codes."""
+ACCEPTED, REJECTED, UNDECIDED = 0, 1, 2
+"""Exit codes, beside ERROR."""
 _CODES = {
     AcceptanceOutcome.ACCEPTED: ACCEPTED, AcceptanceOutcome.REJECTED: REJECTED, AcceptanceOutcome.UNDECIDED: UNDECIDED,
 }
@@ -77,6 +78,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except NoSeamsError:
             code = UNDECIDED
             _say(messages.NO_SEAM_TO_DECIDE_ON(), sys.stdout)
+        except SeamsElsewhereError as error:
+            code = UNDECIDED
+            _say(f"Undecided: {error}", sys.stdout)
         except SeamInspectorError as error:
             _say(f"seam-inspector: {error}")
         except Exception:  # any other exit code than 3 would be a decision

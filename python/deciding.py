@@ -44,6 +44,7 @@ def decide(
     """
     check_type("sheets", sheets, Mapping)
     check_type("rules", rules, AcceptanceRules)
+    mosaics = [mosaics] if isinstance(mosaics, PATH_TYPES) else mosaics
     for name, sheet in sheets.items():
         check_type(f"sheets[{name!r}]", sheet, ScanResult, *PATH_TYPES)
     files = {name: os.fspath(sheet) for name, sheet in sheets.items() if not isinstance(sheet, ScanResult)}

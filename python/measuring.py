@@ -15,6 +15,7 @@ from osgeo import ogr
 from ..plugin.imagery.errors import CancelledError, Level, Message, SettingsError
 from ..plugin.imagery.file_identity import guarding
 from ..plugin.imagery.gdal_calls import gdal_silenced
+from ..plugin.imagery.limits import check_type
 from ..plugin.imagery.messages import CANCELLED
 from ..plugin.imagery.records import GEOMETRY
 from ..plugin.seams.measure.limits import FAILED
@@ -119,11 +120,12 @@ def scan(
     no scan made, SeamlineError for seamlines that are none, RasterError when the disk is full, CancelledError when
     cancelled, WorkersLostError when nobody is left to measure.
     """
+    check_type("block", block, Block)
     given = os.fspath(seamlines).partition("|")[0]
     outputs = {"loss": (os.fspath(loss), GEOTIFF)} if loss else {}
     read = filter(None, (*block.paths, *block.files, given))
     with writing(outputs, read), open_executor(executor, cancelled) as (opened, ahead):
-        run = ScanRun(opened, ahead, progress, cancelled)
+        run = ScanRun(opened, ahead, _rising(progress), cancelled)
         result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
     _tell(result.notices)
     return replace(result, told={**result.told, SEAMLINES: os.path.abspath(given)}) if given else result
@@ -158,6 +160,7 @@ def mend(
     RasterError where nothing can be mended or written, CancelledError when cancelled, WorkersLostError when nobody is
     left to measure.
     """
+    check_type("block", block, Block)
     place = Path(os.fspath(mended))
     folder = os.fspath(patches) or str(place.parent / f"{place.stem}_patches")
     made = {"patches": folder}
@@ -172,7 +175,21 @@ def mend(
         pieces = tuple(given_pieces(features, FIELDS, which))
         request = MendRequest(block.mosaic, block.sources, pieces, settings or MendSettings())
         with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
-            return _mended(job, crew, progress, cancelled)
+            return _mended(job, crew, _rising(progress), cancelled)
+
+
+def _rising(progress: Callable[[float], object]) -> Callable[[float], object]:
+    """Tells a share only where it is more than all before: seams that are found, and runs that share work, are counted
+    anew."""
+    most = -1.0
+
+    def tell(share: float) -> None:
+        nonlocal most
+        if share > most:
+            most = share
+            progress(share)
+
+    return tell
 
 
 def _mended(
@@ -205,6 +222,7 @@ def _rectangles(windows: Iterable[Any], wkt: str) -> Iterator[Any]:
     for rectangle in table:
         if isinstance(rectangle, Mapping):
             rectangle = rectangle[GEOMETRY] if GEOMETRY in rectangle else [rectangle.get(name) for name in _SIDES]
+        rectangle = getattr(rectangle, GEOMETRY, rectangle)  # of a row of geopandas
         if isinstance(rectangle, str):
             with gdal_silenced(), suppress(RuntimeError):  # GDAL's, of words that are no WKT
                 xmin, xmax, ymin, ymax = ogr.CreateGeometryFromWkt(rectangle).GetEnvelope()

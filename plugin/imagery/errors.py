@@ -114,6 +114,10 @@ class Exceeding(Stated):
         made._limit = limit
         return made
 
+    def __getnewargs__(self) -> tuple[float, float]:  # type: ignore[override]
+        """What a copy, or another process, makes it of."""
+        return float(self), self._limit
+
     _limit: float
 
     def __format__(self, spec: str) -> str:
@@ -169,6 +173,10 @@ class WindowError(SeamInspectorError):
 
 class SeamlineError(SeamInspectorError):
     """Seamlines from which no window can be placed."""
+
+
+class SeamsElsewhereError(SeamlineError):
+    """Seamlines none of which lies on the mosaic."""
 
 
 class WindowLayerError(SeamInspectorError):

@@ -94,7 +94,7 @@ def test_the_wheel_holds_what_a_cluster_is_given_and_its_types(clone: Path, whee
         assert names == {f"seam_inspector/{name}" for name in given}
         told = held.read(next(name for name in held.namelist() if name.endswith("/METADATA"))).decode()
         commands = held.read(next(name for name in held.namelist() if name.endswith("/entry_points.txt"))).decode()
-    assert "seam-inspector = seam_inspector.python.command_line:main" in commands
+    assert "seam-inspector = seam_inspector.python.start:main" in commands
     for needed in ("numpy", "scipy", "PyWavelets"):
         assert re.search(f"^Requires-Dist: {needed}", told, re.MULTILINE | re.IGNORECASE)
     assert "plugin/seams/measure/window/inspection.py" in given

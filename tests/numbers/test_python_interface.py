@@ -5,6 +5,7 @@ import ast
 import inspect
 import json
 import math
+import pickle
 import re
 import shutil
 import subprocess
@@ -195,6 +196,40 @@ def test_a_system_may_be_a_number_an_object_or_none(folder: Path) -> None:
     systems = (None, "", 2180, np.int64(2180), System())
     taken = {open_block(folder / "mosaic.tif", crs=system).mosaic.wkt for system in systems}
     assert taken == {found}
+
+
+def test_progress_never_runs_backwards(block: Block, folder: Path, tmp_path: Path) -> None:
+    scanning: list[float] = []
+    result = seam_inspector.scan(block, seamlines=folder / "seamlines.gpkg", progress=scanning.append)
+    mending: list[float] = []
+    seam_inspector.mend(block, result, tmp_path / "mended.vrt", progress=mending.append)
+    for shares in (scanning, mending):
+        assert len(shares) > 1
+        assert shares == sorted(set(shares))
+        assert shares[-1] == 1
+
+
+def test_a_decision_is_the_same_after_a_journey(block: Block, folder: Path) -> None:
+    """Into another process and back: also where its sentences say by how much a limit is exceeded."""
+    result = seam_inspector.scan(block, seamlines=folder / "seamlines.gpkg")
+    decision = seam_inspector.decide({"a": result}, seam_inspector.limit_rules(max_share=0.0001))
+    back = pickle.loads(pickle.dumps(decision))
+    assert [str(sentence) for sentence in back.sentences] == [str(sentence) for sentence in decision.sentences]
+    assert "%" in " ".join(map(str, decision.sentences))
+
+
+def test_one_path_of_a_mosaic_is_no_list_of_letters(block: Block, folder: Path) -> None:
+    result = seam_inspector.scan(block, seamlines=folder / "seamlines.gpkg")
+    outcomes = {
+        seam_inspector.decide({"a": result}, seam_inspector.limit_rules(), mosaics=mosaics).outcome
+        for mosaics in (str(folder / "mosaic.tif"), [folder / "mosaic.tif"])
+    }
+    assert len(outcomes) == 1
+
+
+def test_what_is_no_block_is_refused() -> None:
+    with pytest.raises(SettingsError, match=r"block is 'mosaic\.tif'"):
+        seam_inspector.scan("mosaic.tif")  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("extent", [(1, 2, 3), "corner", None, (0, 0, "a", 1)])

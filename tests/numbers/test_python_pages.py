@@ -21,7 +21,7 @@ OPTIONAL = ("geopandas", "shapely", "xarray", "distributed")
 RECIPES = python_pages.blocks(python_pages.RECIPES)
 MISSING = [name for name in OPTIONAL if not find_spec(name)]
 STRICT = python_pages.REPOSITORY / "resources" / "rules" / "acceptance" / "strict.json"
-COMMAND = 'import sys; from seam_inspector.python.command_line import main; sys.exit(main())'
+COMMAND = 'import sys; from seam_inspector.python.start import main; sys.exit(main())'
 FORGED = "UPDATE seams SET kept_1 = 0.95, kept_low = 0.9, kept_high = 1, state = 'passed', verdict = 'preserved'"
 
 
@@ -93,6 +93,26 @@ def test_a_sheet_without_any_seam_is_undecided(folder: Path, shell: dict[str, st
     ):  # fmt: skip
         run = subprocess.run(["seam-inspector", *command], env=shell, capture_output=True, text=True, check=False)
         assert (run.returncode, run.stdout.startswith("Undecided: there is no seam")) == (2, True), run.stderr
+
+
+def test_a_sheet_that_no_seamline_meets_is_undecided(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
+    from osgeo import gdal
+
+    sources, sheet = sorted(map(str, folder.glob("block/strip*.tif"))), str(tmp_path / "sheet.tif")
+    gdal.Translate(sheet, str(folder / "block" / "mosaic.tif"), srcWin=[0, 0, 64, 64])
+    lines = str(folder / "block" / "seamlines.gpkg")
+    command = ["scan", sheet, *sources, "--seamlines", lines, "-o", f"{tmp_path}/seams.gpkg"]
+    run = subprocess.run(["seam-inspector", *command], env=shell, capture_output=True, text=True, check=False)
+    assert run.returncode == 2, run.stderr
+    assert run.stdout.startswith("Undecided: None of the ")
+    assert not (tmp_path / "seams.gpkg").exists()
+
+
+def test_where_gdal_is_missing_nothing_is_rejected(shell: dict[str, str]) -> None:
+    code = f"import sys; sys.modules['osgeo'] = None; {COMMAND}"
+    run = subprocess.run([sys.executable, "-c", code], env=shell, capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stderr.count("Traceback")) == (3, 0)
+    assert "osgeo" in run.stderr
 
 
 def test_a_reader_who_goes_away_changes_no_decision(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:

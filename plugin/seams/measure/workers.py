@@ -1,6 +1,7 @@
 """Work done for many requests by an executor: results in order, within a bound of memory, until it is cancelled."""
 from __future__ import annotations
 
+import logging
 from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, wait
@@ -10,6 +11,7 @@ from typing import Callable, TypeVar
 from ...imagery.errors import Message, WorkersLostError
 from . import messages
 
+_log = logging.getLogger("seam_inspector")
 Request = TypeVar("Request")
 Result = TypeVar("Result")
 
@@ -75,5 +77,6 @@ def _ready(
 
 
 def unforeseen(error: Exception) -> Message:
-    """Why there is no result, of an error that nobody foresaw."""
+    """Why there is no result, of an error that nobody foresaw; where it came from goes to the log."""
+    _log.error("%s", error, exc_info=error)
     return messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}")

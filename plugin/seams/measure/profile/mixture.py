@@ -46,7 +46,8 @@ followed."""
 _FAR = EDGES_PX.index(FAR_PX)
 MOST_UNEVEN = 2.0
 """What codecs and noise leave over at most, as a multiple of what they do on the ground in the mean. With 1.0 two of 17
-hard cuts whose orthoimages were compressed since read 0.64 and 0.65 for 0.84 and 0.76; 3.0 changed none of 107 mosaics."""
+hard cuts whose orthoimages were compressed since read 0.64 and 0.65 for 0.84 and 0.76; 3.0 changed none of 107
+mosaics."""
 MOST_EVERYWHERE = 0.25
 """Share of the other source far off, from which on a mixture has no end; a width is taken above one that is less."""
 

@@ -10,7 +10,7 @@ from osgeo import ogr
 
 from ....imagery import lines as seamlines
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import Message, RasterError, SeamlineError
+from ....imagery.errors import Message, RasterError, SeamlineError, SeamsElsewhereError
 from ....imagery.gdal_calls import gdal_silenced
 from ....imagery.gdal_paths import FEATURES, check_raster_path, is_there, open_dataset
 from ....imagery.grids import Extent, Grid, extents_meet
@@ -86,7 +86,7 @@ def gathered(
     if lines.lines or lines.rings:
         return lines
     if lines.elsewhere:
-        raise SeamlineError(messages.SEAMS_ELSEWHERE(count=lines.elsewhere))
+        raise SeamsElsewhereError(messages.SEAMS_ELSEWHERE(count=lines.elsewhere))
     if lines.broken:
         raise SeamlineError(messages.SEAM_FEATURES_ALL_BROKEN())
     raise SeamlineError(imagery_messages.SEAMLINES_NO_LINES())

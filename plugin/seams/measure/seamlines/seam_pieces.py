@@ -130,11 +130,11 @@ def sources_beside(
         along = vertex_stations(path)
         places[i] = points_beside(path, along, shares * along[-1], offsets_px)
     samples = np.floor(places / label_px).astype(np.int64).reshape(len(pieces), 2, _STATIONS * len(offsets_px), 2)
-    found = labels_at(samples[..., 0], samples[..., 1])
-    votes = np.where(found == NONE, 0, (found[..., np.newaxis] == found[..., np.newaxis, :]).sum(axis=3))
+    labels = labels_at(samples[..., 0], samples[..., 1])
+    votes = np.where(labels == NONE, 0, (labels[..., np.newaxis] == labels[..., np.newaxis, :]).sum(axis=3))
     most = votes.max(axis=2, keepdims=True)
-    best = np.where(votes == most, found, np.iinfo(np.int64).max).min(axis=2)  # of several the lowest
-    return np.where(most[..., 0] >= _LEAST_SHARE * found.shape[2], best, NONE)
+    best = np.where(votes == most, labels, np.iinfo(labels.dtype).max).min(axis=2)  # of several the lowest
+    return np.where(most[..., 0] >= _LEAST_SHARE * labels.shape[2], best, NONE)
 
 
 def points_beside(
