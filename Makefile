@@ -44,6 +44,7 @@ $(PACKAGE):
 lint: link ## Check style and types, and that nothing is left unused
 	$(PYTHON) -m ruff check .
 	$(PYTHON) -m vulture
+	$(PYTHON) -m tools.rooms
 	$(PYTHON) -m mypy -p seam_inspector.plugin -p seam_inspector.python $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py fuzz/run.py))
 
 check: lint ## Before every commit, in two minutes: style, types, and the quick tests of the numbers

@@ -33,18 +33,25 @@ class Measures:
 
 
 BOUNDS = {
+    "plugin/imagery": Measures(5485, 1, 0),
+    "plugin/seams/measure": Measures(18733, 357, 0),
+    "plugin/seams": Measures(15821, 282, 1),
+    "plugin/acceptance": Measures(6486, 1, 0),
+    "plugin/toolkit": Measures(4934, 0, 0),
+    "plugin/noise": Measures(1961, 0, 0),
+    "plugin/radiometry": Measures(2048, 0, 0),
+    "plugin/resolution": Measures(3205, 0, 0),
+    "plugin/photos": Measures(3523, 0, 0),
+    "plugin/sensors": Measures(5648, 0, 0),
+    "plugin": Measures(378, 5, 1),
+    "python": Measures(1002, 0, 0),
+    "tests": Measures(66808, 1796, 59),
 }
 """What each room may have; the most particular one holds for a file."""
 
 
-def room_of(path: Path) -> str | None:
-    """The room that a file belongs to."""
-    folders = [folder.as_posix() for folder in path.parents]
-    return next((folder for folder in folders if folder in BOUNDS), None)
-
-
 def measured(source: str) -> Measures:
-    """Measures of a file; of tests their lines alone matter."""
+    """Measures of a file."""
     tree = ast.parse(source)
     words = [word + " " for word in FIRST_WORDS]
     return Measures(
@@ -75,9 +82,9 @@ def main() -> int:
     root = Path(__file__).parent.parent
     for folder in ("plugin", "python", "tests"):
         for path in sorted((root / folder).rglob("*.py")):
-            room = room_of(path.relative_to(root))
-            if room is not None:
-                sums[room].update(vars(measured(path.read_text(encoding="utf-8"))))
+            folders = [parent.as_posix() for parent in path.relative_to(root).parents]
+            room = next(parent for parent in folders if parent in BOUNDS)
+            sums[room].update(vars(measured(path.read_text(encoding="utf-8"))))
     grown = False
     for room, bounds in BOUNDS.items():
         beyond = [name for name, most in vars(bounds).items() if sums[room][name] > most]
