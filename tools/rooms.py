@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(5485, 1, 0),
-    "plugin/seams/measure": Measures(18733, 357, 0),
+    "plugin/seams/measure": Measures(18723, 357, 0),
     "plugin/seams": Measures(15821, 282, 1),
     "plugin/acceptance": Measures(6486, 1, 0),
     "plugin/toolkit": Measures(4934, 0, 0),

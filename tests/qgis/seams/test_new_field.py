@@ -14,7 +14,7 @@ from seam_inspector.plugin.seams.measure.window import window_tables
 
 made = window_tables.WindowField(
     "roughness", "real", lambda result: 0.25, title="roughness of the ground", heading="roughness",
-    help="Made up for a test.", shown="percent", called=("rough",), is_share=True,
+    help="Made up for a test.", shown="percent", called=("rough",),
 )
 window_tables.MEASURED = (*window_tables.MEASURED, made)
 window_tables.WINDOW_FIELDS = (*window_tables.WINDOW_FIELDS, made)

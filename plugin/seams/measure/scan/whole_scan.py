@@ -18,16 +18,14 @@ from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.seam_totals import METRES, MOSAIC_FILES, SOURCE_FILES, SYSTEM
 from .. import messages
-from ..blocks.block_grid import BlockKey
 from ..blocks.mosaic_reading import MosaicReading
-from ..blocks.scan_block import BlockScan
 from ..blocks.scan_settings import ScanSettings
 from ..seamlines.given_seams import given_seams
 from ..seamlines.seam_features import read_seam_features
 from ..while_measuring import measuring
 from ..window.inspection import Block, PathLike
 from ..workers import Workers
-from .block_runs import BlockRun, ScanStep, whole_block
+from .block_runs import BlockRun, ScanStep
 from .gathering import Gathering
 from .lone_scan import LoneScanning
 from .scan_journal import MOST_ASKED, ScanJournal, fingerprint_of, journal_beside
@@ -71,11 +69,6 @@ class WholeScan:
             for step in self._steps(Workers(executor, ahead, cancelled)):
                 self._reading.add(step.reading, step.notices)
                 yield step
-
-    def block(self, key: BlockKey) -> BlockScan | None:
-        """What was measured of one block so far, None where nothing was. Raises SettingsError where that can't be read
-        any more."""
-        return whole_block(self._journal.files, key)
 
     def result(
         self, loss_path: str = "", goes_on: GoesOn = lambda share: True, executor: Executor | None = None,

@@ -133,8 +133,6 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
     ``square metres``, ``whole``, ``words``, ``observer`` or ``causes``."""
     called: tuple[str, ...] = ()
     """What else the filter calls it."""
-    is_share: bool = False
-    """Whether the table shows it in percent, which its filter minds."""
     most: float | None = None
     """No measurement is above it, nor below 0; None where any number may be."""
 
@@ -173,7 +171,7 @@ MEASURED = (
     ),
     WindowField(
         "unclear_share", "real", lambda result: result.explanation and result.explanation.unclear_share,
-        title=QT_TR_NOOP("share where no source wins clearly"), is_share=True,
+        title=QT_TR_NOOP("share where no source wins clearly"),
     ),
     WindowField("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
     WindowField(
@@ -184,17 +182,17 @@ MEASURED = (
     WindowField("reference", "text", lambda result: result.reference),
     WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value, called=("paper",)),
     WindowField(
-        "kept", "real", lambda result: result.profile and result.profile.kept, by_level=True, is_share=True,
+        "kept", "real", lambda result: result.profile and result.profile.kept, by_level=True,
         most=MOST_KEPT,
     ),
     WindowField(
         "kept_low", "real", lambda result: result.profile and result.profile.low,
-        heading=QT_TR_NOOP("kept from"), shown="percent", is_share=True,
+        heading=QT_TR_NOOP("kept from"), shown="percent",
         help=QT_TR_NOOP("Lower end of the 95 % interval of what is kept along the seam."),
     ),
     WindowField(
         "kept_high", "real", lambda result: result.profile and result.profile.high,
-        heading=QT_TR_NOOP("kept to"), shown="percent", is_share=True,
+        heading=QT_TR_NOOP("kept to"), shown="percent",
         help=QT_TR_NOOP("Upper end of the 95 % interval of what is kept along the seam."),
     ),
     WindowField(
@@ -228,18 +226,17 @@ MEASURED = (
     ),
     WindowField(
         "sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness,
-        attribute="sharpness", heading=QT_TR_NOOP("sharpness"), shown="percent", is_share=True, called=("sharpness",),
+        attribute="sharpness", heading=QT_TR_NOOP("sharpness"), shown="percent", called=("sharpness",),
         help=QT_TR_NOOP("Sharpness of the whole window against the composite of its sources."),
     ),
     WindowField(
         "added_1", "real", lambda result: result.explanation and result.explanation.added,
-        attribute="added", heading=QT_TR_NOOP("added"), shown="percent", is_share=True, called=("added",),
+        attribute="added", heading=QT_TR_NOOP("added"), shown="percent", called=("added",),
         help=QT_TR_NOOP("Share of the mosaic's finest detail that its sources don't have."),
     ),
     WindowField(
         "explained", "real", lambda result: result.explained,
         title=QT_TR_NOOP("share that the sources explain"), heading=QT_TR_NOOP("explained"), shown="percent",
-        is_share=True,
         help=QT_TR_NOOP("Share of the pixels whose detail the given sources explain."),
     ),
     WindowField(
