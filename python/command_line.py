@@ -38,7 +38,7 @@ from ..plugin.seams.measure.window.window_tables import window_rows
 from . import messages
 from .deciding import decide
 from .measuring import inspect_windows, mend, scan
-from .outputs import GEOPACKAGE, GEOTIFF, PAGE, writing
+from .outputs import GEOPACKAGE, GEOTIFF, PAGE, TABLE, writing
 from .report_page import save_report
 from .scan_files import write_scan
 from .start import ERROR
@@ -157,7 +157,7 @@ def _rules(asked: argparse.Namespace) -> AcceptanceRules:
 def _guarded(asked: argparse.Namespace, inputs: Sequence[str]) -> Any:
     """Meanwhile outputs have names that can be, and are over no input: checked before anything is measured."""
     given = (getattr(asked, name, "") for name in ("seamlines", "rules"))
-    endings = {"output": GEOPACKAGE if asked.command is _scan else (), "loss": GEOTIFF, "report": PAGE}
+    endings = {"output": TABLE if asked.command is _inspect else GEOPACKAGE, "loss": GEOTIFF, "report": PAGE}
     outputs = {name: (getattr(asked, name, None), ending) for name, ending in endings.items()}
     wanted = {name: (path, ending) for name, (path, ending) in outputs.items() if path is not None}
     return writing(wanted, (*inputs, *filter(None, given)))

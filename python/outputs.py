@@ -1,4 +1,4 @@
-"""What is written: by names that can be, over no input, and over nothing that was not made by a scan."""
+"""What is written: by names that can be, over no input, and over nothing that no such run made."""
 from __future__ import annotations
 
 import os
@@ -14,8 +14,12 @@ from . import messages
 
 SEAMS, CELLS, WORST = "seams", "source_cells", "worst_windows"
 """Tables of a scan: pieces of seam, polygons of what lies where, and windows of the least kept places."""
-GEOPACKAGE, GEOTIFF, PAGE, VRT = (".gpkg",), (".tif", ".tiff"), (".html", ".htm"), (".vrt",)
+GEOPACKAGE, GEOTIFF, PAGE, TABLE, VRT = (".gpkg",), (".tif", ".tiff"), (".html", ".htm"), (".csv",), (".vrt",)
 """Endings of outputs."""
+MADE_BY = "<title>Seam Inspector"
+_BEGINS = {PAGE: MADE_BY, TABLE: "window_id,"}
+"""What is in the first bytes of such a file."""
+_BEGIN_BYTES = 1024
 
 
 @contextmanager
@@ -33,7 +37,10 @@ def writing(outputs: Mapping[str, tuple[str, tuple[str, ...]]], inputs: Iterable
 
 
 def _is_replaceable(path: str, endings: tuple[str, ...]) -> bool:
-    """Whether a file that is there is a scan's, where that can be told."""
+    """Whether a file that is there was made by such a run, where that can be told."""
+    if endings in _BEGINS:
+        with open(path, "rb") as file:
+            return _BEGINS[endings].encode() in file.read(_BEGIN_BYTES)
     if endings == GEOTIFF:
         picture = open_dataset(path, RASTERS)
         return picture is not None and bool(picture.GetMetadata(SETTINGS_DOMAIN))

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ..plugin.acceptance.measure.decision import Decision
 from ..plugin.imagery.atomic_files import save_text
+from .outputs import MADE_BY
 
 _STYLE = "body{font:16px/1.5 sans-serif;max-width:60em;margin:2em auto}td,th{padding:.2em 1em .2em 0;text-align:left}"
 
@@ -30,7 +31,7 @@ def save_report(path: Path, decision: Decision) -> None:
         "<h2>Failed pieces</h2>",
         _table(("sheet", "seam", "station (m)", "length (m)", "kept", "low", "high"), failed),
     ]
-    head = f'<meta charset="utf-8"><title>Seam Inspector: {decision.outcome.value}</title><style>{_STYLE}</style>'
+    head = f'<meta charset="utf-8">{MADE_BY}: {decision.outcome.value}</title><style>{_STYLE}</style>'
     save_text(f"<!DOCTYPE html><html lang=en><head>{head}</head><body>{''.join(parts)}</body></html>\n", path)
 
 

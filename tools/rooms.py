@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(5485, 1, 0),
-    "plugin/seams/measure": Measures(18723, 357, 0),
+    "plugin/seams/measure": Measures(18725, 356, 0),
     "plugin/seams": Measures(15821, 282, 1),
     "plugin/acceptance": Measures(6486, 1, 0),
     "plugin/toolkit": Measures(4934, 0, 0),
@@ -44,8 +44,8 @@ BOUNDS = {
     "plugin/photos": Measures(3523, 0, 0),
     "plugin/sensors": Measures(5648, 0, 0),
     "plugin": Measures(378, 5, 1),
-    "python": Measures(1002, 0, 0),
-    "tests": Measures(66808, 1796, 59),
+    "python": Measures(1010, 0, 0),
+    "tests": Measures(66832, 1796, 59),
 }
 """What each room may have; the most particular one holds for a file."""
 

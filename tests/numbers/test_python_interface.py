@@ -232,6 +232,14 @@ def test_what_is_no_block_is_refused() -> None:
         seam_inspector.scan("mosaic.tif")  # type: ignore[arg-type]
 
 
+def test_what_is_no_request_and_what_are_no_results_is_refused(block: Block) -> None:
+    with pytest.raises(SettingsError, match="request is"):
+        inspect_window((0, 0, 1, 1))  # type: ignore[arg-type]
+    alone = inspect_window(block.window((0, 0, 1, 1)))
+    with pytest.raises(SettingsError, match="results is"):
+        window_rows(alone)  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize("extent", [(1, 2, 3), "corner", None, (0, 0, "a", 1)])
 def test_what_is_no_rectangle_is_refused(block: Block, extent: object) -> None:
     with pytest.raises(SettingsError, match=r"Window 7 is no rectangle; give \(xmin"):

@@ -108,6 +108,22 @@ def test_a_sheet_that_no_seamline_meets_is_undecided(folder: Path, shell: dict[s
     assert not (tmp_path / "seams.gpkg").exists()
 
 
+def test_a_table_or_page_of_something_else_stays(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
+    sources, mosaic = sorted(map(str, folder.glob("block/strip*.tif"))), str(folder / "block" / "mosaic.tif")
+    notes, page, table = tmp_path / "notes.csv", tmp_path / "page.html", tmp_path / "windows.csv"
+    notes.write_text("my,notes\n", encoding="utf-8")
+    page.write_text("<p>mine</p>", encoding="utf-8")
+    command = ["seam-inspector", "inspect", mosaic, *sources, "--at", "0", "0", "-o"]
+    codes = [
+        subprocess.run([*command, output], env=shell, capture_output=True, check=False).returncode
+        for output in (notes, tmp_path / "w.xlsx", table, table)
+    ]
+    assert codes == [3, 3, 2, 2]  # the place lies outside, which is told in the table
+    scan = ["seam-inspector", "scan", mosaic, *sources, "-o", f"{tmp_path}/seams.gpkg", "--report", page]
+    assert subprocess.run(scan, env=shell, capture_output=True, check=False).returncode == 3
+    assert (notes.read_text("utf-8"), page.read_text("utf-8")) == ("my,notes\n", "<p>mine</p>")
+
+
 def test_where_gdal_is_missing_nothing_is_rejected(shell: dict[str, str]) -> None:
     code = f"import sys; sys.modules['osgeo'] = None; {COMMAND}"
     run = subprocess.run([sys.executable, "-c", code], env=shell, capture_output=True, text=True, check=False)

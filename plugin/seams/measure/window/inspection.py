@@ -169,8 +169,9 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     """Clip, decompose, compare, judge and explain one window.
 
     A raster that can't be compared is left out with a notice; a window that can't be measured is
-    ``not_comparable`` with the reason. Neither raises.
+    ``not_comparable`` with the reason. Neither raises. Raises SettingsError for what ``Block.window`` did not make.
     """
+    imagery_limits.check_type("request", request, WindowRequest)
     *_, result = inspect_in_stages(request)
     assert isinstance(result, WindowResult)
     return result

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import QT_TR_NOOP
-from ....imagery.limits import DEFAULT_LEVELS, MIN_SHARE
+from ....imagery.limits import DEFAULT_LEVELS, MIN_SHARE, check_type
 from ....imagery.records import (
     Column,
     NotUnderstoodError,
@@ -311,10 +311,11 @@ def window_rows(results: Iterable[WindowResult]) -> TableRows:
     """One row per window: verdict, ratios, kept along the seam with its interval, widths, causes.
 
     The fields are those of the table OUTPUT (docs/reference/tables.md); lengths in metres, shares of 1, DN for grey
-    values.
+    values. Raises SettingsError for what are no results, such as one alone.
     """
-    found = list(results)
-    return _table(_ROW_COLUMNS, found, _most_levels(found))
+    check_type("results", results, Iterable)
+    listed = list(results)
+    return _table(_ROW_COLUMNS, listed, _most_levels(listed))
 
 
 def profile_rows(results: Iterable[WindowResult]) -> TableRows:
