@@ -165,7 +165,7 @@ def _request(order: ScanOrder) -> tuple[ScanRequest, tuple[Message, ...]]:
     given: GivenSeams | None = None
     if order.read_seams is not None:
         features, lost = order.read_seams()
-        given = given_seams(features, order.mosaic.grid, paths=[one.ref.path for one in sources])
+        given = given_seams(features, order.mosaic.grid, paths=[source.ref.path for source in sources])
         told += [] if lost is None else [lost]
     request, notices = scan_request(order.mosaic, sources, order.settings, given)
     return request, (*told, *notices)

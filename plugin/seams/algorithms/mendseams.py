@@ -119,12 +119,12 @@ class MendSeams(SeamInspectorAlgorithm):
             if run.is_cancelled():
                 raise CancelledError(messages.MENDING_STOPPED())
             seams = job.result(lambda share: run.goes_on(PATCHED + (1 - PATCHED) * share), *crew)
-        run.tell_once(one.reason.as_warning() for one in seams if one.reason is not None)
+        run.tell_once(seam.reason.as_warning() for seam in seams if seam.reason is not None)
         fields = column_fields(CUT_COLUMNS)
         sink, cuts = run.sink(CUTS, fields, QgsWkbTypes.Type.LineString, crs)
         run.write(sink, (
-            feature(fields, column_values(CUT_COLUMNS, one), QgsGeometry(QgsLineString(*one.vertices.T.tolist())))
-            for one in seams
+            feature(fields, column_values(CUT_COLUMNS, seam), QgsGeometry(QgsLineString(*seam.vertices.T.tolist())))
+            for seam in seams
         ))
         left = metres(seams, LEFT)
         return {
@@ -151,10 +151,10 @@ class MendSeams(SeamInspectorAlgorithm):
                 raise CancelledError(messages.MENDING_STOPPED())
 
         transform = run.transform(given, crs)
-        windows = [layers.window_geometry(one, transform) for one in layers.features(given)]
+        windows = [layers.window_geometry(feature, transform) for feature in layers.features(given)]
         found = scan(Block(self._mosaic, tuple(sources)), run=ScanRun(progress=goes_on))
         run.tell_once(found.notices)
         rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(found)]
         return given_pieces(rows, FIELDS, what, lambda vertices: any(
-            one.intersects(QgsGeometry(QgsLineString(*vertices.T.tolist()))) for one in windows
+            window.intersects(QgsGeometry(QgsLineString(*vertices.T.tolist()))) for window in windows
         ))

@@ -72,7 +72,7 @@ def suggested_files(project: QgsProject, inputs: Inputs) -> dict[str, str]:
     profile = Path(QgsApplication.qgisSettingsDirPath())  # where scans of projects without a file lie, and nobody looks
     beside = [one.parent for one in (scan, mosaic) if one is not None and one.parent != profile]
     places = [*([Path(project.homePath())] if project.homePath() else ()), *beside, Path.home()]
-    folder = next((one for one in places if one.is_dir() and os.access(one, os.W_OK)), None)
+    folder = next((place for place in places if place.is_dir() and os.access(place, os.W_OK)), None)
     stem = file_stem(project.baseName() or "delivery" if mosaic is None else mosaic.name)
     return {} if folder is None else _unused({name: folder / f"{stem}_{file}" for name, file in _FILES.items()})
 

@@ -70,7 +70,7 @@ class JudgingProgress:
             "{left} to go: {judged} of {count} judged"
         )
         words = [text, tr("{judged} of {count} judged"), tr("{left} to go"), "{judged}/{count}"]
-        return [filled(one, judged=self.judged, count=count, unsure=self.unsure, left=self.left) for one in words]
+        return [filled(word, judged=self.judged, count=count, unsure=self.unsure, left=self.left) for word in words]
 
     def tip(self) -> str:
         """What the other windows are."""

@@ -89,7 +89,7 @@ class JudgingLayout(QObject):
             one for one in self._window.findChildren(QDockWidget)
             if one is not self._dock and one.toggleViewAction().isChecked() and not one.isFloating()
         ]  # fmt: skip
-        self._panels = [(one, not one.visibleRegion().isEmpty()) for one in docks]
+        self._panels = [(dock, not dock.visibleRegion().isEmpty()) for dock in docks]
         for panel, _ in self._panels:
             panel.hide()
         self._uncover()

@@ -121,10 +121,10 @@ def _runs(stem: str) -> set[str]:
 def names_apart(paths: Sequence[str]) -> list[str]:
     """The file names of paths; those of one name with as many of their folders as it takes to tell them apart."""
     parts = [path.replace("\\", "/").split("/") for path in paths]
-    found = [one[-1] or path for one, path in zip(parts, paths)]
+    found = [part[-1] or path for part, path in zip(parts, paths)]
     for count in range(2, max(map(len, parts), default=0) + 1):
         same = {name for name, times in Counter(found).items() if times > 1}
         if not same:
             break
-        found = ["/".join(one[-count:]) if name in same else name for one, name in zip(parts, found)]
+        found = ["/".join(part[-count:]) if name in same else name for part, name in zip(parts, found)]
     return found

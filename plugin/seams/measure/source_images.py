@@ -76,7 +76,7 @@ def sources_over(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...
 
 def sources_in(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...]:
     """Sources whose footprint meets a rectangle."""
-    return tuple(one for one in sources if extents_meet(one.extent, extent))
+    return tuple(source for source in sources if extents_meet(source.extent, extent))
 
 
 def covers(footprint: Extent, extent: Extent, slack_x: float = 0.0, slack_y: float = 0.0) -> bool:

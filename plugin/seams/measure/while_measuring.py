@@ -101,7 +101,7 @@ def _loaded() -> list[str]:
         paths = {line.split(maxsplit=5)[-1].strip() for line in maps.read_text("utf-8", "replace").splitlines()}
     else:  # Windows and macOS: what comes with the wheels
         wheels = [Path(str(sys.modules[name].__file__)).parent for name in ("numpy", "scipy") if name in sys.modules]
-        beside = [folder for one in wheels for folder in (one.with_name(f"{one.name}.libs"), one / ".dylibs")]
+        beside = [folder for wheel in wheels for folder in (wheel.with_name(f"{wheel.name}.libs"), wheel / ".dylibs")]
         paths = {str(path) for folder in beside for path in folder.glob("*")}
     return sorted(path for path in paths if any(name in Path(path).name for name in _LIBRARIES))
 

@@ -74,7 +74,7 @@ def write_report(
             **_map(request, linked),
             has=_shown(request),
             levels=levels,
-            ratio_levels=max((len(one.ratios) for one in request.records), default=0),
+            ratio_levels=max((len(record.ratios) for record in request.records), default=0),
             windows=(
                 window_rows(one, request.curves.get(one.window_id, ()), levels, linked) for one in request.records
             ),
@@ -105,16 +105,16 @@ def _shown(request: ReportRequest) -> dict[str, object]:
     return {
         "percent": percent(request.min_kept), "limit": request.max_ratio, "curves": bool(request.curves),
         "profiles": bool(request.profiles), "clips": request.block is not None,
-        "seam": any(one.reference == SEAM for one in records),
-        "visibility": any(one.visibility is not None for one in records),
-        "sharpness": any(one.sharpness is not None for one in records),
-        "expected": any(value is not None for one in records for value in one.expected_ratios),
+        "seam": any(record.reference == SEAM for record in records),
+        "visibility": any(record.visibility is not None for record in records),
+        "sharpness": any(record.sharpness is not None for record in records),
+        "expected": any(value is not None for record in records for value in record.expected_ratios),
     }
 
 
 def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:
     """Windows with a significant loss, and those where the observer saw one."""
-    return [one for one in records if one.verdict == "significant" or one.observer == "visible"]
+    return [record for record in records if record.verdict == "significant" or record.observer == "visible"]
 
 
 def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
@@ -156,8 +156,8 @@ def _mosaics_title(request: ReportRequest) -> str:
 
 def _summary(request: ReportRequest) -> dict[str, object]:
     """Verdicts, observer's words and ratios of each mosaic, and its causes."""
-    verdicts = [verdict for verdict in VERDICTS if verdict or any(not one.verdict for one in request.records)]
-    main = Counter((_mosaic_of(request, one), one.cause) for one in request.records if one.cause)
+    verdicts = [verdict for verdict in VERDICTS if verdict or any(not record.verdict for record in request.records)]
+    main = Counter((_mosaic_of(request, record), record.cause) for record in request.records if record.cause)
     causes = Counter(_parts(request, request.records))
     flagged = Counter(_parts(request, flagged_windows(request.records)))
     ordered = sorted(causes.items(), key=lambda item: (item[0][0], -main[item[0]], -item[1], item[0][1]))
@@ -173,18 +173,18 @@ def _summary(request: ReportRequest) -> dict[str, object]:
 
 def _parts(request: ReportRequest, records: Iterable[WindowRecord]) -> Iterator[tuple[str, str]]:
     """The mosaic and each cause that took part, window by window."""
-    for one in records:
-        for cause in (one.causes or one.cause).split("; "):
+    for record in records:
+        for cause in (record.causes or record.cause).split("; "):
             if cause and cause != "none":
-                yield _mosaic_of(request, one), cause
+                yield _mosaic_of(request, record), cause
 
 
 def _counts(records: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[object]:
     """Windows, those of each verdict and of each of the observer's words, their median kept_1 and ratio."""
-    counts = Counter(one.verdict for one in records)
-    seen = Counter(one.observer for one in records)
+    counts = Counter(record.verdict for record in records)
+    seen = Counter(record.observer for record in records)
     words = (seen[word] for word in (VISIBLE, INVISIBLE, UNSURE))
-    medians = [_median(one.kept_1 for one in records), _median(one.ratio for one in records)]
+    medians = [_median(record.kept_1 for record in records), _median(record.ratio for record in records)]
     return [len(records), *(counts[verdict] for verdict in verdicts), *words, *medians]
 
 
@@ -199,13 +199,13 @@ def _median(values: Iterable[float | None]) -> str:
 def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
     """The sketch and its legend."""
     order = list(VERDICTS)[::-1]
-    known = [one for one in request.records if one.extent is not None]
+    known = [record for record in request.records if record.extent is not None]
     known.sort(key=lambda one: (order.index(one.verdict) if one.verdict in order else 0, one.window_id in detailed))
     if not known:
         return {"sketch": None}
     shapes = [_shape(one, one.window_id in detailed) for one in known]
     metres = metres_per_unit(request.wkt, middle_of(shapes[0].extent))
-    if not all(0 < one < math.inf for one in metres):
+    if not all(0 < metre < math.inf for metre in metres):
         metres = 1.0, 1.0  # a system whose units have no length: drawn as the map shows it
     counts = Counter(one.verdict for one in known)
     return {

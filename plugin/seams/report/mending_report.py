@@ -25,7 +25,7 @@ MOST_PICTURED = 100  # runs, those that keep least first; the others stand in th
 def save_mending_report(path: Path, request: MendRequest, mended: str, seams: Sequence[MendedSeam]) -> None:
     """Write the report. ``mended``: the mended mosaic. Raises SettingsError where no file can be."""
     words = {MENDED: tr("mended"), IMPROVED: tr("improved"), LEFT: tr("left")}
-    shown = sorted((one for one in seams if one.outcome != LEFT), key=lambda one: one.kept or 0.0)[:MOST_PICTURED]
+    shown = sorted((seam for seam in seams if seam.outcome != LEFT), key=lambda one: one.kept or 0.0)[:MOST_PICTURED]
     with rasters_kept():
         save_page(
             path, "mending",
@@ -33,7 +33,7 @@ def save_mending_report(path: Path, request: MendRequest, mended: str, seams: Se
                 [(tr("corridor on either side (m)"), shown_number(request.settings.width_m)),
                  (tr("blend (px)"), str(request.settings.blend_px))],
                 [measured_raster(tr("mosaic"), request.mosaic),
-                 *each_raster(tr("orthoimage"), (one.ref for one in request.sources))],
+                 *each_raster(tr("orthoimage"), (source.ref for source in request.sources))],
             ),
             is_whole=not metres(seams, LEFT, IMPROVED),
             lengths=[
@@ -42,12 +42,12 @@ def save_mending_report(path: Path, request: MendRequest, mended: str, seams: Se
             ],
             rows=[
                 [
-                    _name(one), formatted(one.run.piece.length_m, ".1f"),
+                    _name(seam), formatted(seam.run.piece.length_m, ".1f"),
                     *(None if value is None else shown_number(value)
-                      for value in (one.run.kept, one.kept, *one.cut.steps, one.cut.misfit)),
-                    words[one.outcome] if one.reason is None else f"{words[one.outcome]}: {sentence(one.reason)}",
+                      for value in (seam.run.kept, seam.kept, *seam.cut.steps, seam.cut.misfit)),
+                    words[seam.outcome] if seam.reason is None else f"{words[seam.outcome]}: {sentence(seam.reason)}",
                 ]
-                for one in seams
+                for seam in seams
             ],
             sections=((_name(one), list(_pictures(one, request, mended))) for one in shown),
             magnification=JUDGED_MAGNIFICATION,

@@ -132,7 +132,7 @@ def read_curves(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, l
         if place is None:  # a part of the detail, by direction
             continue
         curves = windows.setdefault(window_id, {}).setdefault(band, [])
-        own = [one for one in curves if (one.raster, one.role) == (raster, role)]
+        own = [curve for curve in curves if (curve.raster, curve.role) == (raster, role)]
         if not own or place in own[-1].shares:
             own.append(_Components(raster, role, {}))
             curves.append(own[-1])

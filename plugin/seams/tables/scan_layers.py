@@ -55,16 +55,16 @@ class ScanLayer:
 
 
 def _pieces(result: ScanResult, _request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:
-    for one in result.features:
-        x, y = one.piece.vertices.T.tolist()
-        yield one, QgsGeometry(QgsLineString(x, y))
+    for judged in result.features:
+        x, y = judged.piece.vertices.T.tolist()
+        yield judged, QgsGeometry(QgsLineString(x, y))
 
 
 def _cells(result: ScanResult, request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:
-    for one in result.polygons:
+    for polygon in result.polygons:
         outline = QgsGeometry()
-        outline.fromWkb(one.wkb)
-        yield request.source_names[one.source], outline
+        outline.fromWkb(polygon.wkb)
+        yield request.source_names[polygon.source], outline
 
 
 def _worst(result: ScanResult, request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:

@@ -213,7 +213,7 @@ def _changed(path: Path, access: int) -> Iterator[gdal.Dataset]:
 def _add_tables(dataset: gdal.Dataset) -> None:
     levels = sum(one.GetName().startswith("ratio_") for one in dataset.GetLayerByName(TABLE).schema)
     kinds = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString, "binary": ogr.OFTBinary}
-    columns = {name: [(field_name, one.kind) for one in columns for field_name in one.names(levels)]
+    columns = {name: [(field_name, column.kind) for column in columns for field_name in column.names(levels)]
                for name, (columns, _rows) in _MEASURED.items()}  # fmt: skip
     columns[_RESULTS] = [("window_id", "integer"), ("fingerprint", "text"), ("record", "binary")]
     for name, fields in columns.items():

@@ -152,7 +152,7 @@ def _write_file(layer: QgsVectorLayer, change: WindowChange, values: dict[int, d
 
 def add_levels(layer: QgsVectorLayer, levels: int) -> None:
     """Give a layer the fields of more levels. Raises WindowLayerError when that can't be now."""
-    missing = [one for one in window_file.window_fields(levels) if layer.fields().indexOf(one.name()) < 0]
+    missing = [field for field in window_file.window_fields(levels) if layer.fields().indexOf(field.name()) < 0]
     if missing:
         if layer.isEditable() or not layer.dataProvider().addAttributes(missing):
             raise WindowLayerError(messages.FIELD_NOT_HELD(name=layer.name(), field=missing[0].name()))
@@ -204,7 +204,7 @@ def copy_to_file(layer: QgsVectorLayer, levels: int, wkt: str, folder: Path) -> 
     """Copy the windows of any layer into a new windows file, their other columns too; ``wkt``: for a layer without a
     reference system. Raises WindowLayerError."""
     names = layer.fields().names()
-    besides = [made_field(one.name(), _kind(one)) for one in layer.fields() if one.name().lower() != "fid"]
+    besides = [made_field(field.name(), _kind(field)) for field in layer.fields() if field.name().lower() != "fid"]
     fields = window_file.window_fields(max(levels, len(level_names("ratio", names))), besides)
     is_multi = QgsWkbTypes.isMultiType(layer.wkbType())
     shape = QgsWkbTypes.Type.MultiPolygon if is_multi else QgsWkbTypes.Type.Polygon

@@ -181,7 +181,7 @@ class ImagesPanel(QWidget):
         self._pages.setCurrentIndex(1)
         self._offer(request)
         self.mosaic.show_layers([mosaic], mosaic.crs())
-        source = next((one.ref for one in request.sources if one.ref.name == self.choice.currentData()), None)
+        source = next((source.ref for source in request.sources if source.ref.name == self.choice.currentData()), None)
         self.compared.ask(Compared(request, source) if request.sources else None)
         self._show_compared()
         self._show_loss()

@@ -131,7 +131,7 @@ class SourceList(QWidget):
         finally:
             self._is_following = False
         standings = [standing(entry.layer_id) for entry in entries]
-        self.suggested.setEnabled(any(one is not None and one.is_suggested for one in standings))
+        self.suggested.setEnabled(any(standing is not None and standing.is_suggested for standing in standings))
         self.none.setEnabled(bool(sources))
 
     def checked(self) -> Sources:

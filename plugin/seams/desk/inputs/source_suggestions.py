@@ -162,13 +162,13 @@ def with_likely_vectors(inputs: Inputs) -> Inputs:
     if not isinstance(mosaic, QgsRasterLayer):
         return inputs
     vectors = [one for one in QgsProject.instance().mapLayers().values() if isinstance(one, QgsVectorLayer)]
-    vectors = [one for one in vectors if one.isValid()]
+    vectors = [vector for vector in vectors if vector.isValid()]
     if not inputs.seamlines:
-        lines = _on(mosaic, [one for one in vectors if _are_seams(one, QgsWkbTypes.GeometryType.LineGeometry)])
+        lines = _on(mosaic, [vector for vector in vectors if _are_seams(vector, QgsWkbTypes.GeometryType.LineGeometry)])
         cells = _on(mosaic, [one for one in vectors if _are_seams(one, QgsWkbTypes.GeometryType.PolygonGeometry)])
         inputs = replace(inputs, seamlines=_only(lines or cells))
     if not inputs.source_index and not inputs.sources:
-        inputs = replace(inputs, source_index=_only(_on(mosaic, [one for one in vectors if _is_index(one)])))
+        inputs = replace(inputs, source_index=_only(_on(mosaic, [vector for vector in vectors if _is_index(vector)])))
     return inputs
 
 

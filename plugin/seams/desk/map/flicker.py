@@ -105,7 +105,7 @@ class Flicker(QObject):
         layers = [layer for layer in now if layer is not self._on_map]
         self._on_map = cut if self.is_shown else None
         if cut is not None and mosaic is not None and self.is_shown:
-            place = next((i for i, one in enumerate(layers) if isinstance(one, QgsRasterLayer)), len(layers))
+            place = next((i for i, layer in enumerate(layers) if isinstance(layer, QgsRasterLayer)), len(layers))
             layers.insert(place, cut)
             if cut not in now:
                 looks_alike(cut, mosaic)

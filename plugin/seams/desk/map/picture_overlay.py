@@ -145,4 +145,4 @@ class _PictureItem(QgsMapCanvasItem):
         """The corners in pixels of the canvas, from the upper left clockwise."""
         xmin, ymin, xmax, ymax = extent
         corners = ((xmin, ymax), (xmax, ymax), (xmax, ymin), (xmin, ymin))
-        return QPolygonF([self.toCanvasCoordinates(transform.transform(QgsPointXY(*one))) for one in corners])
+        return QPolygonF([self.toCanvasCoordinates(transform.transform(QgsPointXY(*corner))) for corner in corners])

@@ -97,7 +97,7 @@ class ColumnMeter:
     def _claims(self) -> list[str]:
         """Words of the windows' verdicts that say whether detail was lost."""
         claims = [verdict_word(one) for one in CLAIMS if one in self._verdicts]
-        return [*claims, *(filled(tr("{verdict}, changed"), verdict=one) for one in claims if self._has_stale)]
+        return [*claims, *(filled(tr("{verdict}, changed"), verdict=claim) for claim in claims if self._has_stale)]
 
     def _of_words(self, column: TableColumn, *texts: str) -> int:
         margin = self._table.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self._table)

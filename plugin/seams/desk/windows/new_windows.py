@@ -152,12 +152,12 @@ class NewWindows(QObject):
         layer = self._watch.own()
         assert layer is not None
         features = sorted(worst.getFeatures(), key=lambda one: one["window_id"])
-        outlines = self._block.shapes(worst, [one.id() for one in features], layer.crs())
+        outlines = self._block.shapes(worst, [feature.id() for feature in features], layer.crs())
         rows = [row for row in self._watch.rows() if row.extent]
         there = [_same_place(rows, layers.extent(outline)) for outline in outlines]
         places = [
-            (outline, {"origin": SCAN, "seam_id": one["seam_id"], "station": one["station"]})
-            for one, outline, fid in zip(features, outlines, there) if fid is None
+            (outline, {"origin": SCAN, "seam_id": feature["seam_id"], "station": feature["station"]})
+            for feature, outline, fid in zip(features, outlines, there) if fid is None
         ]  # fmt: skip
         parts = self._added(places, filled(tr("adding {count} places of a scan"), count=len(places)))
         new = iter([fid for fids in parts for fid in fids])

@@ -107,7 +107,7 @@ class WindowsTable(QTableView):
         room, columns, wanted = self.viewport().width(), self._windows.columns, self._chosen()
         meter = ColumnMeter(self, self._windows)
         if wanted is not None:
-            sizes = {place: meter.width(one) for place, one in enumerate(columns) if one.field in wanted}
+            sizes = {place: meter.width(column) for place, column in enumerate(columns) if column.field in wanted}
         else:
             sizes = fitted_columns(columns, meter, room)
         for section in range(len(columns)):

@@ -94,7 +94,7 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
         guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
     details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
-    masks = {number: one.valid for number, one in planes.sources.items() if one.valid is not None}
+    masks = {number: source.valid for number, source in planes.sources.items() if source.valid is not None}
     sources = MeetingSources.of(replace(expected, labels=labels), masks)
     cells, beside = detail_sums(details, sources, energy_of_rounding(image.plane))
     labels = filled_in(labels, guessed)

@@ -55,7 +55,7 @@ class MosaicReading:
     def unread(self) -> Iterator[PixelWindow]:
         """Windows on the mosaic that could not be read."""
         edges = self._mosaic.columns, self._mosaic.rows
-        return (one.cut_to(*edges) for one in dict.fromkeys(self._unread))
+        return (window.cut_to(*edges) for window in dict.fromkeys(self._unread))
 
     @property
     def told(self) -> dict[str, str]:
@@ -78,6 +78,6 @@ class MosaicReading:
     def _lost(self) -> tuple[float, float, float]:
         """Share of the mosaic that could not be read, and the middle of its largest window."""
         windows = sorted(self.unread, key=lambda window: -window.width * window.height)
-        share = sum(one.width * one.height for one in windows) / (self._mosaic.columns * self._mosaic.rows)
+        share = sum(window.width * window.height for window in windows) / (self._mosaic.columns * self._mosaic.rows)
         column, row = windows[0].column + windows[0].width / 2, windows[0].row + windows[0].height / 2
         return share, *self._mosaic.grid.to_map(column, row)

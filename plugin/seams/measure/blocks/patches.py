@@ -82,7 +82,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         nothing = np.full(shape, UNKNOWN, np.uint8)
         return SquareLook(nothing, np.zeros(shape, bool), empty, CellTable.empty(levels))
     fine = high_pass(planes.mosaic)
-    fines = {i: high_pass(one.plane) for i, one in planes.sources.items()}
+    fines = {i: high_pass(source.plane) for i, source in planes.sources.items()}
     told = _told(fine, fines, planes, with_patch, empty)
     if not told.sampled.any():
         return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels), plain=_is_plain(fine, shape))
@@ -100,7 +100,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
     # Ground of another image would be explained by a filter that nothing came through.
     cells, learned = cells_of(told.without(told.odd(is_compressed)))
     if learned.filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
-        shown = {i: learned.applied(i, one) for i, one in fines.items()}
+        shown = {i: learned.applied(i, fine) for i, fine in fines.items()}
         told = _told(fine, shown, planes, with_patch, empty)
         cells, learned = cells_of(told)
     # What was warped is explained as badly as by another image.
@@ -200,9 +200,9 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     planes = pixels.strip_of_patches(starts[:, 0], starts[:, 1], PATCH_PX)
     shape = len(squares), 1
     valid = _share(planes.mosaic_valid, shape) >= _MIN_VALID
-    fines = {i: high_pass(one.plane) for i, one in planes.sources.items()}
+    fines = {i: high_pass(source.plane) for i, source in planes.sources.items()}
     if look.learned is not None:
-        fines = {i: look.learned.applied(i, one) for i, one in fines.items()}
+        fines = {i: look.learned.applied(i, fine) for i, fine in fines.items()}
     winner, sure, *_ = _followed(high_pass(planes.mosaic), fines, planes, shape)
     found[tuple(squares.T)] = np.where(sure & valid, winner, UNKNOWN)[:, 0]
     return found
@@ -239,7 +239,7 @@ def _followed(
     numbers = np.array(list(fines), np.uint8)
     least = LEAST_ENERGY * (CELL_PX**2)
     own = _quadrants(fine, fine, shape) + least
-    energies = np.stack([_quadrants(one, one, shape) for one in fines.values()]) + least
+    energies = np.stack([_quadrants(fine, fine, shape) for fine in fines.values()]) + least
     shared = np.stack([_quadrants(fine, one, shape) for one in fines.values()])
     for k, i in enumerate(fines):
         if (valid := planes.sources[i].valid) is not None:
@@ -304,5 +304,5 @@ def _cells(
         details[:, k].reshape(3, shape[0], PATCH_PX // 2, shape[1], PATCH_PX // 2)[:, :, cell, :, cell] for k in (0, 1)
     )
     sums = [np.einsum("daibj,daibj->ab", a, b)[np.newaxis] for a, b in ((own, own), (other, other), (own, other))]
-    rows, columns = ((one[step // 2 :: step] + _CELL.start) // CELL_PX for one in starts)
+    rows, columns = ((start[step // 2 :: step] + _CELL.start) // CELL_PX for start in starts)
     return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), Learned(filters, frozenset(numbers))

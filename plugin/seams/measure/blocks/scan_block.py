@@ -133,7 +133,7 @@ def _scanned(request: BlockRequest) -> BlockScan:
     wanted = request.wanted
     is_full = request.settings.density == FULL and wanted is None
     whole = wanted is None or wanted.mean() >= WHOLE_SHARE
-    refs, settings = [one.ref for one in request.sources], request.settings
+    refs, settings = [source.ref for source in request.sources], request.settings
     margin_px = (BLOCK_MARGIN_PX if is_full else 0) if whole else None
     # Those of a block at the mosaic's edge may be too few for a patch.
     width, height = max(request.window.width, SQUARE_PX), max(request.window.height, SQUARE_PX)
@@ -348,7 +348,7 @@ class _Block:
         table = CellTable.joined([CellTable.empty(levels), *self._tables])
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
-            request.key, tuple(one.ref.path for one in request.sources), self._squares, self._dense, self._labels,
+            request.key, tuple(source.ref.path for source in request.sources), self._squares, self._dense, self._labels,
             self._mixture, self._grey, self._grain, table, beside, self._ground(),
             self._learned, notices,
         )

@@ -85,7 +85,7 @@ def likenesses(mosaic: Raster, sources: Sequence[Source]) -> list[Likeness]:
     these is like it.
     """
     found = [Likeness.OTHER] * len(sources)
-    on_mosaic = [n for n, one in enumerate(sources) if covered_share(mosaic.extent, one.extent) >= LEAST_COVER]
+    on_mosaic = [n for n, source in enumerate(sources) if covered_share(mosaic.extent, source.extent) >= LEAST_COVER]
     copies = [n for n in on_mosaic if is_made_of(sources[n].ref, mosaic.ref)]
     candidates = [n for n in on_mosaic if n not in copies]
     if candidates:
@@ -135,9 +135,9 @@ def _explained(patch: _Patch, others: Sequence[_Patch]) -> float:
     """Share of the detail of a patch that the neighbourhoods of 3 x 3 px in others explain; nan where too few pixels
     are in all of them."""
     inner = (slice(1, -1),) * 2
-    near = [sliding_window_view(one.values, (3, 3)).reshape(*one.values[inner].shape, 9) for one in others]
+    near = [sliding_window_view(other.values, (3, 3)).reshape(*other.values[inner].shape, 9) for other in others]
     both = patch.valid[inner] & np.all(
-        [sliding_window_view(one.valid, (3, 3)).all(axis=(2, 3)) for one in others], axis=0
+        [sliding_window_view(other.valid, (3, 3)).all(axis=(2, 3)) for other in others], axis=0
     )
     detail = _Patch(patch.values[inner], both).differences(both)
     if both.mean() < LEAST_SHARED or not detail.any() or not np.isfinite(detail).all():

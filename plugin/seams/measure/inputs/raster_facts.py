@@ -59,8 +59,8 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
     mosaic's, since all of the sources of a mosaic may have been converted; one that covers the mosaic where fewer than
     half of the others do, for it is rather a copy of it, another mosaic or a map.
     """
-    found = {one.key: reason for one in rasters if (reason := _unfit(mosaic, one)) is not None}
-    fit = [one for one in rasters if one.key not in found]
+    found = {raster.key: reason for raster in rasters if (reason := _unfit(mosaic, raster)) is not None}
+    fit = [raster for raster in rasters if raster.key not in found]
     for group, reasons in (
         ([one.has_mosaic_system for one in fit], {one.key: messages.OTHER_SYSTEM() for one in fit}),
         ([one.pixel_type == mosaic.pixel_type for one in fit], {
@@ -69,11 +69,11 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
     ):
         if 2 * sum(group) >= len(group):
             found |= {one.key: reasons[one.key] for one, shares in zip(fit, group) if not shares}
-    left = [one for one in rasters if one.key not in found]
+    left = [raster for raster in rasters if raster.key not in found]
     covering = [one.key for one in left if covers(mosaic, one)]
     if 2 * len(covering) < len(left):
         found |= dict.fromkeys(covering, messages.COVERS_MOSAIC())
-    return {one.key: Suitability(found.get(one.key)) for one in rasters}
+    return {raster.key: Suitability(found.get(raster.key)) for raster in rasters}
 
 
 def covers(mosaic: RasterFacts, raster: RasterFacts) -> bool:
@@ -95,12 +95,12 @@ def likely_mosaic(rasters: Sequence[RasterFacts]) -> str | None:
 
 def _has_sources(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> bool:
     """Whether there are two sources of its pixel size, smaller than it, that lie in it but for their margins."""
-    standings = suitable_by_header(mosaic, [one for one in rasters if one.key != mosaic.key])
+    standings = suitable_by_header(mosaic, [raster for raster in rasters if raster.key != mosaic.key])
     sources = [
-        one for one in rasters
-        if one.key in standings and standings[one.key].is_suggested and one.extent and mosaic.extent
-        and not covers(mosaic, one) and covered_share(one.extent, mosaic.extent) > 0.5
-        and one.pixel_size * MOST_LARGER >= mosaic.pixel_size
+        raster for raster in rasters
+        if raster.key in standings and standings[raster.key].is_suggested and raster.extent and mosaic.extent
+        and not covers(mosaic, raster) and covered_share(raster.extent, mosaic.extent) > 0.5
+        and raster.pixel_size * MOST_LARGER >= mosaic.pixel_size
     ]
     return len(sources) >= 2 and _area(mosaic) > max(map(_area, sources))
 

@@ -36,7 +36,7 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
     they are, as each had to be asked for.
     """
     with RasterPool(_OPEN) as pool:
-        rasters = {number: raster for number, one in enumerate(sources) if (raster := _part(mosaic, one, pool))}
+        rasters = {number: raster for number, source in enumerate(sources) if (raster := _part(mosaic, source, pool))}
         footprints, numbers = Footprints(sources[number] for number in rasters), list(rasters)
         meeting = ((n, numbers[k]) for n in numbers for k in footprints.meeting(sources[n].extent) if numbers[k] > n)
 
@@ -86,7 +86,7 @@ def _box(clip: Clip) -> tuple[np.ndarray, np.ndarray]:
 
 def images_in_parts(sources: Iterable[Source]) -> list[Message]:
     """What to tell of those."""
-    refs = [one.ref for one in sources if one.ref.parts]
+    refs = [source.ref for source in sources if source.ref.parts]
     return [messages.ONE_IMAGE_IN_PARTS(name=ref.name, count=len(ref.parts)) for ref in refs]
 
 

@@ -114,7 +114,7 @@ def seam_runs(
     """
     runs: list[SeamRun] = []
     unnamed: list[SeamRun] = []
-    wanted = [number for number, one in enumerate(pieces) if one.is_wanted]
+    wanted = [number for number, piece in enumerate(pieces) if piece.is_wanted]
     wanted.sort(key=lambda number: (pieces[number].piece.seam_id, pieces[number].piece.station_m))
     for number in wanted:
         one = pieces[number]

@@ -247,7 +247,7 @@ class _Pixels:
 
     def __init__(self, request: RunRequest, window: PixelWindow, count: int) -> None:
         """``count``: of the sources. Raises RasterError where the mosaic or one beside the run has no pixels."""
-        refs = [one.ref for one in request.sources[:count]]
+        refs = [source.ref for source in request.sources[:count]]
         block = BlockPixels(request.mosaic, refs, window, 0, request.grey_factor)
         self.window, self.mosaic, self.own, self._clips = window, request.mosaic, block.held.own, block.held.clips
         if any(side not in self._clips for side in _SIDES):

@@ -47,8 +47,8 @@ def patch_file(mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: 
 
 def joined_patches(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) -> PlacedPatch:
     """All of them in one such file, sparse between them. Raises RasterError where it can't be written."""
-    windows = [one.window for one in patches]
-    left, top = min(one.column for one in windows), min(one.row for one in windows)
+    windows = [patch.window for patch in patches]
+    left, top = min(window.column for window in windows), min(window.row for window in windows)
     right, bottom = max(one.column + one.width for one in windows), max(one.row + one.height for one in windows)
     whole = _created("VRT", mosaic, window := PixelWindow(left, top, right - left, bottom - top))
     _lay(whole, range(whole.RasterCount), [PlacedPatch(one.path, one.window.moved_by(-left, -top)) for one in patches])

@@ -75,7 +75,7 @@ class MendRequest:
     @cached_property
     def numbers(self) -> dict[str, int]:
         """Numbers of the sources by what the pieces call them."""
-        names = {str(side) for one in self.pieces for side in (one.piece.left, one.piece.right)}
+        names = {str(side) for piece in self.pieces for side in (piece.piece.left, piece.piece.right)}
         return self.scan.numbers_named(names)[0]
 
     @cached_property
@@ -86,7 +86,7 @@ class MendRequest:
     @cached_property
     def index(self) -> PieceIndex:
         """All pieces by place."""
-        return PieceIndex([one.piece for one in self.pieces], self.mosaic.grid)
+        return PieceIndex([piece.piece for piece in self.pieces], self.mosaic.grid)
 
     def near(self, run: SeamRun, reach_px: float) -> PieceIndex:
         """Sources near a run."""
@@ -148,7 +148,7 @@ CUT_COLUMNS: tuple[Column[MendedSeam], ...] = (
 
 def metres(seams: Sequence[MendedSeam], *outcomes: str) -> float:
     """Length of those that ended so, or of all."""
-    return sum((one.run.piece.length_m for one in seams if not outcomes or one.outcome in outcomes), 0.0)
+    return sum((seam.run.piece.length_m for seam in seams if not outcomes or seam.outcome in outcomes), 0.0)
 
 
 class Mending:
@@ -173,7 +173,7 @@ class Mending:
             for step in blocks.steps(_LOOK, list(runs), lambda key: self.request.run(key, runs[key])):
                 fitting[step.key] = step.brief
                 yield step
-            self._cuts = [one for key, run in runs.items() for one in self._parts(key, run, fitting.get(key, ()))]
+            self._cuts = [part for key, run in runs.items() for part in self._parts(key, run, fitting.get(key, ()))]
             parts = {key: run for key, run in self._cuts if key not in runs}
             yield from blocks.steps(_LOOK, list(parts), lambda key: self.request.run(key, parts[key]))
 
@@ -208,7 +208,7 @@ class Mending:
             write_mended(path := str(Path(folder) / "mended.vrt"), mosaic, [patch for _, patch in tried if patch])
             kept = self._measured(path, cuts, goes_on, executor, ahead) if cuts else {}
             seams = [self._judged(number, cut, kept.get(number)) for number, (cut, _) in enumerate(tried)]
-            better = [patch for (_, patch), one in zip(tried, seams) if patch is not None and one.outcome != LEFT]
+            better = [patch for (_, patch), seam in zip(tried, seams) if patch is not None and seam.outcome != LEFT]
             if self._single:
                 better = [joined_patches(self._single, mosaic, better)] if better else []
             else:
@@ -289,9 +289,9 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
     """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where a
     setting is out of its range, no file can be, or another one is under way there."""
     request.settings.check()
-    given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
-    given.append(np.array([one.is_wanted for one in request.pieces]))
-    refs = request.mosaic.ref, *(one.ref for one in request.sources)
+    given = [item for piece in request.pieces for item in (piece.piece.vertices, piece.piece.left, piece.piece.right)]
+    given.append(np.array([piece.is_wanted for piece in request.pieces]))
+    refs = request.mosaic.ref, *(source.ref for source in request.sources)
     outputs = {"mended": mended, **{os.path.basename(path): path for path in _made_patches(patches)}}
     place = request.mosaic.geotransform, request.mosaic.wkt
     fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, given, place)

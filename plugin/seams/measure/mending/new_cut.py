@@ -99,7 +99,7 @@ def fit_along(
         tile = tuple(map(slice, np.maximum(middle - _TILE_PX // 2, 0), middle + _TILE_PX // 2))
         found.append(_apart(first[tile], second[tile], valid[tile], crossed[tile]))
     lengths = [0.0 if one is None else one.length for one in found]
-    far = np.repeat(np.array(lengths) > MOST_MISFIT_PX, [len(one) for one in stretches])
+    far = np.repeat(np.array(lengths) > MOST_MISFIT_PX, [len(stretch) for stretch in stretches])
     misfit = max((one.length for one in (shift, *found) if one is not None), default=None)
     if misfit is not None:
         return misfit, messages.IMAGES_MISFIT(misfit=misfit) if misfit > MOST_MISFIT_PX else None, far

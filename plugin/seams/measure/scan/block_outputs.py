@@ -121,7 +121,7 @@ def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
     row, column = key
     near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
     scans = [whole_block(files, one) for one in near]
-    return [one.cells for one in scans if one is not None]
+    return [scan.cells for scan in scans if scan is not None]
 
 
 def _ground_name(key: BlockKey) -> str:

@@ -308,7 +308,7 @@ class BlockRun:
 
 
 def _is_of_its_sources(scan: BlockScan, request: BlockRequest) -> bool:
-    return scan.sources == tuple(one.ref.path for one in request.sources)
+    return scan.sources == tuple(source.ref.path for source in request.sources)
 
 
 def _what_neighbours_need(scan: BlockScan) -> tuple[tuple[str, ...], np.ndarray, bytes]:

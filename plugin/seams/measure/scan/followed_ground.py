@@ -71,7 +71,7 @@ class FollowedGround:
         self._units = units[: self._rows, : self._columns]
         # What is too short to be measured tells nothing of a border, be there a piece of it every few metres.
         least_m = LEAST_SEAM_PX * self._grid.ground_sample_distance
-        long = [one for one in pieces if one.length_m >= least_m]
+        long = [piece for piece in pieces if piece.length_m >= least_m]
         paths = [self._grid.to_pixels(one.vertices) for one in long]
         self._on_seam = self._marked(paths)
         # Beside a seam, not beyond its end: there it may have been cut off.
@@ -106,7 +106,7 @@ class FollowedGround:
             told["nodata_inside"] = f"{self.empty:.6f}"
         for name, borders in (("unseen", self.unseen), ("hidden", self.hidden)):
             if borders:
-                told[f"{name}_metres"] = f"{sum(one.metres for one in borders):.1f}"
+                told[f"{name}_metres"] = f"{sum(border.metres for border in borders):.1f}"
                 told[f"{name}_longest"] = f"{borders[0].metres:.1f}"
         for name, places in (
             ("unexplained", self.unexplained_places), ("nodata", self._places(self._inside)),

@@ -54,7 +54,7 @@ _TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
 
 def _listed(rasters: Iterable[RasterRef]) -> str:
     """Paths of rasters as JSON: so somebody else finds what a scan was made of, wherever the program was started."""
-    return json.dumps([path for one in rasters for path in one.paths], ensure_ascii=False)
+    return json.dumps([path for raster in rasters for path in raster.paths], ensure_ascii=False)
 
 
 class Gathering:
@@ -106,7 +106,7 @@ class Gathering:
         told.update(self._reading.told)
         if names := request.not_given:
             told["not_given"] = ", ".join(names)
-        if doubtful := [name for name, one in zip(request.source_names, request.sources) if one.may_be_copy]:
+        if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
             told["may_be_copies"] = ", ".join(doubtful)
         told.update(ground.told)
         if raster is not None:
@@ -116,7 +116,7 @@ class Gathering:
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
         notices = [*self._reading.notices, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
         if not (pieces or request.seams or too_many):
-            followed = ", ".join(request.source_names[one.source] for one in polygons)
+            followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
             notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []
         crew.tell(1.0)
         return ScanResult(judged, polygons, tuple(worst), (), tuple(notices), told)
@@ -236,7 +236,7 @@ class Gathering:
 def _more_than_outlines(request: ScanRequest, pieces: Sequence[SeamPiece]) -> Iterator[Message]:
     """Places where labels change so often that their borders can't be seams: an image has a seam around it at most."""
     grid = request.mosaic.grid
-    shared = [shared_extent(one.extent, grid.extent) for one in request.sources]
+    shared = [shared_extent(source.extent, grid.extent) for source in request.sources]
     around = sum(2 * ((e[2] - e[0]) * grid.metres_x + (e[3] - e[1]) * grid.metres_y) for e in shared if e is not None)
     found = sum(piece.length_m for piece in pieces)
     if found > _MOST_AROUND * around:
@@ -304,7 +304,7 @@ def _raised(_requests: Sequence[Any], reason: Message) -> Message:
 def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:
     """What the given seams say themselves of which source each part came from."""
     cells = request.given.cells if request.given else ()
-    numbers, _ = request.numbers_named({one.source for one in cells})
+    numbers, _ = request.numbers_named({cell.source for cell in cells})
     by_source: dict[int, ogr.Geometry] = {}
     for cell in cells:
         if cell.source in numbers:

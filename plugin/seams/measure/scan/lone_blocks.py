@@ -69,7 +69,7 @@ class LoneTable:
     @classmethod
     def joined(cls, tables: Sequence[LoneTable]) -> LoneTable:
         """Cells of several windows that share no cell; at least one table, all of one mosaic."""
-        some = [one for one in tables if len(one)] or list(tables[:1])
+        some = [table for table in tables if len(table)] or list(tables[:1])
         firsts = np.cumsum([0, *(len(one) for one in some[:-1])])
         cells = [one.cell + np.int32(first) for one, first in zip(some, firsts)]
         parts = {
@@ -123,7 +123,7 @@ def lone_cells(pixels: MosaicPixels, window: PixelWindow, pieces: PieceIndex, wa
     row, column = down[near].astype(np.int32), across[near].astype(np.int32)
     energies = in_squares(finest, CELL_PX // _GRID_PX).swapaxes(1, 2)[place][near]
     parts = _parts(energies, row, column, distance[near], pieces)
-    return LoneTable(row, column, np.stack([one[near] for one in colours], axis=1).astype(np.float32), *parts)
+    return LoneTable(row, column, np.stack([colour[near] for colour in colours], axis=1).astype(np.float32), *parts)
 
 
 def _parts(

@@ -67,7 +67,7 @@ class LoneStretches:
     @classmethod
     def joined(cls, parts: Sequence[LoneStretches]) -> LoneStretches:
         """Stretches of several blocks; at least one."""
-        return cls(*(np.concatenate([getattr(one, f.name) for one in parts], axis=-1) for f in fields(cls)))
+        return cls(*(np.concatenate([getattr(part, f.name) for part in parts], axis=-1) for f in fields(cls)))
 
     def chosen(self, where: np.ndarray) -> LoneStretches:
         """Stretches that a mask or an index names."""

@@ -135,7 +135,7 @@ def visibilities(
 
 def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> PixelWindow:
     """The pixels within reach of them."""
-    places = np.concatenate([grid.to_pixels(one.vertices) for one in pieces])
+    places = np.concatenate([grid.to_pixels(piece.vertices) for piece in pieces])
     left, top = np.floor(places.min(axis=0) - reach_px).astype(int).tolist()
     right, bottom = np.ceil(places.max(axis=0) + reach_px).astype(int).tolist()
     return PixelWindow(left, top, right - left, bottom - top)

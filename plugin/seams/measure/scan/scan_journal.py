@@ -66,8 +66,8 @@ def fingerprint_of(
         ),
         "places": _digest([
             mosaic.wkt, mosaic.nodata, place, *_said_of_place(mosaic.path, listed),
-            *((one.ref.wkt, one.ref.nodata, one.extent) for one in sources),
-            *(said for one in sources for path in one.ref.paths for said in _said_of_place(path, listed)),
+            *((source.ref.wkt, source.ref.nodata, source.extent) for source in sources),
+            *(said for source in sources for path in source.ref.paths for said in _said_of_place(path, listed)),
         ]),
         "settings": _digest([settings]),
         "seams": _digest(seams),

@@ -83,13 +83,13 @@ class ScanRequest:
 
     def numbers_named(self, names: Iterable[str]) -> tuple[dict[str, int], Message | None]:
         """Numbers of the sources that names mean, those of their parts, too; and which names mean none."""
-        files = [(path, number) for number, one in enumerate(self.sources) for path in one.ref.paths]
+        files = [(path, number) for number, source in enumerate(self.sources) for path in source.ref.paths]
         return source_numbers(names, [path for path, _ in files], [number for _, number in files])
 
     @cached_property
     def source_names(self) -> list[str]:
         """What the sources are called in the results."""
-        return names_apart([one.ref.path for one in self.sources])
+        return names_apart([source.ref.path for source in self.sources])
 
     @cached_property
     def dates(self) -> dict[str, str]:
@@ -106,7 +106,7 @@ class ScanRequest:
     @cached_property
     def numbers(self) -> dict[str, int]:
         """Numbers of the sources by their paths."""
-        return {one.ref.path: number for number, one in enumerate(self.sources)}
+        return {source.ref.path: number for number, source in enumerate(self.sources)}
 
     @cached_property
     def seam_squares(self) -> SeamSquares | None:
@@ -151,7 +151,7 @@ class ScanRequest:
     def _sides(self, window: PixelWindow, sources: Sequence[Source]) -> SeamSides:
         """Sides of the given seams near a window, by the numbers that the sources of its block have."""
         near, named = self._index.near(window, REACH_PX), self.named[0]
-        number_of = {one.ref.path: number for number, one in enumerate(sources)}
+        number_of = {source.ref.path: number for number, source in enumerate(sources)}
 
         def source(name: Side) -> int | None:
             place = named.get(name) if isinstance(name, str) else None
@@ -171,7 +171,7 @@ def largest(sources: tuple[Source, ...], mosaic: Raster, window: PixelWindow) ->
     if len(sources) <= UNKNOWN:
         return sources
     left, bottom, right, top = mosaic.grid.window_extent(window)
-    extents = np.array([one.extent for one in sources])
+    extents = np.array([source.extent for source in sources])
     width = np.minimum(extents[:, 2], right) - np.maximum(extents[:, 0], left)
     height = np.minimum(extents[:, 3], top) - np.maximum(extents[:, 1], bottom)
     chosen = np.argsort(-width * height, kind="stable")[:UNKNOWN]

@@ -141,7 +141,7 @@ def without_verdict(pieces: Sequence[JudgedPiece]) -> tuple[Message, ...]:
 
 def metres(pieces: Sequence[JudgedPiece], *states: PieceState) -> float:
     """Length of all pieces, or of those that count as one of some states."""
-    return math.fsum(one.piece.length_m for one in pieces if not states or one.state in states)
+    return math.fsum(piece.piece.length_m for piece in pieces if not states or piece.state in states)
 
 
 WINDOWS_ALONG = 4
@@ -166,7 +166,7 @@ def worst_windows(
     side = window_side_px(grid, levels)
     taken = WindowIndex(max(side, 1))
     found: list[PlacedWindow] = []
-    measured = [(one.least_kept, number) for number, one in enumerate(pieces) if one.least_kept is not None]
+    measured = [(piece.least_kept, number) for number, piece in enumerate(pieces) if piece.least_kept is not None]
     for _, number in sorted(measured):
         judged = pieces[number]
         if len(found) >= count:
@@ -269,7 +269,7 @@ class ScanResult:
     @property
     def worst_kept(self) -> float | None:
         """kept_1 of the piece that kept least; None where nothing could be measured."""
-        return min((one.least_kept for one in self.pieces if one.least_kept is not None), default=None)
+        return min((piece.least_kept for piece in self.pieces if piece.least_kept is not None), default=None)
 
 
 SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
@@ -317,7 +317,7 @@ def seam_notes(result: ScanResult, settings: ScanSettings, wkt: str) -> dict[str
     ``wkt``: the mosaic's reference system.
     """
     notes = {"version": plugin_version(), **settings.told, **result.told, SYSTEM: wkt}
-    lines = (one.piece.vertices for one in result.features)
+    lines = (feature.piece.vertices for feature in result.features)
     return sealed_notes(notes, zip(_field_rows(result.features), lines))
 
 
@@ -326,4 +326,4 @@ def _field_rows(features: Sequence[JudgedPiece]) -> list[Row]:
 
 
 def _levels(features: Sequence[JudgedPiece]) -> int:
-    return max((len(one.kept) for one in features if one.kept), default=1)
+    return max((len(feature.kept) for feature in features if feature.kept), default=1)

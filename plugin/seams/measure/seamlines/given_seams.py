@@ -190,7 +190,7 @@ def polygon_faults(polygons: Sequence[tuple[str, ogr.Geometry]], grid: Grid) -> 
             for other in np.flatnonzero(meets[number + 1 :]) + number + 1:
                 shared = geometry.Intersection(polygons[other][1])
                 parts = () if shared is None else parts_with_area(shared)
-                area = sum(one.GetArea() for one in parts if 2 * one.GetArea() > narrow * one.Boundary().Length())
+                area = sum(part.GetArea() for part in parts if 2 * part.GetArea() > narrow * part.Boundary().Length())
                 if area:
                     overlaps.append((area * square_metres, name, polygons[other][0]))
         if overlaps:

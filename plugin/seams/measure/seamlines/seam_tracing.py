@@ -37,7 +37,7 @@ class SourceBorder:
 
 def seams_of(borders: Iterable[SourceBorder]) -> list[SidedSeam]:
     """The borders that have a source on either side, longest first."""
-    seams = [SidedSeam(one.vertices, one.left, one.right) for one in borders if one.left != NONE]
+    seams = [SidedSeam(border.vertices, border.left, border.right) for border in borders if border.left != NONE]
     # Rounded, so that equal lengths stay equal; then from the north to the south.
     return sorted(seams, key=lambda one: (-round(one.length, 6), -one.vertices[0, 1], one.vertices[0, 0]))
 

@@ -41,7 +41,7 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     request, mosaic, band = measured.request, measured.mosaic, measured.band
     notices, paper, clips = list(measured.notices), measured.paper, measured.clips.clips
     if not measured.is_explicable:
-        pairs = [pair for one in measured.sources for pair in _pairs(mosaic, one, {})]
+        pairs = [pair for source in measured.sources for pair in _pairs(mosaic, source, {})]
         return WindowResult(
             request.window_id, request.window, paper, paper.verdict, clips, tuple(pairs),
             notices=tuple(notices), ground_sample_distance=request.mosaic.ground_sample_distance,
@@ -120,7 +120,7 @@ def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.
     cell says any."""
     if not request.cells or request.window is None:
         return None
-    paths = [(path, place) for place, one in enumerate(sources) for path in one.clip.raster.ref.paths]
+    paths = [(path, place) for place, source in enumerate(sources) for path in source.clip.raster.ref.paths]
     files, places = [path for path, _ in paths], [place for _, place in paths]
     known = cell_labels(request.cells, files, request.mosaic.grid, request.around, places)
     return known if (known != UNKNOWN).any() else None

@@ -48,7 +48,7 @@ class Block:
     @property
     def files(self) -> tuple[str, ...]:
         """All files of the mosaic and of the sources that take part."""
-        return tuple(path for ref in (self.mosaic.ref, *(one.ref for one in self.sources)) for path in ref.paths)
+        return tuple(path for ref in (self.mosaic.ref, *(source.ref for source in self.sources)) for path in ref.paths)
 
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
         """Sources whose footprint meets the window, wholly or in part."""

@@ -90,7 +90,7 @@ def measure_window(
     if isinstance(mosaic, RasterError):
         is_last = request.around == request.window
         return mosaic.message if is_last else measure_window(replace(request, is_alone=True), read_each, judged_only)
-    clips = [None if isinstance(one, RasterError) else one.around or one.clip for one in others]
+    clips = [None if isinstance(other, RasterError) else other.around or other.clip for other in others]
     images = whole_images_of_clips(request.sources, clips)
     if len(images) < len(request.sources):
         return measure_window(replace(request, sources=tuple(images)), read_each, judged_only)
@@ -98,10 +98,10 @@ def measure_window(
     sources, notices, not_covering = _comparable(others, band)
     pixel_m = mosaic.clip.raster.ground_sample_distance
     judged = [
-        one for one in sources
-        if abs(one.clip.raster.ground_sample_distance / pixel_m - 1) <= imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE
+        source for source in sources
+        if abs(source.clip.raster.ground_sample_distance / pixel_m - 1) <= imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE
     ] or sources
-    shown = [one for one in sources if one not in judged]
+    shown = [source for source in sources if source not in judged]
     notices += [messages.SOURCE_RESAMPLED(name=one.clip.raster.ref.name) for one in shown]
     as_they_are = [one for one in judged if not one.clip.resampled] or judged
     whole = [one.curves[band] for one in as_they_are if one.clip.valid is None]

@@ -304,7 +304,7 @@ _ROW_COLUMNS = tuple(one for one in MEASURED if one.name != "observer")
 
 def in_filter(fields: Sequence[WindowField] = WINDOW_FIELDS) -> dict[str, WindowField]:
     """Fields by all names that a filter may call them, those by level without it."""
-    return {name: one for one in fields for name in (one.name, *one.called)}
+    return {name: field for field in fields for name in (field.name, *field.called)}
 
 
 def window_rows(results: Iterable[WindowResult]) -> TableRows:
