@@ -51,7 +51,7 @@ class ProvenAcceptMosaic(AcceptMosaic):
         first = mosaics[0]
         self._sources = gathered_sources(run, given, mosaic_crs(first), first.wkt)
         self._wkt = first.wkt
-        return tuple(one.ref for one in self._sources)
+        return tuple(source.ref for source in self._sources)
 
     def prover(self) -> Prover | None:
         sources: Sequence[Source] = getattr(self, "_sources", ())
@@ -94,7 +94,7 @@ def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, 
     from .seams.measure.seam_cells import source_stem
 
     wanted = {source_stem(name) for name in sides if name}
-    named = tuple(one for one in sources if source_stem(one.ref.name) in wanted)
+    named = tuple(source for source in sources if source_stem(source.ref.name) in wanted)
     return named if len({source_stem(one.ref.name) for one in named}) == _MOST_IMAGES else tuple(sources)
 
 
@@ -115,8 +115,8 @@ def _panels(request: WindowRequest, part: tuple[int, int, int, int]) -> Iterator
     if isinstance(composite, WindowComposite):
         shown = composite.bands[: 3 if has_colours(composite.names) else 1]
         yield ProofPanel(CUT_PANEL, "", _part(brightness(shown, ranges), part))
-    images.sort(key=lambda one: -one.covered)
-    for image in sorted(images[:_MOST_IMAGES], key=lambda one: one.raster):
+    images.sort(key=lambda image: -image.covered)
+    for image in sorted(images[:_MOST_IMAGES], key=lambda image: image.raster):
         yield ProofPanel(IMAGE_PANEL, image.raster, _part(image.pixels, part))
 
 

@@ -43,7 +43,7 @@ def delivered_scans(project: QgsProject, first: str) -> list[DeliveredScan]:
     """Scans of the project's mosaics, that of the mosaic ``first`` first."""
     found = []
     rasters = [one for one in project.mapLayers().values() if isinstance(one, QgsRasterLayer) and one.isValid()]
-    for mosaic in sorted(rasters, key=lambda one: (one.id() != first, one.name())):
+    for mosaic in sorted(rasters, key=lambda raster: (raster.id() != first, raster.name())):
         worst = worst_layer(project, mosaic.id())
         if worst is not None and layer_path(worst):
             file = Path(layer_path(worst))

@@ -25,7 +25,7 @@ MOST_PICTURED = 100  # runs, those that keep least first; the others stand in th
 def save_mending_report(path: Path, request: MendRequest, mended: str, seams: Sequence[MendedSeam]) -> None:
     """Write the report. ``mended``: the mended mosaic. Raises SettingsError where no file can be."""
     words = {MENDED: tr("mended"), IMPROVED: tr("improved"), LEFT: tr("left")}
-    shown = sorted((seam for seam in seams if seam.outcome != LEFT), key=lambda one: one.kept or 0.0)[:MOST_PICTURED]
+    shown = sorted((seam for seam in seams if seam.outcome != LEFT), key=lambda seam: seam.kept or 0.0)[:MOST_PICTURED]
     with rasters_kept():
         save_page(
             path, "mending",

@@ -183,7 +183,7 @@ class _Comparison:
                 differences = coarse.differences(coarse.valid)
                 if coarse.valid.mean() >= LEAST_SHARED and (detail := float(differences @ differences)) > 0:
                     patches.append((detail, window, patch))
-        richer = (max(patches[k : k + 2], key=lambda one: one[0]) for k in range(0, len(patches), 2))
+        richer = (max(patches[k : k + 2], key=lambda patch: patch[0]) for k in range(0, len(patches), 2))
         self._places = [(window, patch) for _, window, patch in richer]
         footprints = Footprints(sources)
         self._over = [set(footprints.meeting(mosaic.grid.window_extent(window))) for window, _ in self._places]

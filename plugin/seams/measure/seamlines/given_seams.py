@@ -194,7 +194,7 @@ def polygon_faults(polygons: Sequence[tuple[str, ogr.Geometry]], grid: Grid) -> 
                 if area:
                     overlaps.append((area * square_metres, name, polygons[other][0]))
         if overlaps:
-            overlaps.sort(key=lambda found: -found[0])
+            overlaps.sort(key=lambda overlap: -overlap[0])
             named = [f"{one} / {other}" for _, one, other in overlaps if one and other][:_NAMED]
             total = sum(area for area, _, _ in overlaps)
             notices.append(

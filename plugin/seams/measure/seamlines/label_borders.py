@@ -211,7 +211,7 @@ def joined_borders(edges: np.ndarray, columns: int) -> list[LabelBorder]:
         nodes = np.append(start[group], stop[group[-1]])
         places, sides = np.column_stack(np.divmod(nodes // 2, columns + 1)), (int(left[group[0]]), int(right[group[0]]))
         borders.append(LabelBorder(places, *sides, (int(nodes[0]), int(nodes[-1]))))
-    return sorted(borders, key=lambda one: (one.keys, one.left, one.right))
+    return sorted(borders, key=lambda border: (border.keys, border.left, border.right))
 
 
 def _edges(labels: np.ndarray, tile: LabelTile) -> np.ndarray:

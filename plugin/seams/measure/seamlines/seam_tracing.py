@@ -39,7 +39,7 @@ def seams_of(borders: Iterable[SourceBorder]) -> list[SidedSeam]:
     """The borders that have a source on either side, longest first."""
     seams = [SidedSeam(border.vertices, border.left, border.right) for border in borders if border.left != NONE]
     # Rounded, so that equal lengths stay equal; then from the north to the south.
-    return sorted(seams, key=lambda one: (-round(one.length, 6), -one.vertices[0, 1], one.vertices[0, 0]))
+    return sorted(seams, key=lambda seam: (-round(seam.length, 6), -seam.vertices[0, 1], seam.vertices[0, 0]))
 
 
 def trace_borders(edges: np.ndarray, grid: Grid, columns: int, label_px: int = 4) -> list[SourceBorder]:
